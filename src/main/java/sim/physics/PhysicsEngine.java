@@ -1,0 +1,528 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import sim.engine.Schedule;
+import sim.engine.SimState;
+import sim.engine.Steppable;
+import sim.physics.collision.CollisionDetection;
+import sim.physics.collision.broad.BroadPhase;
+import sim.physics.collision.broad.CellGrid;
+import sim.physics.collision.broad.SortAndSweep;
+import sim.physics.internal.Check;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
+import sim.physics.motion.Integrator;
+import sim.physics.motion.Motion;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+import sim.physics.response.CollisionListener;
+import sim.physics.response.CollisionResponse;
+import sim.physics.response.ImpulseSolver;
+import sim.physics.response.PairRule;
+
+/**
+ * A physics engine for MASON: schedule it, and the bodies that were added move, collide and bounce.
+ *
+ * <p>{@link #step()} reads like the write-up: motion, collision detection (broad phase, narrow phase), collision
+ * response. Engines are independent of each other; one engine is to be used by one thread at a time. The engine is
+ * serializable, and a restored one continues bit for bit.
+ */
+public final class PhysicsEngine implements Steppable {
+    private static final long serialVersionUID = 1L;
+
+    /** The ordering at which {@link #scheduleOn(Schedule)} runs the engine; agents that steer bodies come before. */
+    public static final int ORDERING = 10;
+
+    /** Number of bodies from which the broad phase of a new engine is a {@link CellGrid}. */
+    private static final int CROWD = 200;
+
+    private final State state = new State();
+    private final Trajectories trajectories = new Trajectories();
+    private final Motion motion = new Motion(state, trajectories);
+    private final CollisionDetection detection = new CollisionDetection(state, trajectories, new SortAndSweep());
+    private final CollisionResponse response = new CollisionResponse(state, trajectories, motion, detection);
+
+    private final IntList changed = new IntList();
+    private final IntList resting = new IntList();
+    private final List<Body> leaving = new ArrayList<>();
+    private boolean broadPhaseIsChosen;
+    private boolean stepping;
+
+    private double timeStep = 1;
+    private long steps;
+    private double epoch;
+    private long epochStep;
+    private double now;
+
+    /** Makes an empty engine with the time step 1 and the integrator RK4. */
+    public PhysicsEngine() {
+        trajectories.begin(0, timeStep);
+        detection.begin(0, timeStep);
+    }
+
+    /** Advances the bodies by one time step. A time step of 0 changes nothing. */
+    public void step() {
+        if (stepping) {
+            throw new IllegalStateException("the engine was asked to step within its own step");
+        }
+        if (timeStep == 0) {
+            return;
+        }
+        stepping = true;
+        try {
+            begin();
+            drive();
+            detection.look();
+            while (detection.hasEvent()) {
+                int body = detection.takePathEnd();
+                if (body >= 0) {
+                    goOn(body);
+                } else {
+                    respond();
+                }
+            }
+            finish();
+        } finally {
+            stepping = false;
+        }
+    }
+
+    /** Begins the step; bodies that were added or set since the last one start from where they were put. */
+    private void begin() {
+        trajectories.begin(steps, timeStep);
+        detection.begin(steps, timeStep);
+        motion.begin(getTime());
+    }
+
+    /** Motion, (5)–(15): driven bodies get their paths over the step; all others are on their way already. */
+    private void drive() {
+        changed.clear();
+        motion.anchorDriven();
+        admitTouched(0);
+        motion.endApplied(changed);
+        for (int k = 0; k < changed.size; k++) {
+            detection.moved(changed.values[k], 0, false, -1);
+        }
+        checkResting();
+        IntList driven = motion.driven();
+        for (int k = 0; k < driven.size; k += motion.companions(driven.values[k]).size) {
+            follow(driven.values[k]);
+        }
+    }
+
+    /** Gives a driven body, and those that move with it, new paths from their anchors on. */
+    private void follow(int body) {
+        double until = motion.advance(body);
+        IntList group = motion.companions(body);
+        double tau = trajectories.offset(body);
+        for (int k = 0; k < group.size; k++) {
+            detection.moved(group.values[k], tau, false, -1);
+        }
+        if (until < timeStep) {
+            detection.endPath(body, until);
+        }
+    }
+
+    /** Collision response, (16)–(24), at the next impact; then the bodies concerned go on. */
+    private void respond() {
+        double tau = detection.nextTime();
+        IntList touching = detection.nextImpacts();
+        int pair = touching.size == 1 ? touching.values[0] : -1;
+        now = getTime() + tau;
+        IntList deflected = response.respond(touching, tau, now);
+        for (int k = 0; k < deflected.size; k++) {
+            int body = deflected.values[k];
+            motion.deflect(body);
+            if (response.restingPair() >= 0) {
+                support(body, response.restingPair());
+            }
+            if (trajectories.isDriven(body)) {
+                follow(body);
+            } else {
+                detection.moved(body, trajectories.offset(body), false, k == 1 ? pair : -1);
+            }
+        }
+        if (state.touchedCount() > 0 || !leaving.isEmpty()) {
+            admitTouched(tau);
+            removeLeaving();
+        }
+    }
+
+    /** A body has come to rest on a fixed one, which bears it until something happens to it. */
+    private void support(int body, int pair) {
+        motion.support(body, response.restingX(), response.restingY());
+        resting.add(pair);
+    }
+
+    /** Lets bodies fall that have slid off what bore them. */
+    private void checkResting() {
+        int kept = 0;
+        for (int k = 0; k < resting.size; k++) {
+            int pair = resting.values[k];
+            int body = detection.movableOf(pair);
+            if (body < 0 || !motion.isResting(body)) {
+                continue;
+            }
+            if (detection.narrowPhase().bears(pair, 0)) {
+                resting.values[kept++] = pair;
+            } else {
+                trajectories.bring(body, 0);
+                motion.deflect(body);
+                detection.moved(body, 0, false, -1);
+            }
+        }
+        resting.size = kept;
+    }
+
+    /** The path of a body has ended before the step: it has come to rest, or goes on from there. */
+    private void goOn(int body) {
+        double tau = detection.pathEnd();
+        motion.bring(body, tau);
+        if (motion.hold(body)) {
+            detection.moved(body, tau, false, -1);
+        } else {
+            follow(body);
+        }
+    }
+
+    private void finish() {
+        trajectories.publish(timeStep, state);
+        motion.finish();
+        steps++;
+    }
+
+    /** Lets the bodies that were added or written since the last look start from where they were put. */
+    private void admitTouched(double tau) {
+        for (int k = 0; k < state.touchedCount(); k++) {
+            int index = state.touched(k);
+            Body body = state.body(index);
+            if (body == null) {
+                continue;
+            }
+            trajectories.ensure(index + 1);
+            motion.admit(index, tau);
+            if (detection.knows(index)) {
+                detection.refilter(index);
+                detection.moved(index, tau, true, -1);
+            } else {
+                detection.add(index, tau);
+            }
+        }
+        state.clearTouched();
+        if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
+            setBroadPhase(new CellGrid());
+        }
+    }
+
+    private void removeLeaving() {
+        for (Body body : leaving) {
+            drop(body);
+        }
+        leaving.clear();
+    }
+
+    private void drop(Body body) {
+        int index = body.index();
+        if (detection.knows(index)) {
+            detection.remove(index);
+            motion.remove(index);
+        }
+        detection.filter().forget(body);
+        state.remove(body);
+    }
+
+    /**
+     * Adds a body.
+     *
+     * @param <B> its class
+     * @param body a body that is in no engine
+     * @return the body
+     * @throws IllegalStateException if it is in this engine or in another one
+     */
+    public <B extends Body> B add(B body) {
+        Objects.requireNonNull(body, "body");
+        if (!body.state().isOwn()) {
+            String where = body.state() == state ? "this engine" : "another engine";
+            throw new IllegalStateException("body is " + body + ": it is in " + where + " already");
+        }
+        state.add(body);
+        return body;
+    }
+
+    /**
+     * Removes a body; within a step, when the collision that is being handled is over.
+     *
+     * @param body a body of this engine
+     * @throws IllegalStateException if it is not in this engine
+     */
+    public void remove(Body body) {
+        requireMine(body);
+        if (stepping) {
+            if (!leaving.contains(body)) {
+                leaving.add(body);
+            }
+        } else {
+            drop(body);
+        }
+    }
+
+    /**
+     * Whether a body is in this engine.
+     *
+     * @param body any
+     * @return true from add to remove
+     */
+    public boolean contains(Body body) {
+        return body != null && body.state() == state;
+    }
+
+    private void requireMine(Body body) {
+        Objects.requireNonNull(body, "body");
+        if (body.state() != state) {
+            throw new IllegalStateException("body is " + body + ": it is not in this engine");
+        }
+    }
+
+    /**
+     * The bodies, in the order of their blocks.
+     *
+     * @return a copy
+     */
+    public List<Body> bodies() {
+        List<Body> all = new ArrayList<>(state.bodyCount());
+        for (int i = 0; i < state.size(); i++) {
+            if (state.body(i) != null) {
+                all.add(state.body(i));
+            }
+        }
+        return all;
+    }
+
+    /**
+     * Adds a source of forces.
+     *
+     * @param generator not null
+     * @throws IllegalStateException if it was added before
+     */
+    public void add(ForceGenerator generator) {
+        if (!motion.add(generator)) {
+            throw new IllegalStateException("force generator is " + generator + ": it was added already");
+        }
+        touchAll();
+    }
+
+    /**
+     * Removes a source of forces.
+     *
+     * @param generator one that was added
+     * @throws IllegalStateException if it was not
+     */
+    public void remove(ForceGenerator generator) {
+        if (!motion.remove(generator)) {
+            throw new IllegalStateException("force generator is " + generator + ": it is not in this engine");
+        }
+        touchAll();
+    }
+
+    /** Lets all bodies start anew from their places. */
+    private void touchAll() {
+        for (Body body : bodies()) {
+            state.touch(body.index());
+        }
+    }
+
+    /**
+     * Adds one who is told of collisions.
+     *
+     * @param listener not null
+     */
+    public void addListener(CollisionListener listener) {
+        response.listeners().add(Objects.requireNonNull(listener, "listener"));
+    }
+
+    /**
+     * Removes one who is told of collisions.
+     *
+     * @param listener one that was added
+     * @throws IllegalStateException if it was not
+     */
+    public void removeListener(CollisionListener listener) {
+        if (!response.listeners().remove(listener)) {
+            throw new IllegalStateException("listener is " + listener + ": it is not in this engine");
+        }
+    }
+
+    /**
+     * Lets two bodies collide, or pass through one another.
+     *
+     * @param a a body of this engine
+     * @param b another body of this engine
+     * @param collide false to let them pass
+     */
+    public void setCollisions(Body a, Body b, boolean collide) {
+        requireMine(a);
+        requireMine(b);
+        detection.filter().set(a, b, collide);
+        state.touch(a.index());
+    }
+
+    /**
+     * The time step.
+     *
+     * @return simulated time per call of {@link #step()}
+     */
+    public double getTimeStep() {
+        return timeStep;
+    }
+
+    /**
+     * Sets the time step.
+     *
+     * @param timeStep not negative; 0 stops the bodies' time
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
+    public void setTimeStep(double timeStep) {
+        Check.notNegative("time step", timeStep);
+        requireBetweenSteps("the time step was set");
+        epoch = getTime();
+        epochStep = steps;
+        this.timeStep = timeStep;
+        touchAll();
+    }
+
+    private void requireBetweenSteps(String what) {
+        if (stepping) {
+            throw new IllegalStateException(what + " within a step");
+        }
+    }
+
+    /**
+     * Simulated time: the number of steps times their length, so that it does not drift.
+     *
+     * @return 0 for a new engine
+     */
+    public double getTime() {
+        return epoch + (steps - epochStep) * timeStep;
+    }
+
+    /**
+     * Number of steps taken.
+     *
+     * @return 0 for a new engine
+     */
+    public long getSteps() {
+        return steps;
+    }
+
+    /**
+     * The integrator of bodies under forces.
+     *
+     * @return RK4 unless set
+     */
+    public Integrator getIntegrator() {
+        return motion.getIntegrator();
+    }
+
+    /**
+     * Sets the integrator of bodies under forces. Free bodies, and those under uniform fields only, need none: their
+     * paths are exact with any.
+     *
+     * @param integrator not null
+     */
+    public void setIntegrator(Integrator integrator) {
+        motion.setIntegrator(integrator);
+    }
+
+    /**
+     * Sets how the equations of an impact are solved.
+     *
+     * @param solver not null
+     */
+    public void setImpulseSolver(ImpulseSolver solver) {
+        response.setSolver(solver);
+    }
+
+    /**
+     * Sets how the coefficients of two bodies make that of their contact.
+     *
+     * @param restitution the smaller one unless set
+     * @param friction the geometric mean unless set
+     */
+    public void setPairRules(PairRule restitution, PairRule friction) {
+        response.setRules(restitution, friction);
+    }
+
+    /**
+     * Chooses the broad phase, which the engine else chooses by the number of bodies.
+     *
+     * @param broadPhase one that is not in use
+     */
+    public void setBroadPhase(BroadPhase broadPhase) {
+        Objects.requireNonNull(broadPhase, "broadPhase");
+        broadPhaseIsChosen = true;
+        detection.setBroadPhase(broadPhase);
+    }
+
+    /**
+     * Number of collisions.
+     *
+     * @return since the engine was made
+     */
+    public long getImpacts() {
+        return response.impacts();
+    }
+
+    /**
+     * The deepest penetration at which a collision was ever solved.
+     *
+     * @return length, not negative; rounding
+     */
+    public double getDeepestPenetration() {
+        return -response.deepest();
+    }
+
+    /**
+     * Number of poses at which the narrow phase looked at a pair: an exact measure of its work.
+     *
+     * @return since the engine was made or restored
+     */
+    public long getNarrowPhaseEvaluations() {
+        return detection.narrowPhase().evaluations();
+    }
+
+    /**
+     * Kinetic energy of all bodies.
+     *
+     * @return Σ m v²/2 + I ω²/2
+     */
+    public double kineticEnergy() {
+        double sum = 0;
+        for (int i = 0; i < state.size(); i++) {
+            Body body = state.body(i);
+            sum += body == null ? 0 : body.kineticEnergy();
+        }
+        return sum;
+    }
+
+    /**
+     * Starts the engine on a schedule: one step in each unit of schedule time.
+     *
+     * @param schedule MASON's schedule
+     * @return stops the engine
+     */
+    public Repeating scheduleOn(Schedule schedule) {
+        Repeating repeating = new Repeating(this, ORDERING, 1);
+        schedule.scheduleOnce(schedule.getTime() < Schedule.EPOCH ? Schedule.EPOCH : schedule.getTime() + 1, ORDERING, repeating);
+        return repeating;
+    }
+
+    @Override
+    public void step(SimState model) {
+        step();
+    }
+}

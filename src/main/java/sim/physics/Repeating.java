@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics;
+
+import java.util.Objects;
+import sim.engine.SimState;
+import sim.engine.Steppable;
+import sim.engine.Stoppable;
+
+/**
+ * Repeats a Steppable on MASON's schedule by scheduling itself again, because the schedule's own methods for that
+ * changed between versions of MASON in a way that breaks compiled libraries.
+ */
+public final class Repeating implements Steppable, Stoppable {
+    private static final long serialVersionUID = 1L;
+
+    private Steppable target;
+    private final int ordering;
+    private final double interval;
+
+    /**
+     * Makes a repetition; schedule it once to start it.
+     *
+     * @param target what to repeat
+     * @param ordering its ordering
+     * @param interval schedule time between repetitions
+     */
+    public Repeating(Steppable target, int ordering, double interval) {
+        this.target = Objects.requireNonNull(target, "target");
+        this.ordering = ordering;
+        this.interval = interval;
+    }
+
+    @Override
+    public void step(SimState model) {
+        if (target != null) {
+            model.schedule.scheduleOnce(model.schedule.getTime() + interval, ordering, this);
+            target.step(model);
+        }
+    }
+
+    @Override
+    public void stop() {
+        target = null;
+    }
+}

@@ -1,0 +1,484 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.collision.broad.Boxes;
+import sim.physics.collision.broad.BroadPhase;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.collision.narrow.Manifold;
+import sim.physics.collision.narrow.NarrowPhase;
+import sim.physics.collision.narrow.ShapeTable;
+import sim.physics.internal.Agenda;
+import sim.physics.internal.IntList;
+import sim.physics.internal.Tolerances;
+import sim.physics.motion.Body;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Finds the impacts of a step in time order, the write-up's chapter <i>Collision Detection</i>, in continuous time.
+ *
+ * <p>A body is put into a box with some room to move; the broad phase sees the body again when it leaves the box. A
+ * pair whose boxes overlap is looked at once by the narrow phase, which says until when the two cannot touch; it is
+ * looked at again in that step, or when one of the two changes its course. So the cost of a step grows with what
+ * happens in it and not with the number of bodies.
+ */
+public final class CollisionDetection implements Pairs.Listener, Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Room to move in a box around a body, relative to its radius; and the part of it put ahead of the body. */
+    private static final double ROOM = 0.8;
+
+    private static final double AHEAD = 0.6;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final ShapeTable shapes = new ShapeTable();
+    private final Boxes boxes = new Boxes();
+    private final Pairs pairs = new Pairs();
+    private final NarrowPhase narrowPhase;
+    private BroadPhase broadPhase;
+    private final CollisionFilter filter = new CollisionFilter();
+
+    private final Agenda bodyAgenda = new Agenda();
+    private final Agenda pairAgenda = new Agenda();
+    private final EventQueue queue = new EventQueue();
+
+    /** When a pair's impact in the present step is, or NaN. */
+    private double[] impactTime = new double[16];
+
+    /** When a body's path ends in the present step, or NaN. */
+    private double[] endTime = new double[8];
+
+    private boolean[] known = new boolean[8];
+    private double pathEnd;
+
+    private boolean[] ignored = new boolean[16];
+    private final IntList fresh = new IntList();
+    private final IntList together = new IntList();
+    private long step;
+    private double h;
+
+    /**
+     * Makes the collision detection of an engine.
+     *
+     * @param state the state vectors
+     * @param trajectories the motion of the bodies
+     * @param broadPhase an empty broad phase
+     */
+    public CollisionDetection(State state, Trajectories trajectories, BroadPhase broadPhase) {
+        this.state = state;
+        this.trajectories = trajectories;
+        this.broadPhase = broadPhase;
+        this.narrowPhase = new NarrowPhase(pairs, trajectories, shapes);
+        pairs.setListener(this);
+    }
+
+    /**
+     * The filter that decides which bodies collide.
+     *
+     * @return live
+     */
+    public CollisionFilter filter() {
+        return filter;
+    }
+
+    /**
+     * The pairs whose boxes overlap.
+     *
+     * @return live
+     */
+    public Pairs pairs() {
+        return pairs;
+    }
+
+    /**
+     * The narrow phase.
+     *
+     * @return never null
+     */
+    public NarrowPhase narrowPhase() {
+        return narrowPhase;
+    }
+
+    /**
+     * Takes a body in; its trajectory is set.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     */
+    public void add(int body, double tau) {
+        Body view = state.body(body);
+        shapes.set(body, view.getShape());
+        trajectories.setRadius(body, view.getShape().boundingRadius());
+        pairs.ensure(body + 1);
+        boxes.ensure(body + 1);
+        boxes.setFixed(body, view.isFixed());
+        bodyAgenda.ensure(body + 1);
+        if (body >= endTime.length) {
+            endTime = Arrays.copyOf(endTime, Math.max(2 * endTime.length, body + 1));
+            known = Arrays.copyOf(known, endTime.length);
+        }
+        known[body] = true;
+        endTime[body] = Double.NaN;
+        enclose(body, tau);
+        fresh.clear();
+        broadPhase.add(body, boxes, pairs);
+        examineFresh(tau);
+    }
+
+    /**
+     * Forgets a body.
+     *
+     * @param body index
+     */
+    public void remove(int body) {
+        known[body] = false;
+        endTime[body] = Double.NaN;
+        broadPhase.remove(body, boxes, pairs);
+        bodyAgenda.schedule(body, Agenda.NEVER);
+    }
+
+    /**
+     * Puts another broad phase in the place of the present one.
+     *
+     * @param replacement an empty broad phase
+     */
+    public void setBroadPhase(BroadPhase replacement) {
+        broadPhase = replacement;
+        for (int i = 0; i < state.size(); i++) {
+            if (knows(i)) {
+                broadPhase.add(i, boxes, pairs);
+            }
+        }
+    }
+
+    /**
+     * Begins a step.
+     *
+     * @param number the number of the step
+     * @param length its length h, time
+     */
+    public void begin(long number, double length) {
+        step = number;
+        h = length;
+        queue.clear();
+    }
+
+    /** Looks at the bodies that leave their boxes in the step that has begun, and at the pairs that may touch in it. */
+    public void look() {
+        fresh.clear();
+        IntList leaving = bodyAgenda.advance(step);
+        for (int k = 0; k < leaving.size; k++) {
+            int body = leaving.values[k];
+            enclose(body, 0);
+            broadPhase.update(body, boxes, pairs);
+        }
+        IntList due = pairAgenda.advance(step);
+        for (int k = 0; k < due.size; k++) {
+            if (pairs.first(due.values[k]) >= 0) {
+                examine(due.values[k], 0);
+            }
+        }
+        examineFresh(0);
+    }
+
+    /**
+     * Takes note that a body has a new trajectory from an instant on.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     * @param teleported whether its position changed too
+     * @param except a pair that need not be looked at, or −1
+     */
+    public void moved(int body, double tau, boolean teleported, int except) {
+        if (!boxes.isFixed(body) || teleported) {
+            long date = teleported ? step : leavingDate(body, tau);
+            if (date <= step) {
+                enclose(body, tau);
+                broadPhase.update(body, boxes, pairs);
+                fresh.clear();
+            } else {
+                bodyAgenda.schedule(body, date);
+            }
+        }
+        IntList of = pairs.of(body);
+        for (int k = 0; of != null && k < of.size; k++) {
+            if (of.values[k] != except) {
+                examine(of.values[k], tau);
+            }
+        }
+    }
+
+    /**
+     * Applies the filter again to the pairs of a body; they are looked at when it has moved.
+     *
+     * @param body index
+     */
+    public void refilter(int body) {
+        IntList of = pairs.of(body);
+        for (int k = 0; of != null && k < of.size; k++) {
+            int p = of.values[k];
+            ignored[p] = !filter.allows(state.body(pairs.first(p)), state.body(pairs.second(p)));
+        }
+    }
+
+    /**
+     * Lets a pair pass through one another until their boxes are apart.
+     *
+     * @param pair its number
+     */
+    public void ignore(int pair) {
+        ignored[pair] = true;
+    }
+
+    /**
+     * The movable body of a pair with a fixed one.
+     *
+     * @param pair its number
+     * @return index of the body, or −1 if the pair has ended
+     */
+    public int movableOf(int pair) {
+        int first = pairs.first(pair);
+        return first < 0 ? -1 : boxes.isFixed(first) ? pairs.second(pair) : first;
+    }
+
+    /**
+     * Whether a body has been taken in.
+     *
+     * @param body index
+     * @return true from add to remove
+     */
+    public boolean knows(int body) {
+        return body < known.length && known[body];
+    }
+
+    private void examineFresh(double tau) {
+        for (int k = 0; k < fresh.size; k++) {
+            if (pairs.first(fresh.values[k]) >= 0) {
+                examine(fresh.values[k], tau);
+            }
+        }
+        fresh.clear();
+    }
+
+    /** Looks for a pair's first contact from an instant on, and plans an impact or the next look. */
+    private void examine(int pair, double tau) {
+        impactTime[pair] = Double.NaN;
+        if (ignored[pair]) {
+            pairAgenda.schedule(pair, Agenda.NEVER);
+            return;
+        }
+        double t = narrowPhase.firstContact(pair, tau, h);
+        if (t < h) {
+            impactTime[pair] = t;
+            queue.add(t, pair);
+            pairAgenda.schedule(pair, Agenda.NEVER);
+            return;
+        }
+        boolean driven = trajectories.isDriven(pairs.first(pair)) || trajectories.isDriven(pairs.second(pair));
+        pairAgenda.schedule(pair, driven ? step + 1 : stepOf(t));
+    }
+
+    private long stepOf(double tau) {
+        double steps = Math.floor(tau / h);
+        return steps < 1e15 ? step + Math.max(1, (long) steps) : Agenda.NEVER;
+    }
+
+    /** The step in which a body's centre leaves the room that its box has. */
+    private long leavingDate(int body, double tau) {
+        if (boxes.isFixed(body)) {
+            return Agenda.NEVER;
+        }
+        double[] m = trajectories.data();
+        int o = body * Trajectories.STRIDE;
+        double[] d = boxes.data();
+        int b = body * Boxes.STRIDE;
+        double radius = m[o + Trajectories.RADIUS];
+        double time = trajectories.duration(body, tau);
+        double t = leavingTime(o, time, d[b] + radius, d[b + 2] - radius);
+        t = Math.min(t, leavingTime(o + 1, time, d[b + 1] + radius, d[b + 3] - radius));
+        double steps = Math.floor((tau + t) / h);
+        return steps < 1e15 ? step + (long) steps : Agenda.NEVER;
+    }
+
+    /** How long a coordinate surely stays between two bounds. */
+    private double leavingTime(int o, double time, double low, double high) {
+        double[] m = trajectories.data();
+        double a = m[o + Trajectories.AX];
+        double j = m[o + Trajectories.JX];
+        double x = m[o] + time * (m[o + Trajectories.VX] + time * (a + time * j));
+        double v = m[o + Trajectories.VX] + time * (2 * a + 3 * time * j);
+        if (a == 0 && j == 0) {
+            return v == 0 ? (x >= low && x <= high ? Double.POSITIVE_INFINITY : 0) : v > 0 ? (high - x) / v : (low - x) / v;
+        }
+        double bound = Math.abs(a) + 3 * Math.abs(j) * h;
+        double room = Math.min(high - x, x - low);
+        double speed = Math.abs(v);
+        return room <= 0 ? 0 : 2 * room / (speed + Math.sqrt(speed * speed + 4 * bound * room));
+    }
+
+    /** Puts a body into a new box that holds its path to the end of the step, with room to go on. */
+    private void enclose(int body, double tau) {
+        double[] m = trajectories.data();
+        int o = body * Trajectories.STRIDE;
+        double time = trajectories.duration(body, tau);
+        if (boxes.isFixed(body)) {
+            encloseFixed(body);
+            return;
+        }
+        double radius = m[o + Trajectories.RADIUS];
+        double rest = h - tau;
+        double room = ROOM * radius;
+        double vx = speed(o, time);
+        double vy = speed(o + 1, time);
+        double v = Math.abs(vx) + Math.abs(vy);
+        double ahead = v == 0 ? 0 : AHEAD * room / v;
+        double pathX = pathBound(o, time, rest);
+        double pathY = pathBound(o + 1, time, rest);
+        double x = place(o, time) + ahead * vx;
+        double y = place(o + 1, time) + ahead * vy;
+        double halfX = radius + room;
+        double halfY = radius + room;
+        boxes.set(
+                body,
+                x - halfX + Math.min(0, rest * vx) - pathX,
+                y - halfY + Math.min(0, rest * vy) - pathY,
+                x + halfX + Math.max(0, rest * vx) + pathX,
+                y + halfY + Math.max(0, rest * vy) + pathY);
+        bodyAgenda.schedule(body, Math.max(step + 1, leavingDate(body, tau)));
+    }
+
+    private double place(int o, double d) {
+        double[] m = trajectories.data();
+        return m[o] + d * (m[o + Trajectories.VX] + d * (m[o + Trajectories.AX] + d * m[o + Trajectories.JX]));
+    }
+
+    private double speed(int o, double d) {
+        double[] m = trajectories.data();
+        return m[o + Trajectories.VX] + d * (2 * m[o + Trajectories.AX] + 3 * d * m[o + Trajectories.JX]);
+    }
+
+    /** How far the accelerations can carry a coordinate off its straight path in a time. */
+    private double pathBound(int o, double d, double rest) {
+        double[] m = trajectories.data();
+        double a = Math.abs(m[o + Trajectories.AX]) + 3 * Math.abs(m[o + Trajectories.JX]) * (Math.abs(d) + rest);
+        return a * rest * rest;
+    }
+
+    /** A fixed body's box fits its vertices. */
+    private void encloseFixed(int body) {
+        shapes.encloseFixed(body, trajectories.data(), body * Trajectories.STRIDE, boxes);
+        bodyAgenda.schedule(body, Agenda.NEVER);
+    }
+
+    /**
+     * Plans an event at which the path of a body ends before the step does.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     */
+    public void endPath(int body, double tau) {
+        endTime[body] = tau;
+        queue.add(tau, ~body);
+    }
+
+    /**
+     * Whether there is an event left in the present step.
+     *
+     * @return true if there is an impact or the end of a path
+     */
+    public boolean hasEvent() {
+        while (!queue.isEmpty() && isStale(queue.firstItem(), queue.firstTime())) {
+            queue.removeFirst(); // planned before a later change of course
+        }
+        return !queue.isEmpty();
+    }
+
+    private boolean isStale(int item, double time) {
+        return item >= 0 ? impactTime[item] != time : endTime[~item] != time;
+    }
+
+    /**
+     * Takes the next event off the queue if it is the end of a path.
+     *
+     * @return index of the body, or −1 if the next event is an impact
+     */
+    public int takePathEnd() {
+        int item = queue.firstItem();
+        if (item >= 0) {
+            return -1;
+        }
+        pathEnd = queue.firstTime();
+        queue.removeFirst();
+        endTime[~item] = Double.NaN;
+        return ~item;
+    }
+
+    /**
+     * When the path ended that {@link #takePathEnd()} took.
+     *
+     * @return offset in the present step
+     */
+    public double pathEnd() {
+        return pathEnd;
+    }
+
+    /**
+     * When the next event is.
+     *
+     * @return offset in the present step
+     */
+    public double nextTime() {
+        return queue.firstTime();
+    }
+
+    /**
+     * Takes the next impact off the queue, with those that are simultaneous.
+     *
+     * @return the pairs that touch; valid until the next call
+     */
+    public IntList nextImpacts() {
+        together.clear();
+        double until = queue.firstTime() + Tolerances.SIMULTANEOUS * h;
+        while (hasEvent() && queue.firstTime() <= until && queue.firstItem() >= 0) {
+            int pair = queue.firstItem();
+            queue.removeFirst();
+            impactTime[pair] = Double.NaN;
+            together.add(pair);
+        }
+        return together;
+    }
+
+    /**
+     * Where a pair touches.
+     *
+     * @param pair its number
+     * @param tau offset in the present step
+     * @param contact filled
+     */
+    public void contact(int pair, double tau, Manifold contact) {
+        narrowPhase.contact(pair, tau, contact);
+    }
+
+    @Override
+    public void pairBegan(int pair) {
+        if (pair >= impactTime.length) {
+            impactTime = Arrays.copyOf(impactTime, Math.max(2 * impactTime.length, pair + 1));
+            ignored = Arrays.copyOf(ignored, impactTime.length);
+        }
+        pairAgenda.ensure(pair + 1);
+        narrowPhase.forget(pair);
+        impactTime[pair] = Double.NaN;
+        ignored[pair] = !filter.allows(state.body(pairs.first(pair)), state.body(pairs.second(pair)));
+        fresh.add(pair);
+    }
+
+    @Override
+    public void pairEnded(int pair) {
+        impactTime[pair] = Double.NaN;
+        pairAgenda.schedule(pair, Agenda.NEVER);
+    }
+}

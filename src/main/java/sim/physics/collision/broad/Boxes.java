@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision.broad;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/**
+ * Axis-parallel boxes of all bodies, [min x, min y, max x, max y] per body. A body's box holds the whole path of the
+ * body until the box is set again, so that bodies whose boxes are apart cannot meet before.
+ */
+public final class Boxes implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Values per box. */
+    public static final int STRIDE = 4;
+
+    private double[] data = new double[8 * STRIDE];
+    private boolean[] fixed = new boolean[8];
+
+    /** Makes no box. */
+    public Boxes() {
+        // the arrays grow with the bodies
+    }
+
+    /**
+     * The values themselves.
+     *
+     * @return [min x, min y, max x, max y] per body, length; live
+     */
+    public double[] data() {
+        return data;
+    }
+
+    /**
+     * Makes room for boxes.
+     *
+     * @param count number of blocks
+     */
+    public void ensure(int count) {
+        if (fixed.length < count) {
+            fixed = Arrays.copyOf(fixed, Math.max(2 * fixed.length, count));
+            data = Arrays.copyOf(data, STRIDE * fixed.length);
+        }
+    }
+
+    /**
+     * Whether a body is fixed. Two fixed bodies are never a pair.
+     *
+     * @param body index
+     * @return true for a wall
+     */
+    public boolean isFixed(int body) {
+        return fixed[body];
+    }
+
+    /**
+     * Notes whether a body is fixed.
+     *
+     * @param body index
+     * @param isFixed true for a wall
+     */
+    public void setFixed(int body, boolean isFixed) {
+        fixed[body] = isFixed;
+    }
+
+    /**
+     * Sets a box.
+     *
+     * @param body index
+     * @param minX length
+     * @param minY length
+     * @param maxX length
+     * @param maxY length
+     */
+    public void set(int body, double minX, double minY, double maxX, double maxY) {
+        int o = STRIDE * body;
+        data[o] = minX;
+        data[o + 1] = minY;
+        data[o + 2] = maxX;
+        data[o + 3] = maxY;
+    }
+
+    /**
+     * Whether the boxes of two bodies overlap and one of the bodies is movable.
+     *
+     * @param a index
+     * @param b index
+     * @return true if they are to be a pair
+     */
+    public boolean overlap(int a, int b) {
+        int i = STRIDE * a;
+        int j = STRIDE * b;
+        double[] d = data;
+        return d[i] <= d[j + 2]
+                && d[j] <= d[i + 2]
+                && d[i + 1] <= d[j + 3]
+                && d[j + 1] <= d[i + 3]
+                && !(fixed[a] && fixed[b]);
+    }
+}

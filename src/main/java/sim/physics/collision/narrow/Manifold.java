@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision.narrow;
+
+/**
+ * Where two bodies touch: one point, or the two ends of a stretch where an edge lies flush on an edge. Filled by
+ * {@link NarrowPhase#contact}.
+ */
+public final class Manifold {
+    /** Number of points, 1 or 2. */
+    public int count;
+
+    /** Unit normal from body A to body B. */
+    public double nx;
+
+    /** Unit normal from body A to body B. */
+    public double ny;
+
+    /** From the centre of A to each point, length. */
+    public final double[] rAx = new double[2];
+
+    /** From the centre of A to each point, length. */
+    public final double[] rAy = new double[2];
+
+    /** From the centre of B to each point, length. */
+    public final double[] rBx = new double[2];
+
+    /** From the centre of B to each point, length. */
+    public final double[] rBy = new double[2];
+
+    /** Whether A is a circle. */
+    public boolean roundA;
+
+    /** Whether B is a circle. */
+    public boolean roundB;
+
+    /** Distance of the surfaces, length; zero but for rounding. */
+    public double gap;
+
+    /** Makes an empty manifold. */
+    public Manifold() {
+        // filled again for each contact
+    }
+
+    void begin(ClosestFeatures features, Pose pose) {
+        count = 0;
+        roundA = pose.a.n == 1;
+        roundB = pose.b.n == 1;
+        nx = features.nx;
+        ny = features.ny;
+        gap = features.gap;
+    }
+
+    /** Adds a point given relative to the centre of A; B's centre is at (px, py). */
+    void add(double x, double y, double px, double py) {
+        rAx[count] = x;
+        rAy[count] = y;
+        rBx[count] = x - px;
+        rBy[count] = y - py;
+        count++;
+    }
+}

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision.narrow;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.internal.Tolerances;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Exact collision detection for the pairs that the broad phase found: the time of their first contact, and the points
+ * where they touch.
+ *
+ * <p>Each pair keeps its closest features from one look to the next; they are believed only if they still hold the
+ * certificate of {@link ClosestFeatures}.
+ */
+public final class NarrowPhase implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final Pairs pairs;
+    private final Trajectories trajectories;
+    private final ShapeTable shapes;
+
+    /** Closest features of each pair at the last look. */
+    private int[] codes = new int[16];
+
+    private transient Pose pose;
+    private transient ClosestFeatures features;
+    private transient TimeOfImpact timeOfImpact;
+    private transient Manifold bearing;
+    private boolean touching;
+
+    /**
+     * Makes a narrow phase.
+     *
+     * @param pairs the possibly colliding pairs
+     * @param trajectories the motion of the bodies
+     * @param shapes their shapes
+     */
+    public NarrowPhase(Pairs pairs, Trajectories trajectories, ShapeTable shapes) {
+        this.pairs = pairs;
+        this.trajectories = trajectories;
+        this.shapes = shapes;
+    }
+
+    /**
+     * Forgets what was known of a pair number, for a pair that begins.
+     *
+     * @param pair its number
+     */
+    public void forget(int pair) {
+        if (pair >= codes.length) {
+            codes = Arrays.copyOf(codes, Math.max(2 * codes.length, pair + 1));
+        }
+        codes[pair] = ClosestFeatures.NO_FEATURES;
+    }
+
+    /**
+     * Looks for the first contact of a pair.
+     *
+     * @param pair its number
+     * @param tau offset in the present step from which on to look; the bodies do not penetrate then
+     * @param end offset at which the search may stop
+     * @return offset of the first contact with approaching surfaces if {@link #isTouching()}, else an offset up to
+     *     which there is none: at least {@code end}, infinite if there never is one on the present trajectories
+     */
+    public double firstContact(int pair, double tau, double end) {
+        int i = pairs.first(pair);
+        int j = pairs.second(pair);
+        touching = false;
+        double start = boundingCircles(i, j, tau);
+        if (touching || start >= end) {
+            return start;
+        }
+        wake();
+        pose.load(i, j);
+        double found = timeOfImpact.search(start, end, codes[pair]);
+        codes[pair] = timeOfImpact.code;
+        touching = timeOfImpact.touching;
+        return found;
+    }
+
+    /**
+     * Whether the last call of {@link #firstContact} found a contact.
+     *
+     * @return true if the offset it returned is that of a contact
+     */
+    public boolean isTouching() {
+        return touching;
+    }
+
+    /**
+     * When the bounding circles of two bodies on parabolas of equal acceleration meet: the root of a quadratic. For
+     * two circles that is the contact itself.
+     */
+    private double boundingCircles(int i, int j, double tau) {
+        double[] m = trajectories.data();
+        int a = i * Trajectories.STRIDE;
+        int b = j * Trajectories.STRIDE;
+        double acceleration = Math.abs(m[b + Trajectories.AX] - m[a + Trajectories.AX])
+                + Math.abs(m[b + Trajectories.AY] - m[a + Trajectories.AY])
+                + m[a + Trajectories.DRIVEN]
+                + m[b + Trajectories.DRIVEN];
+        if (acceleration != 0) {
+            return tau;
+        }
+        double da = trajectories.duration(i, tau);
+        double db = trajectories.duration(j, tau);
+        double vax = m[a + Trajectories.VX] + 2 * da * m[a + Trajectories.AX];
+        double vay = m[a + Trajectories.VY] + 2 * da * m[a + Trajectories.AY];
+        double vbx = m[b + Trajectories.VX] + 2 * db * m[b + Trajectories.AX];
+        double vby = m[b + Trajectories.VY] + 2 * db * m[b + Trajectories.AY];
+        double px = m[b] + db * (m[b + Trajectories.VX] + db * m[b + Trajectories.AX])
+                - (m[a] + da * (m[a + Trajectories.VX] + da * m[a + Trajectories.AX]));
+        double py = m[b + 1] + db * (m[b + Trajectories.VY] + db * m[b + Trajectories.AY])
+                - (m[a + 1] + da * (m[a + Trajectories.VY] + da * m[a + Trajectories.AY]));
+        double ux = vbx - vax;
+        double uy = vby - vay;
+        double radius = m[a + Trajectories.RADIUS] + m[b + Trajectories.RADIUS];
+        double c = px * px + py * py - radius * radius;
+        double approach = px * ux + py * uy;
+        if (c > 0) {
+            return approach >= 0 ? Double.POSITIVE_INFINITY : firstRoot(i, j, tau, c, approach, ux * ux + uy * uy);
+        }
+        if (isCircle(i) && isCircle(j)) {
+            double noise = Tolerances.APPROACH * radius * Math.sqrt(vax * vax + vay * vay + vbx * vbx + vby * vby);
+            touching = approach < -noise;
+            return touching ? tau : Double.POSITIVE_INFINITY;
+        }
+        return tau;
+    }
+
+    private double firstRoot(int i, int j, double tau, double c, double approach, double speed2) {
+        double d = approach * approach - speed2 * c;
+        if (d < 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        touching = isCircle(i) && isCircle(j);
+        return tau + c / (Math.sqrt(d) - approach);
+    }
+
+    private boolean isCircle(int body) {
+        return shapes.data()[shapes.base(body) + ShapeTable.COUNT] == 1;
+    }
+
+    /**
+     * Distance of the surfaces of a pair.
+     *
+     * @param pair its number
+     * @param tau offset in the present step
+     * @return length, negative if they penetrate
+     */
+    public double gap(int pair, double tau) {
+        place(pair, tau);
+        return features.gap;
+    }
+
+    /**
+     * Whether two bodies, one of them fixed, touch so that the fixed one can bear the other: a circle on an edge, or an
+     * edge on an edge with the centre of mass between its ends.
+     *
+     * @param pair its number
+     * @param tau offset in the present step
+     * @return false if the body has slid off
+     */
+    public boolean bears(int pair, double tau) {
+        wake();
+        contact(pair, tau, bearing);
+        if (bearing.count == 1) {
+            return (bearing.roundA || bearing.roundB) && ((features.featureA | features.featureB) & 1) != 0;
+        }
+        double first = bearing.rAy[0] * bearing.nx - bearing.rAx[0] * bearing.ny;
+        double second = bearing.rAy[1] * bearing.nx - bearing.rAx[1] * bearing.ny;
+        double centre = pose.py * bearing.nx - pose.px * bearing.ny;
+        return first * second <= 0 || (first - centre) * (second - centre) <= 0;
+    }
+
+    /**
+     * Where a pair touches.
+     *
+     * @param pair its number
+     * @param tau offset in the present step
+     * @param contact filled with the points and the normal
+     */
+    public void contact(int pair, double tau, Manifold contact) {
+        place(pair, tau);
+        contact.begin(features, pose);
+        if ((features.featureB & 1) != 0) {
+            alongEdge(pose.b, features.featureB >> 1, pose.a, features.featureA >> 1, contact);
+        } else if ((features.featureA & 1) != 0) {
+            alongEdge(pose.a, features.featureA >> 1, pose.b, features.featureB >> 1, contact);
+        } else {
+            int i = features.featureA >> 1;
+            addSurfacePoint(pose.a.vx[i], pose.a.vy[i], pose.a.rounding(), contact);
+        }
+        if (contact.count == 1) {
+            exactLevers(contact);
+        }
+    }
+
+    private void place(int pair, double tau) {
+        wake();
+        pose.load(pairs.first(pair), pairs.second(pair));
+        pose.moveTo(tau);
+        pose.turn();
+        codes[pair] = features.find(codes[pair]);
+    }
+
+    /** The point where a vertex touches an edge, or the stretch along which the vertex's edge lies on it. */
+    private void alongEdge(Pose.Placed owner, int edge, Pose.Placed other, int vertex, Manifold contact) {
+        double ex = owner.normalX(edge);
+        double ey = owner.normalY(edge);
+        int flush = flushNeighbour(owner, edge, other, vertex);
+        double at = along(owner, edge, other, vertex);
+        if (flush < 0) {
+            addSurfacePoint(other.vx[vertex], other.vy[vertex], side(other) * other.rounding(), contact);
+            return;
+        }
+        double to = along(owner, edge, other, flush);
+        double from = Math.max(0, Math.min(at, to));
+        double end = Math.min(owner.length(edge), Math.max(at, to));
+        double x = owner.vx[edge];
+        double y = owner.vy[edge];
+        contact.add(x - ey * from, y + ex * from, pose.px, pose.py);
+        if (end > from) {
+            contact.add(x - ey * end, y + ex * end, pose.px, pose.py);
+        }
+    }
+
+    /** The neighbour of a vertex that lies on the edge's line too, or −1. */
+    private int flushNeighbour(Pose.Placed owner, int edge, Pose.Placed other, int vertex) {
+        if (other.n == 1) {
+            return -1;
+        }
+        double limit = Tolerances.FLUSH * pose.size;
+        int next = (vertex + 1) % other.n;
+        int previous = (vertex + other.n - 1) % other.n;
+        if (Math.abs(height(owner, edge, other, next) - height(owner, edge, other, vertex)) <= limit) {
+            return next;
+        }
+        return Math.abs(height(owner, edge, other, previous) - height(owner, edge, other, vertex)) <= limit
+                ? previous
+                : -1;
+    }
+
+    private static double height(Pose.Placed owner, int edge, Pose.Placed other, int vertex) {
+        return (other.vx[vertex] - owner.vx[edge]) * owner.normalX(edge)
+                + (other.vy[vertex] - owner.vy[edge]) * owner.normalY(edge);
+    }
+
+    private static double along(Pose.Placed owner, int edge, Pose.Placed other, int vertex) {
+        return (other.vy[vertex] - owner.vy[edge]) * owner.normalX(edge)
+                - (other.vx[vertex] - owner.vx[edge]) * owner.normalY(edge);
+    }
+
+    /** +1 for body A, whose surface lies along the normal, −1 for body B. */
+    private int side(Pose.Placed body) {
+        return body == pose.a ? 1 : -1;
+    }
+
+    private void addSurfacePoint(double x, double y, double rounding, Manifold contact) {
+        contact.add(x + rounding * contact.nx, y + rounding * contact.ny, pose.px, pose.py);
+    }
+
+    /** A circle's lever arm is its radius along the normal, exactly, so that it gets no spin by rounding. */
+    private void exactLevers(Manifold contact) {
+        if (pose.a.n == 1) {
+            contact.rAx[0] = pose.a.rounding() * contact.nx;
+            contact.rAy[0] = pose.a.rounding() * contact.ny;
+        }
+        if (pose.b.n == 1) {
+            contact.rBx[0] = -pose.b.rounding() * contact.nx;
+            contact.rBy[0] = -pose.b.rounding() * contact.ny;
+        }
+    }
+
+    /**
+     * Number of poses at which closest features were looked for; an exact count of the work done.
+     *
+     * @return since the engine was made or restored
+     */
+    public long evaluations() {
+        return timeOfImpact == null ? 0 : timeOfImpact.evaluations;
+    }
+
+    private void wake() {
+        if (pose == null) {
+            bearing = new Manifold();
+            pose = new Pose(shapes, trajectories);
+            features = new ClosestFeatures(pose);
+            timeOfImpact = new TimeOfImpact(pose, features);
+        }
+    }
+}

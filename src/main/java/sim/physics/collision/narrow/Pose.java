@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision.narrow;
+
+import sim.physics.internal.Trig;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Where two bodies and their vertices are at an instant, and how they move. Coordinates are relative to the centre of
+ * body A, so that nothing is lost far from the origin. One object serves all pairs in turn.
+ */
+final class Pose {
+
+    /** One of the two bodies. */
+    static final class Placed {
+        private double[] shape;
+        private int base;
+
+        /** Number of vertices of the core. */
+        int n;
+
+        /** Vertices of the core, relative to the centre of A. */
+        double[] vx = new double[8];
+
+        double[] vy = new double[8];
+
+        /** Cosine and sine of the orientation. */
+        double cos;
+
+        double sin;
+
+        /** Centre, relative to the centre of A. */
+        double cx;
+
+        double cy;
+
+
+        /** Angular velocity. */
+        double omega;
+
+        /** Farthest vertex of the core from the centre. */
+        double core;
+
+        /** Bounds of angular speed and acceleration while the trajectories hold. */
+        double maxOmega;
+
+        double maxAlpha;
+
+        private void load(ShapeTable shapes, int body) {
+            shape = shapes.data();
+            base = shapes.base(body);
+            n = (int) shape[base + ShapeTable.COUNT];
+            core = shape[base + ShapeTable.CORE];
+            if (vx.length < n) {
+                vx = new double[n];
+                vy = new double[n];
+            }
+        }
+
+        double rounding() {
+            return shape[base + ShapeTable.ROUNDING];
+        }
+
+        double bounding() {
+            return shape[base + ShapeTable.BOUNDING];
+        }
+
+        double normalX(int edge) {
+            int o = base + ShapeTable.FIRST + ShapeTable.VERTEX * edge;
+            return cos * shape[o + ShapeTable.NX] - sin * shape[o + ShapeTable.NY];
+        }
+
+        double normalY(int edge) {
+            int o = base + ShapeTable.FIRST + ShapeTable.VERTEX * edge;
+            return sin * shape[o + ShapeTable.NX] + cos * shape[o + ShapeTable.NY];
+        }
+
+        /** Distance of an edge's line from the centre. */
+        double offset(int edge) {
+            return shape[base + ShapeTable.FIRST + ShapeTable.VERTEX * edge + ShapeTable.H];
+        }
+
+        double length(int edge) {
+            return shape[base + ShapeTable.FIRST + ShapeTable.VERTEX * edge + ShapeTable.LENGTH];
+        }
+
+        /** The vertex that is farthest in a direction. */
+        int support(double dx, double dy) {
+            int best = 0;
+            double most = vx[0] * dx + vy[0] * dy;
+            for (int k = 1; k < n; k++) {
+                double s = vx[k] * dx + vy[k] * dy;
+                if (s > most) {
+                    most = s;
+                    best = k;
+                }
+            }
+            return best;
+        }
+
+        private void turnTo(double theta) {
+            if (n == 1) {
+                vx[0] = cx;
+                vy[0] = cy;
+                return;
+            }
+            cos = Trig.cos(theta);
+            sin = Trig.sin(theta);
+            for (int k = 0, o = base + ShapeTable.FIRST; k < n; k++, o += ShapeTable.VERTEX) {
+                vx[k] = cx + (cos * shape[o] - sin * shape[o + 1]);
+                vy[k] = cy + (sin * shape[o] + cos * shape[o + 1]);
+            }
+        }
+    }
+
+    private final ShapeTable shapes;
+    private final Trajectories trajectories;
+    private double[] m;
+    private int oa;
+    private int ob;
+
+    final Placed a = new Placed();
+    final Placed b = new Placed();
+
+    /** Centre of B relative to the centre of A, and its velocity. */
+    double px;
+
+    double py;
+    double ux;
+    double uy;
+
+    /** Sum of the rounding radii, and of the bounding radii. */
+    double rounding;
+
+    double bounding;
+
+    /** Scale of the two bodies, for tolerances on lengths of theirs. */
+    double size;
+
+    /** Scale of the rounding of their coordinates, for tolerances on the gap. */
+    double extent;
+
+    /** Relative acceleration of the centres: its value where it is constant, and a bound of its size. */
+    double ax;
+
+    double ay;
+    double maxAcceleration;
+    boolean accelerationIsConstant;
+
+    Pose(ShapeTable shapes, Trajectories trajectories) {
+        this.shapes = shapes;
+        this.trajectories = trajectories;
+    }
+
+    /** Turns to another pair. */
+    void load(int bodyA, int bodyB) {
+        m = trajectories.data();
+        oa = bodyA * Trajectories.STRIDE;
+        ob = bodyB * Trajectories.STRIDE;
+        a.load(shapes, bodyA);
+        b.load(shapes, bodyB);
+        rounding = a.rounding() + b.rounding();
+        bounding = a.bounding() + b.bounding();
+        size = bounding;
+        bound(a, oa);
+        bound(b, ob);
+        ax = 2 * (m[ob + Trajectories.AX] - m[oa + Trajectories.AX]);
+        ay = 2 * (m[ob + Trajectories.AY] - m[oa + Trajectories.AY]);
+        double jerk = Math.abs(m[oa + Trajectories.JX]) + Math.abs(m[oa + Trajectories.JY])
+                + Math.abs(m[ob + Trajectories.JX]) + Math.abs(m[ob + Trajectories.JY]);
+        accelerationIsConstant = jerk == 0;
+        maxAcceleration = ax == 0 && ay == 0 ? 0 : Math.sqrt(ax * ax + ay * ay);
+        if (!accelerationIsConstant) {
+            maxAcceleration += 6 * jerk * trajectories.h();
+        }
+    }
+
+    private void bound(Placed body, int o) {
+        double h = trajectories.h();
+        double alpha = Math.abs(m[o + Trajectories.ATHETA]);
+        double jerk = Math.abs(m[o + Trajectories.JTHETA]);
+        body.maxOmega = Math.abs(m[o + Trajectories.OMEGA]);
+        body.maxAlpha = 0;
+        if (alpha != 0 || jerk != 0) {
+            body.maxOmega += h * (2 * alpha + 3 * h * jerk);
+            body.maxAlpha = 2 * alpha + 6 * h * jerk;
+        }
+    }
+
+    /** Places both bodies' centres at an instant. */
+    void moveTo(double tau) {
+        double step = trajectories.step();
+        double h = trajectories.h();
+        double da = (step - m[oa + Trajectories.STEP]) * h + (tau - m[oa + Trajectories.OFFSET]);
+        double db = (step - m[ob + Trajectories.STEP]) * h + (tau - m[ob + Trajectories.OFFSET]);
+        double xa = position(oa, da);
+        double ya = position(oa + 1, da);
+        double xb = position(ob, db);
+        double yb = position(ob + 1, db);
+        px = xb - xa;
+        py = yb - ya;
+        ux = velocity(ob, db) - velocity(oa, da);
+        uy = velocity(ob + 1, db) - velocity(oa + 1, da);
+        extent = Math.abs(xa) + Math.abs(ya) + Math.abs(xb) + Math.abs(yb) + bounding;
+        b.cx = px;
+        b.cy = py;
+        a.omega = velocity(oa + 2, da);
+        b.omega = velocity(ob + 2, db);
+        thetaA = position(oa + 2, da);
+        thetaB = position(ob + 2, db);
+    }
+
+    private double thetaA;
+    private double thetaB;
+
+    /** Places both bodies' vertices too; after {@link #moveTo}. */
+    void turn() {
+        a.turnTo(thetaA);
+        b.turnTo(thetaB);
+    }
+
+    private double position(int o, double d) {
+        return m[o] + d * (m[o + Trajectories.VX] + d * (m[o + Trajectories.AX] + d * m[o + Trajectories.JX]));
+    }
+
+    private double velocity(int o, double d) {
+        return m[o + Trajectories.VX] + d * (2 * m[o + Trajectories.AX] + 3 * d * m[o + Trajectories.JX]);
+    }
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision.narrow;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import sim.physics.collision.broad.Boxes;
+import sim.physics.internal.Trig;
+import sim.physics.motion.Trajectories;
+import sim.physics.shape.Shape;
+
+/**
+ * The shapes of all bodies as numbers for the kernels. Equal shapes are stored once.
+ *
+ * <pre>
+ *   base + 0  number of vertices n        1  rounding radius     2  bounding radius     3  core radius
+ *   base + 4 + 6k   x, y of vertex k · nx, ny outward normal of edge k (to vertex k + 1) · h = vertex · normal · length
+ * </pre>
+ *
+ * <p>The core of a shape is its polygon of vertices; the shape is all that is within the rounding radius of the core.
+ * A circle's core is a point. The core radius is that of the farthest vertex.
+ */
+public final class ShapeTable implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    static final int COUNT = 0;
+    static final int ROUNDING = 1;
+    static final int BOUNDING = 2;
+    static final int CORE = 3;
+    static final int FIRST = 4;
+    static final int VERTEX = 6;
+    static final int NX = 2;
+    static final int NY = 3;
+    static final int H = 4;
+    static final int LENGTH = 5;
+
+    private double[] data = new double[64];
+    private int used;
+    private int[] baseOf = new int[8];
+    private int largestCount = 1;
+    private final Map<Shape, Integer> known = new HashMap<>();
+
+    /** Makes an empty table. */
+    public ShapeTable() {
+        // shapes come with the bodies
+    }
+
+    double[] data() {
+        return data;
+    }
+
+    int base(int body) {
+        return baseOf[body];
+    }
+
+    /** The largest number of vertices that a shape of the table has. */
+    int largestCount() {
+        return largestCount;
+    }
+
+    /**
+     * Notes the shape of a body.
+     *
+     * @param body index
+     * @param shape its shape
+     */
+    public void set(int body, Shape shape) {
+        if (body >= baseOf.length) {
+            baseOf = Arrays.copyOf(baseOf, Math.max(2 * baseOf.length, body + 1));
+        }
+        Integer base = known.get(shape);
+        if (base == null) {
+            base = append(shape);
+            known.put(shape, base);
+        }
+        baseOf[body] = base;
+    }
+
+    private int append(Shape shape) {
+        int n = shape.vertexCount();
+        int base = used;
+        used += FIRST + VERTEX * n;
+        if (used > data.length) {
+            data = Arrays.copyOf(data, Math.max(2 * data.length, used));
+        }
+        largestCount = Math.max(largestCount, n);
+        data[base + COUNT] = n;
+        data[base + ROUNDING] = shape.radius();
+        data[base + BOUNDING] = shape.boundingRadius();
+        double core = 0;
+        for (int k = 0; k < n; k++) {
+            int o = base + FIRST + VERTEX * k;
+            double x = shape.vertexX(k);
+            double y = shape.vertexY(k);
+            double ex = shape.vertexX((k + 1) % n) - x;
+            double ey = shape.vertexY((k + 1) % n) - y;
+            double length = Math.sqrt(ex * ex + ey * ey);
+            data[o] = x;
+            data[o + 1] = y;
+            data[o + NX] = n > 1 ? ey / length : 0;
+            data[o + NY] = n > 1 ? -ex / length : 0;
+            data[o + H] = x * data[o + NX] + y * data[o + NY];
+            data[o + LENGTH] = length;
+            core = Math.max(core, Math.sqrt(x * x + y * y));
+        }
+        data[base + CORE] = core;
+        return base;
+    }
+
+    /**
+     * Fits a box around a body that stands still.
+     *
+     * @param body index
+     * @param trajectories the motions
+     * @param at where the body's motion begins in that array
+     * @param boxes takes the box
+     */
+    public void encloseFixed(int body, double[] trajectories, int at, Boxes boxes) {
+        double cos = Trig.cos(trajectories[at + Trajectories.THETA0]);
+        double sin = Trig.sin(trajectories[at + Trajectories.THETA0]);
+        int base = baseOf[body];
+        double minX = Double.POSITIVE_INFINITY;
+        double minY = Double.POSITIVE_INFINITY;
+        double maxX = Double.NEGATIVE_INFINITY;
+        double maxY = Double.NEGATIVE_INFINITY;
+        for (int k = 0, o = base + FIRST; k < data[base + COUNT]; k++, o += VERTEX) {
+            double x = cos * data[o] - sin * data[o + 1];
+            double y = sin * data[o] + cos * data[o + 1];
+            minX = Math.min(minX, x);
+            minY = Math.min(minY, y);
+            maxX = Math.max(maxX, x);
+            maxY = Math.max(maxY, y);
+        }
+        double r = data[base + ROUNDING];
+        double x = trajectories[at];
+        double y = trajectories[at + 1];
+        boxes.set(body, x + minX - r, y + minY - r, x + maxX + r, y + maxY + r);
+    }
+}

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision.narrow;
+
+import sim.physics.internal.Tolerances;
+
+/**
+ * Finds when two moving bodies touch first, in continuous time and rotation included, so that nothing tunnels.
+ *
+ * <p>It is conservative advancement (Mirtich 1996) of second order. Along the normal of the closest features the gap
+ * of every vertex obeys
+ *
+ * <pre>
+ *   g(τ + s)  ≥  g + g' s − M s²/2
+ * </pre>
+ *
+ * <p>with M a bound of |g''| from the speeds, spins and accelerations. Up to the first root of the right side no vertex
+ * can touch; the bodies are moved on by that much and looked at again. The bound is safe for any M, and as the gap
+ * shrinks the step becomes Newton's, so it converges quadratically, and always from the side where the bodies are
+ * apart.
+ */
+final class TimeOfImpact {
+    /** Steps of the search after which progress is forced. */
+    private static final int PATIENCE = 200;
+
+    private static final double INFINITE = Double.POSITIVE_INFINITY;
+
+    private final Pose pose;
+    private final ClosestFeatures features;
+
+    /** Whether the bodies touch and approach at the instant that {@link #search} returned. */
+    boolean touching;
+
+    /** Code of the closest features at that instant. */
+    int code;
+
+    /** Number of poses looked at since the engine was made; a count of work. */
+    long evaluations;
+
+    private double tolerance;
+    private double slowness;
+    private double s;
+
+    TimeOfImpact(Pose pose, ClosestFeatures features) {
+        this.pose = pose;
+        this.features = features;
+    }
+
+    /**
+     * Searches for the first contact of the loaded pair with approaching surfaces.
+     *
+     * @param start offset τ to start from; the bodies are known not to touch before
+     * @param end offset at which the search may stop
+     * @param cached features that were closest last time
+     * @return offset of the contact if {@link #touching}, else an offset up to which they do not touch, ≥ end
+     */
+    double search(double start, double end, int cached) {
+        double tau = start;
+        code = cached;
+        touching = false;
+        for (int k = 0; ; k++) {
+            pose.moveTo(tau);
+            pose.turn();
+            evaluations++;
+            code = features.find(code);
+            tolerance = Tolerances.GAP * pose.extent;
+            advance();
+            if (touching) {
+                return tau;
+            }
+            double forced = k > PATIENCE ? end * Tolerances.FORCED_PROGRESS : 0;
+            double next = tau + Math.max(s, forced);
+            if (next >= end) {
+                return next;
+            }
+            if (next == tau) {
+                touching = true;
+                return tau;
+            }
+            tau = next;
+        }
+    }
+
+    /** Finds s, the time that surely passes before a contact, or notices that there is one. */
+    private void advance() {
+        double speed = Math.sqrt(pose.ux * pose.ux + pose.uy * pose.uy)
+                + pose.a.maxOmega * pose.a.core
+                + pose.b.maxOmega * pose.b.core;
+        slowness = Tolerances.APPROACH * speed;
+        s = INFINITE;
+        if ((features.featureB & 1) != 0) {
+            advanceToEdge(pose.b, features.featureB >> 1, pose.a, features.featureA >> 1, -1);
+        } else if ((features.featureA & 1) != 0) {
+            advanceToEdge(pose.a, features.featureA >> 1, pose.b, features.featureB >> 1, 1);
+        } else {
+            advanceToVertex();
+        }
+    }
+
+    /**
+     * The vertices of one body against an edge of the other, in the frame of the edge.
+     *
+     * @param side +1 if the other body is B, −1 if it is A
+     */
+    private void advanceToEdge(Pose.Placed owner, int edge, Pose.Placed other, int closest, int side) {
+        double ex = owner.normalX(edge);
+        double ey = owner.normalY(edge);
+        double offset = owner.offset(edge) + pose.rounding;
+        double bound = boundNearEdge(owner, other, side * ex, side * ey);
+        for (int j = 0; j < other.n; j++) {
+            int k = j == 0 ? closest : j <= closest ? j - 1 : j; // the closest vertex first
+            double qx = other.vx[k] - owner.cx;
+            double qy = other.vy[k] - owner.cy;
+            double rx = other.vx[k] - other.cx;
+            double ry = other.vy[k] - other.cy;
+            double g = qx * ex + qy * ey - offset;
+            double wx = side * pose.ux - other.omega * ry + owner.omega * qy;
+            double wy = side * pose.uy + other.omega * rx - owner.omega * qx;
+            limit(g, wx * ex + wy * ey, bound);
+            if (touching) {
+                return;
+            }
+        }
+    }
+
+    /** Bound M of |g''| of the vertices of one body over a spinning edge of the other, until they part. */
+    private double boundNearEdge(Pose.Placed owner, Pose.Placed other, double nx, double ny) {
+        double turning = other.maxOmega * other.maxOmega + other.maxAlpha;
+        if (owner.maxOmega == 0 && owner.maxAlpha == 0) {
+            // the normal stands still: only the acceleration along it counts
+            double along = pose.accelerationIsConstant ? -(pose.ax * nx + pose.ay * ny) : pose.maxAcceleration;
+            return Math.max(0, along + turning * other.core);
+        }
+        double distance = Math.sqrt(pose.px * pose.px + pose.py * pose.py);
+        double speed = Math.sqrt(pose.ux * pose.ux + pose.uy * pose.uy);
+        double reach = Math.max(distance, pose.bounding);
+        if (pose.maxAcceleration > 0) {
+            // limit the look ahead so that the distance stays bounded
+            double ahead = Math.min(
+                    (distance + pose.bounding) / Math.max(speed, Double.MIN_NORMAL),
+                    Math.sqrt((distance + pose.bounding) / pose.maxAcceleration));
+            s = Math.min(s, ahead);
+            speed += pose.maxAcceleration * ahead;
+            reach = distance + speed * ahead;
+        }
+        return pose.maxAcceleration
+                + turning * other.core
+                + 2 * owner.maxOmega * (speed + other.maxOmega * other.core)
+                + (owner.maxOmega * owner.maxOmega + owner.maxAlpha) * (reach + other.core);
+    }
+
+    /** The vertices of both bodies along the line between the two closest ones, which is held still. */
+    private void advanceToVertex() {
+        double nx = features.nx;
+        double ny = features.ny;
+        Pose.Placed a = pose.a;
+        Pose.Placed b = pose.b;
+        double along = pose.accelerationIsConstant ? -(pose.ax * nx + pose.ay * ny) : pose.maxAcceleration;
+        double bound = Math.max(
+                0,
+                along
+                        + (a.maxOmega * a.maxOmega + a.maxAlpha) * a.core
+                        + (b.maxOmega * b.maxOmega + b.maxAlpha) * b.core);
+        double approach = pose.ux * nx + pose.uy * ny;
+        int i = features.featureA >> 1;
+        int j = features.featureB >> 1;
+        limit(features.gap, approach + spin(b, j, nx, ny) - spin(a, i, nx, ny), bound);
+        // other vertices may come first: look for a pair that would have crossed by then
+        while (!touching && s < INFINITE && (a.n > 1 || b.n > 1)) {
+            int first = lead(a, nx, ny);
+            int second = lead(b, -nx, -ny);
+            if (first == i && second == j) {
+                return;
+            }
+            i = first;
+            j = second;
+            double g = (b.vx[j] - a.vx[i]) * nx + (b.vy[j] - a.vy[i]) * ny - pose.rounding;
+            double before = s;
+            limit(g, approach + spin(b, j, nx, ny) - spin(a, i, nx, ny), bound);
+            if (s == before) {
+                return;
+            }
+        }
+    }
+
+    /** The vertex that would be farthest along a direction after the time s at its present velocity. */
+    private int lead(Pose.Placed body, double nx, double ny) {
+        int best = 0;
+        double most = -INFINITE;
+        for (int k = 0; k < body.n; k++) {
+            double d = body.vx[k] * nx + body.vy[k] * ny + s * spin(body, k, nx, ny);
+            if (d > most) {
+                most = d;
+                best = k;
+            }
+        }
+        return best;
+    }
+
+    /** Velocity of a vertex along n that comes from its body's spin: θ̇ r⊥ · n, (21). */
+    private static double spin(Pose.Placed body, int k, double nx, double ny) {
+        return body.omega * ((body.vx[k] - body.cx) * ny - (body.vy[k] - body.cy) * nx);
+    }
+
+    /** Lowers s to the first root of g + g' s − M s²/2, or notices a contact. */
+    private void limit(double gap, double rate, double bound) {
+        double g = gap;
+        if (g <= tolerance) {
+            if (rate < -slowness || rate < 0 && g < -Tolerances.DEEP * pose.size) {
+                touching = true;
+                return;
+            }
+            if (rate > slowness) {
+                double rise = Math.sqrt(Math.max(0, rate * rate + 2 * bound * g));
+                s = Math.min(s, bound == 0 ? INFINITE : (rate + rise) / bound); // back at gap zero
+                return;
+            }
+            g = Math.max(0, g) + tolerance; // touching and sliding: let it go as far as can do no harm
+        }
+        if (g + s * (rate - 0.5 * s * bound) >= 0 && s < INFINITE) {
+            return; // the bound is concave: it is not negative before s
+        }
+        double root;
+        if (bound == 0) {
+            root = rate < 0 ? g / -rate : INFINITE;
+        } else {
+            double d = Math.sqrt(rate * rate + 2 * bound * g);
+            root = rate < 0 ? 2 * g / (d - rate) : (rate + d) / bound;
+        }
+        s = Math.min(s, root);
+    }
+}

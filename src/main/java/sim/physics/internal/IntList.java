@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.internal;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/** A growable list of ints whose array the kernels may read. */
+public final class IntList implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private static final int[] NONE = {};
+
+    /** The values, {@link #size} of them. */
+    public int[] values = NONE;
+    /** How many there are. */
+    public int size;
+
+    /** Makes an empty list. */
+    public IntList() {
+        // room comes with the first value
+    }
+
+    /**
+     * Appends a value.
+     *
+     * @param value any
+     */
+    public void add(int value) {
+        if (size == values.length) {
+            values = Arrays.copyOf(values, Math.max(4, 2 * size));
+        }
+        values[size++] = value;
+    }
+
+    /** Removes all values and keeps the array. */
+    public void clear() {
+        size = 0;
+    }
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.internal;
+
+/**
+ * The engine's tolerances, all in one place. None is an absolute length, speed or time: each is relative to the
+ * bodies, speeds or steps it is used with, so that a scene may be given in any unit.
+ */
+public final class Tolerances {
+    /**
+     * Gap at which two bodies touch, relative to the coordinates from which it is computed; a few units of rounding.
+     * Smaller: searches for impacts stall in the noise. Larger: impacts come early by as much.
+     */
+    public static final double GAP = 8 * 0x1p-52;
+
+    /**
+     * Speed below which surfaces that touch count as not approaching, relative to the speed of the bodies' points.
+     * Smaller: an impact may be followed by an impact of its own rounding.
+     */
+    public static final double APPROACH = 1e-13;
+
+    /** Penetration, relative to the bodies, from which any approach counts as a contact. */
+    public static final double DEEP = 1e-11;
+
+    /** Part of the step that a search for an impact moves on at least when it got stuck in a sustained contact. */
+    public static final double FORCED_PROGRESS = 1e-4;
+
+    /** Gap up to which a second point of two parallel edges belongs to the same impact, relative to the bodies. */
+    public static final double FLUSH = 1e-11;
+
+    /** Time within which impacts count as simultaneous, relative to the step. */
+    public static final double SIMULTANEOUS = 1e-14;
+
+    /**
+     * Length of a bounce, relative to the step, from which a body comes to rest on a fixed surface that can bear it.
+     * All the bounces that would follow are shorter, and together take this over 1 − e.
+     */
+    public static final double REST = 1e-6;
+
+    /**
+     * Length of the shortest bounce, relative to the step, of bodies that cannot come to rest on one another: it bounds
+     * the number of impacts in a step. The bodies hover within acceleration · (step · this)² / 8.
+     */
+    public static final double SHORTEST_BOUNCE = 1.0 / 64;
+
+    private Tolerances() {}
+}

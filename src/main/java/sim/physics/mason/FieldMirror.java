@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.mason;
+
+import java.util.List;
+import java.util.Objects;
+import sim.engine.SimState;
+import sim.engine.Steppable;
+import sim.field.continuous.Continuous2D;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.util.Double2D;
+
+/**
+ * Shows the bodies of an engine in a field of MASON, at the places where the engine has them. Schedule it after the
+ * engine. The field is a picture of the engine; moving an object in the field does not move the body.
+ */
+public final class FieldMirror implements Steppable {
+    private static final long serialVersionUID = 1L;
+
+    /** An ordering after the engine's. */
+    public static final int ORDERING = PhysicsEngine.ORDERING + 10;
+
+    private final PhysicsEngine engine;
+    private final Continuous2D field;
+
+    /**
+     * Makes a mirror and fills the field.
+     *
+     * @param engine the engine to show
+     * @param field where to show it
+     */
+    public FieldMirror(PhysicsEngine engine, Continuous2D field) {
+        this.engine = Objects.requireNonNull(engine, "engine");
+        this.field = Objects.requireNonNull(field, "field");
+        update();
+    }
+
+    @Override
+    public void step(SimState state) {
+        update();
+    }
+
+    /** Puts the field right. */
+    public void update() {
+        List<Body> bodies = engine.bodies();
+        if (field.allObjects.numObjs > bodies.size()) {
+            field.clear();
+        }
+        for (Body body : bodies) {
+            field.setObjectLocation(body, new Double2D(body.getX(), body.getY()));
+        }
+    }
+}

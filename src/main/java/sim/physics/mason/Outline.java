@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.mason;
+
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+
+/** Shapes of bodies as shapes of AWT, in local coordinates. */
+final class Outline {
+    private Outline() {}
+
+    static Shape of(sim.physics.shape.Shape shape) {
+        if (shape.vertexCount() == 1) {
+            double r = shape.radius();
+            return new Ellipse2D.Double(-r, -r, 2 * r, 2 * r);
+        }
+        Path2D.Double path = new Path2D.Double();
+        path.moveTo(shape.vertexX(0), shape.vertexY(0));
+        for (int k = 1; k < shape.vertexCount(); k++) {
+            path.lineTo(shape.vertexX(k), shape.vertexY(k));
+        }
+        path.closePath();
+        return path;
+    }
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.mason;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.util.Objects;
+import java.util.function.Function;
+import javax.imageio.ImageIO;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+
+/** Draws an engine's bodies without a display, for runs on machines that have none. */
+public final class Picture {
+    private final double x;
+    private final double y;
+    private final double width;
+    private final double height;
+    private final double scale;
+    private final Color background;
+    private final Function<Body, Color> colors;
+
+    /**
+     * Makes a kind of picture.
+     *
+     * @param x left edge of the part of the world to draw
+     * @param y upper edge
+     * @param width its width
+     * @param height its height
+     * @param scale pixels per unit of length
+     * @param background colour of the ground
+     * @param colors colour of each body, null for one that is not drawn
+     */
+    public Picture(
+            double x,
+            double y,
+            double width,
+            double height,
+            double scale,
+            Color background,
+            Function<Body, Color> colors) {
+        this.x = x;
+        this.y = y;
+        this.width = width;
+        this.height = height;
+        this.scale = scale;
+        this.background = Objects.requireNonNull(background, "background");
+        this.colors = Objects.requireNonNull(colors, "colors");
+    }
+
+    /**
+     * Draws the bodies where they are.
+     *
+     * @param engine whose bodies
+     * @return an image
+     */
+    public BufferedImage draw(PhysicsEngine engine) {
+        int pixelsX = (int) Math.ceil(width * scale);
+        int pixelsY = (int) Math.ceil(height * scale);
+        BufferedImage image = new BufferedImage(pixelsX, pixelsY, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        graphics.setColor(background);
+        graphics.fillRect(0, 0, pixelsX, pixelsY);
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        for (Body body : engine.bodies()) {
+            Color color = colors.apply(body);
+            if (color != null) {
+                AffineTransform place = AffineTransform.getScaleInstance(scale, scale);
+                place.translate(body.getX() - x, body.getY() - y);
+                place.rotate(body.getAngle());
+                graphics.setColor(color);
+                graphics.fill(place.createTransformedShape(Outline.of(body.getShape())));
+            }
+        }
+        graphics.dispose();
+        return image;
+    }
+
+    /**
+     * Draws the bodies into a PNG file.
+     *
+     * @param engine whose bodies
+     * @param file where to
+     * @throws IOException if it cannot be written
+     */
+    public void write(PhysicsEngine engine, File file) throws IOException {
+        if (!ImageIO.write(draw(engine), "png", file)) {
+            throw new IOException("no writer for PNG files is at hand to write " + file);
+        }
+    }
+}

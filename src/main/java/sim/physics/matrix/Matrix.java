@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.matrix;
+
+import java.io.Serializable;
+
+/**
+ * A matrix as an iterative solver sees it: all that it can do is multiply itself, or its transpose, by a vector. That is
+ * what lets the write-up's solver work on each of the sparse forms without looking inside.
+ */
+public interface Matrix extends Serializable {
+    /**
+     * Number of rows.
+     *
+     * @return length of M x
+     */
+    int rows();
+
+    /**
+     * Number of columns.
+     *
+     * @return length of x
+     */
+    int columns();
+
+    /**
+     * y = M x.
+     *
+     * @param x at least {@link #columns()} values
+     * @param y takes {@link #rows()} values; another array than x
+     * @throws IllegalArgumentException if an array is too short or both are the same
+     */
+    void times(double[] x, double[] y);
+
+    /**
+     * y = Mᵀ x.
+     *
+     * @param x at least {@link #rows()} values
+     * @param y takes {@link #columns()} values; another array than x
+     * @throws IllegalArgumentException if an array is too short or both are the same
+     */
+    void transposeTimes(double[] x, double[] y);
+
+    /**
+     * How many values are stored.
+     *
+     * @return at most rows × columns
+     */
+    int storedValues();
+
+    /**
+     * All values, for tests and for looking at.
+     *
+     * @return rows of values
+     */
+    default double[][] toDense() {
+        double[][] dense = new double[rows()][columns()];
+        double[] unit = new double[columns()];
+        double[] column = new double[rows()];
+        for (int j = 0; j < columns(); j++) {
+            unit[j] = 1;
+            times(unit, column);
+            unit[j] = 0;
+            for (int i = 0; i < rows(); i++) {
+                dense[i][j] = column[i];
+            }
+        }
+        return dense;
+    }
+
+    /**
+     * Checks the arguments of a product.
+     *
+     * @param x operand
+     * @param needed values that it must have
+     * @param y result
+     * @param made values that it must have room for
+     */
+    static void check(double[] x, int needed, double[] y, int made) {
+        if (x.length < needed) {
+            throw new IllegalArgumentException("x has " + x.length + " values: the product needs " + needed);
+        }
+        if (y.length < made) {
+            throw new IllegalArgumentException("y has room for " + y.length + " values: the product has " + made);
+        }
+        if (x == y) {
+            throw new IllegalArgumentException("x and y are the same array: the product would overwrite its operand");
+        }
+    }
+}

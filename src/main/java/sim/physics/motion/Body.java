@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.Objects;
+import sim.physics.internal.Check;
+import sim.physics.shape.Shape;
+
+/**
+ * A rigid body: a shape, a mass, and a view on its block of the state vectors.
+ *
+ * <p>Position means the position of the centre of mass, which is the origin of the shape's own coordinates; angles are
+ * in rad and turn from the x axis to the y axis. Units are the author's own; nothing in the engine depends on their
+ * size. A body may be subclassed (an agent that <i>is</i> a body) or held by an agent.
+ *
+ * <p>Between steps every property may be set; the next step starts from what was set. New bodies have the mass of
+ * their area (density 1), restitution 1, no friction, and collide with everything.
+ */
+public class Body implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final Shape shape;
+    private final boolean fixed;
+
+    private State state;
+    private int index;
+
+    private double mass;
+    private double inertia;
+    private double restitution = 1;
+    private double friction;
+    private double surfaceFriction;
+    private double surfaceStaticFriction;
+    private long category = 1;
+    private long collidesWith = -1L;
+
+    private SurfacePatch patch;
+
+    /** Force and torque that the author applied for the next step. */
+    private double appliedX;
+
+    private double appliedY;
+    private double appliedTorque;
+
+    /**
+     * Makes a movable body of density 1 at the origin, at rest.
+     *
+     * @param shape its shape
+     */
+    public Body(Shape shape) {
+        this(shape, false);
+    }
+
+    private Body(Shape shape, boolean fixed) {
+        this.shape = Objects.requireNonNull(shape, "shape");
+        this.fixed = fixed;
+        this.state = State.own();
+        state.add(this);
+        if (fixed) {
+            mass = Double.POSITIVE_INFINITY;
+            inertia = Double.POSITIVE_INFINITY;
+        } else {
+            setMass(shape.area());
+        }
+    }
+
+    /**
+     * Makes a body that nothing moves: a wall, an anchor.
+     *
+     * @param shape its shape
+     * @return a fixed body at the origin
+     */
+    public static Body fixed(Shape shape) {
+        return new Body(shape, true);
+    }
+
+    /**
+     * Places the body.
+     *
+     * @param x position of the centre of mass, length
+     * @param y position of the centre of mass, length
+     * @return this
+     */
+    public final Body at(double x, double y) {
+        setPosition(x, y);
+        return this;
+    }
+
+    /**
+     * Places and turns the body.
+     *
+     * @param x position of the centre of mass, length
+     * @param y position of the centre of mass, length
+     * @param angle orientation, rad
+     * @return this
+     */
+    public final Body at(double x, double y, double angle) {
+        Check.finite("angle", angle);
+        setPosition(x, y);
+        setAngle(angle);
+        return this;
+    }
+
+    /**
+     * Sets the velocity.
+     *
+     * @param vx length/time
+     * @param vy length/time
+     * @return this
+     */
+    public final Body moving(double vx, double vy) {
+        setVelocity(vx, vy);
+        return this;
+    }
+
+    /**
+     * Sets velocity and angular velocity.
+     *
+     * @param vx length/time
+     * @param vy length/time
+     * @param omega rad/time
+     * @return this
+     */
+    public final Body moving(double vx, double vy, double omega) {
+        Check.finite("angular velocity", omega);
+        setVelocity(vx, vy);
+        setAngularVelocity(omega);
+        return this;
+    }
+
+    /**
+     * The shape, in coordinates whose origin is the centre of mass.
+     *
+     * @return never null
+     */
+    public final Shape getShape() {
+        return shape;
+    }
+
+    /**
+     * Whether nothing moves this body.
+     *
+     * @return true for a body made by {@link #fixed(Shape)}
+     */
+    public final boolean isFixed() {
+        return fixed;
+    }
+
+    /**
+     * Position of the centre of mass.
+     *
+     * @return x, length
+     */
+    public final double getX() {
+        return state.x()[State.BLOCK * index + State.X];
+    }
+
+    /**
+     * Position of the centre of mass.
+     *
+     * @return y, length
+     */
+    public final double getY() {
+        return state.x()[State.BLOCK * index + State.Y];
+    }
+
+    /**
+     * Orientation. It does not wrap: after one turn it is 2π more.
+     *
+     * @return θ, rad
+     */
+    public final double getAngle() {
+        return state.x()[State.BLOCK * index + State.THETA];
+    }
+
+    /**
+     * Velocity of the centre of mass.
+     *
+     * @return ẋ, length/time
+     */
+    public final double getVelocityX() {
+        return state.v()[State.BLOCK * index + State.X];
+    }
+
+    /**
+     * Velocity of the centre of mass.
+     *
+     * @return ẏ, length/time
+     */
+    public final double getVelocityY() {
+        return state.v()[State.BLOCK * index + State.Y];
+    }
+
+    /**
+     * Angular velocity.
+     *
+     * @return θ̇, rad/time
+     */
+    public final double getAngularVelocity() {
+        return state.v()[State.BLOCK * index + State.THETA];
+    }
+
+    /**
+     * Moves the body to another place (teleports it when a simulation runs).
+     *
+     * @param x length
+     * @param y length
+     * @throws IllegalArgumentException for NaN or infinity
+     */
+    public final void setPosition(double x, double y) {
+        Check.finite("x", x);
+        Check.finite("y", y);
+        state.x()[State.BLOCK * index + State.X] = x;
+        state.x()[State.BLOCK * index + State.Y] = y;
+        state.touch(index);
+    }
+
+    /**
+     * Turns the body.
+     *
+     * @param angle θ, rad
+     * @throws IllegalArgumentException for NaN or infinity
+     */
+    public final void setAngle(double angle) {
+        state.x()[State.BLOCK * index + State.THETA] = Check.finite("angle", angle);
+        state.touch(index);
+    }
+
+    /**
+     * Sets the velocity of the centre of mass.
+     *
+     * @param vx length/time
+     * @param vy length/time
+     * @throws IllegalArgumentException for NaN or infinity, or if the body is fixed and the velocity is not zero
+     */
+    public final void setVelocity(double vx, double vy) {
+        Check.finite("vx", vx);
+        Check.finite("vy", vy);
+        requireMovable("velocity", vx != 0 || vy != 0);
+        state.v()[State.BLOCK * index + State.X] = vx;
+        state.v()[State.BLOCK * index + State.Y] = vy;
+        state.touch(index);
+    }
+
+    /**
+     * Sets the angular velocity.
+     *
+     * @param omega θ̇, rad/time
+     * @throws IllegalArgumentException for NaN or infinity, or if the body is fixed and the velocity is not zero
+     */
+    public final void setAngularVelocity(double omega) {
+        Check.finite("angular velocity", omega);
+        requireMovable("angular velocity", omega != 0);
+        state.v()[State.BLOCK * index + State.THETA] = omega;
+        state.touch(index);
+    }
+
+    /**
+     * Mass.
+     *
+     * @return m, infinite for a fixed body
+     */
+    public final double getMass() {
+        return mass;
+    }
+
+    /**
+     * Sets the mass; the moment of inertia becomes that of a body of uniform density.
+     *
+     * @param mass m, greater than 0
+     * @throws IllegalArgumentException if it is not a finite number greater than 0, or the body is fixed
+     */
+    public final void setMass(double mass) {
+        Check.positive("mass", mass);
+        setMass(mass, mass * shape.unitInertia());
+    }
+
+    /**
+     * Sets mass and moment of inertia.
+     *
+     * @param mass m, greater than 0
+     * @param inertia I about the centre of mass, mass·length², greater than 0
+     * @throws IllegalArgumentException if one is not a finite number greater than 0, or the body is fixed
+     */
+    public final void setMass(double mass, double inertia) {
+        Check.positive("mass", mass);
+        Check.positive("inertia", inertia);
+        Check.positive("1 / mass", 1 / mass);
+        Check.positive("1 / inertia", 1 / inertia);
+        requireMovable("mass", true);
+        this.mass = mass;
+        this.inertia = inertia;
+        double[] w = state.w().values();
+        w[State.BLOCK * index + State.X] = 1 / mass;
+        w[State.BLOCK * index + State.Y] = 1 / mass;
+        w[State.BLOCK * index + State.THETA] = 1 / inertia;
+        state.touch(index);
+    }
+
+    /**
+     * Moment of inertia about the centre of mass.
+     *
+     * @return I, mass·length², infinite for a fixed body
+     */
+    public final double getInertia() {
+        return inertia;
+    }
+
+    /**
+     * Coefficient of restitution e of (17).
+     *
+     * @return 0 (plastic) … 1 (elastic)
+     */
+    public final double getRestitution() {
+        return restitution;
+    }
+
+    /**
+     * Sets the coefficient of restitution.
+     *
+     * @param restitution e, 0 … 1
+     * @throws IllegalArgumentException if it is outside 0 … 1
+     */
+    public final void setRestitution(double restitution) {
+        this.restitution = Check.between("restitution", restitution, 0, 1);
+    }
+
+    /**
+     * Coefficient of friction between this body and bodies that it hits.
+     *
+     * @return μ
+     */
+    public final double getFriction() {
+        return friction;
+    }
+
+    /**
+     * Sets the coefficient of friction between this body and bodies that it hits.
+     *
+     * @param friction μ, not negative
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
+    public final void setFriction(double friction) {
+        this.friction = Check.notNegative("friction", friction);
+    }
+
+    /**
+     * Kinetic coefficient of friction between this body and the plane below it, see {@link SurfaceFriction}.
+     *
+     * @return μk
+     */
+    public final double getSurfaceFriction() {
+        return surfaceFriction;
+    }
+
+    /**
+     * Static coefficient of friction between this body and the plane below it.
+     *
+     * @return μs, at least μk
+     */
+    public final double getSurfaceStaticFriction() {
+        return surfaceStaticFriction;
+    }
+
+    /**
+     * Sets both coefficients of friction between this body and the plane below it to one value.
+     *
+     * @param friction μk = μs, not negative
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
+    public final void setSurfaceFriction(double friction) {
+        setSurfaceFriction(friction, friction);
+    }
+
+    /**
+     * Sets the coefficients of friction between this body and the plane below it.
+     *
+     * @param kinetic μk, not negative
+     * @param atRest μs, not less than μk
+     * @throws IllegalArgumentException if one is negative or not finite, or μs is less than μk
+     */
+    public final void setSurfaceFriction(double kinetic, double atRest) {
+        Check.notNegative("kinetic surface friction", kinetic);
+        Check.notNegative("static surface friction", atRest);
+        if (atRest < kinetic) {
+            throw new IllegalArgumentException("static surface friction is " + atRest
+                    + ": it must not be less than the kinetic one, " + kinetic);
+        }
+        surfaceFriction = kinetic;
+        surfaceStaticFriction = atRest;
+        state.touch(index);
+    }
+
+    /**
+     * The categories of this body, a set of bits; 1 at first.
+     *
+     * @return bits
+     */
+    public final long getCategory() {
+        return category;
+    }
+
+    /**
+     * The categories that this body collides with; all at first.
+     *
+     * @return bits
+     */
+    public final long getCollidesWith() {
+        return collidesWith;
+    }
+
+    /**
+     * Sets which bodies this body can collide with: two bodies collide if each one's category is among those that the
+     * other collides with.
+     *
+     * @param category the categories of this body, bits
+     * @param collidesWith the categories it collides with, bits
+     */
+    public final void setCollisionGroup(long category, long collidesWith) {
+        this.category = category;
+        this.collidesWith = collidesWith;
+        state.touch(index);
+    }
+
+    /**
+     * Applies a force at the centre of mass during the next step. Forces add up; they end with the step.
+     *
+     * @param fx force
+     * @param fy force
+     */
+    public final void addForce(double fx, double fy) {
+        Check.finite("fx", fx);
+        Check.finite("fy", fy);
+        requireMovable("force", true);
+        appliedX += fx;
+        appliedY += fy;
+        state.touch(index);
+    }
+
+    /**
+     * Applies a force at a point during the next step: a force at the centre of mass and the torque r⊥ · f.
+     *
+     * @param fx force
+     * @param fy force
+     * @param px point, in world coordinates
+     * @param py point, in world coordinates
+     */
+    public final void addForceAt(double fx, double fy, double px, double py) {
+        Check.finite("px", px);
+        Check.finite("py", py);
+        addForce(fx, fy);
+        addTorque((px - getX()) * fy - (py - getY()) * fx);
+    }
+
+    /**
+     * Applies a torque during the next step.
+     *
+     * @param torque force·length
+     */
+    public final void addTorque(double torque) {
+        Check.finite("torque", torque);
+        requireMovable("torque", true);
+        appliedTorque += torque;
+        state.touch(index);
+    }
+
+    /**
+     * Changes the velocity at once by an impulse at a point, as (18) and (24) have it.
+     *
+     * @param rx impulse, mass·length/time
+     * @param ry impulse, mass·length/time
+     * @param px point, in world coordinates
+     * @param py point, in world coordinates
+     */
+    public final void addImpulseAt(double rx, double ry, double px, double py) {
+        Check.finite("rx", rx);
+        Check.finite("ry", ry);
+        Check.finite("px", px);
+        Check.finite("py", py);
+        requireMovable("impulse", true);
+        double turn = (px - getX()) * ry - (py - getY()) * rx;
+        setVelocity(getVelocityX() + rx / mass, getVelocityY() + ry / mass); // (18)
+        setAngularVelocity(getAngularVelocity() + turn / inertia); // (24)
+    }
+
+    /**
+     * Kinetic energy of this body.
+     *
+     * @return m v²/2 + I ω²/2
+     */
+    public final double kineticEnergy() {
+        if (fixed) {
+            return 0;
+        }
+        double vx = getVelocityX();
+        double vy = getVelocityY();
+        double omega = getAngularVelocity();
+        return 0.5 * (mass * (vx * vx + vy * vy) + inertia * omega * omega);
+    }
+
+    /**
+     * The state that holds this body's block.
+     *
+     * @return the engine's state, or the body's own
+     */
+    public final State state() {
+        return state;
+    }
+
+    /**
+     * The number of this body's block.
+     *
+     * @return 0 …
+     */
+    public final int index() {
+        return index;
+    }
+
+    final void bind(State newState, int newIndex) {
+        state = newState;
+        index = newIndex;
+    }
+
+    /** The patch by which this body rubs on the plane below it. */
+    final SurfacePatch surfacePatch() {
+        if (patch == null) {
+            patch = SurfacePatch.of(shape);
+        }
+        return patch;
+    }
+
+    final double appliedX() {
+        return appliedX;
+    }
+
+    final double appliedY() {
+        return appliedY;
+    }
+
+    final double appliedTorque() {
+        return appliedTorque;
+    }
+
+    final boolean isPushed() {
+        return appliedX != 0 || appliedY != 0 || appliedTorque != 0;
+    }
+
+    final void clearApplied() {
+        appliedX = 0;
+        appliedY = 0;
+        appliedTorque = 0;
+    }
+
+    private void requireMovable(String what, boolean changes) {
+        if (fixed && changes) {
+            throw new IllegalArgumentException("a " + what + " was given to a fixed body: " + this);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return getClass().getSimpleName() + "[" + shape + " at (" + getX() + ", " + getY() + "), angle " + getAngle()
+                + (fixed ? ", fixed]" : "]");
+    }
+}

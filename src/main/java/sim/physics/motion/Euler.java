@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import sim.physics.internal.IntList;
+
+/**
+ * The explicit method of Euler, (11) and (12), in the form (14) and (15): positions move on with the <i>old</i>
+ * velocities, then velocities with the old forces. It is of first order and gains energy, as the write-up's Figure 3
+ * shows; it is not the semi-implicit method that game engines call Euler's.
+ */
+public final class Euler implements Integrator {
+    private static final long serialVersionUID = 1L;
+
+    /** Makes the method. */
+    public Euler() {
+        // no state
+    }
+
+    @Override
+    public void advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
+        path.ensure(State.BLOCK * state.size());
+        double[] x = state.x();
+        double[] v = state.v();
+        double[] a = path.stage;
+        equations.acceleration(bodies, t, a);
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int end = b + State.BLOCK; b < end; b++) {
+                x[b] += h * v[b]; // (12), (14)
+                v[b] += h * a[b]; // (11), (15)
+                path.straight(b);
+            }
+        }
+    }
+
+    @Override
+    public int order() {
+        return 1;
+    }
+
+    @Override
+    public String toString() {
+        return "Euler";
+    }
+}

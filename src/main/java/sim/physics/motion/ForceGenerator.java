@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+
+/**
+ * A source of forces, evaluated at every stage of the integrator: the f and τ of (5) and (6).
+ *
+ * <p>Generators are part of a checkpoint: make them named classes, not lambdas, whose serialized form depends on the
+ * compiler. A generator must not keep state that changes from call to call, since stages may be evaluated again.
+ */
+public interface ForceGenerator extends Serializable {
+
+    /**
+     * Adds the force on one body. The body's getters, and with {@link #isCoupled()} those of all bodies on which a
+     * generator acts, give position and velocity at the instant of the evaluation.
+     *
+     * @param body the body
+     * @param time simulated time of the evaluation
+     * @param forces takes the force
+     */
+    void addForce(Body body, double time, Forces forces);
+
+    /**
+     * Whether this generator ever acts on a body. Bodies on which none acts move freely, without an integrator.
+     *
+     * @param body a movable body
+     * @return true for all bodies, unless overridden; asked again after a body's properties have been set
+     */
+    default boolean actsOn(Body body) {
+        return true;
+    }
+
+    /**
+     * Whether the force on a body depends on other bodies that move.
+     *
+     * @return false, unless overridden
+     */
+    default boolean isCoupled() {
+        return false;
+    }
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+
+/** Takes the forces of a {@link ForceGenerator} and adds them to the force vector F. */
+public final class Forces implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final State state;
+
+    Forces(State state) {
+        this.state = state;
+    }
+
+    /**
+     * Adds a force at the centre of mass.
+     *
+     * @param body the body that it acts on
+     * @param fx force
+     * @param fy force
+     */
+    public void add(Body body, double fx, double fy) {
+        double[] f = state.f();
+        int b = State.BLOCK * body.index();
+        f[b + State.X] += fx;
+        f[b + State.Y] += fy;
+    }
+
+    /**
+     * Adds a torque.
+     *
+     * @param body the body that it acts on
+     * @param torque force·length
+     */
+    public void addTorque(Body body, double torque) {
+        state.f()[State.BLOCK * body.index() + State.THETA] += torque;
+    }
+
+    /**
+     * Adds a force at a point: the force at the centre of mass and the torque r⊥ · f.
+     *
+     * @param body the body that it acts on
+     * @param fx force
+     * @param fy force
+     * @param px point, in world coordinates
+     * @param py point, in world coordinates
+     */
+    public void addAt(Body body, double fx, double fy, double px, double py) {
+        add(body, fx, fy);
+        addTorque(body, (px - body.getX()) * fy - (py - body.getY()) * fx);
+    }
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import sim.physics.internal.IntList;
+
+/** Advances positions and velocities over a step, the write-up's <i>Numerical Integration</i>. */
+public interface Integrator extends Serializable {
+    /**
+     * Advances the blocks of some bodies in the state vectors from time t to t + h.
+     *
+     * @param equations the equations of motion
+     * @param state the state vectors, at t before and at t + h afterwards
+     * @param bodies the bodies to advance
+     * @param t time
+     * @param h step, of either sign
+     * @param path takes the path between: per coordinate of each body of the list, in its order, half the second
+     *     derivative and a sixth of the third one at t
+     */
+    void advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path);
+
+    /**
+     * Order of the global error in h.
+     *
+     * @return 1 for Euler, 4 for RK4
+     */
+    int order();
+}

@@ -1,0 +1,480 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import sim.physics.internal.IntList;
+
+/**
+ * Moves the bodies through a step, the write-up's chapter <i>Motion</i>: (5)–(15).
+ *
+ * <p>It models only what a body needs. A body under no force, or under uniform fields and the forces that were applied
+ * to it for one step, follows its parabola and is not touched at all. Only bodies on which other generators act are
+ * <i>driven</i> by the integrator: each alone, or all together if a force couples them.
+ */
+public final class Motion implements EquationsOfMotion, Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final Forces forces;
+    private final List<ForceGenerator> generators = new ArrayList<>();
+    private Integrator integrator = new RungeKutta4();
+    private SurfaceFriction surface;
+
+    /** Sum of the uniform fields. */
+    private double gravityX;
+
+    private double gravityY;
+
+    /** Whether some generator needs the integrator, and whether one couples bodies. */
+    private boolean drives;
+
+    private boolean coupled;
+
+    /** Driven bodies in ascending order; bodies with an applied force in this step. */
+    private final IntList driven = new IntList();
+
+    private final IntList pushed = new IntList();
+    private final IntList alone = new IntList();
+    private final Path path = new Path();
+    private final Sliding sliding;
+
+    /** Unit normals of the fixed surfaces that bodies rest on, 2n; zero for a body that rests on nothing. */
+    private double[] support = new double[16];
+
+    /** Bodies at rest that static friction holds. */
+    private boolean[] held = new boolean[8];
+
+    /** Where the driven bodies are at the end of the step, 3n each. */
+    private double[] endX = {};
+
+    private double[] endV = {};
+    private double time;
+
+    /**
+     * Makes the motion of an engine.
+     *
+     * @param state the state vectors
+     * @param trajectories where the paths are written
+     */
+    public Motion(State state, Trajectories trajectories) {
+        this.state = state;
+        this.trajectories = trajectories;
+        this.forces = new Forces(state);
+        this.sliding = new Sliding(this, state, path);
+    }
+
+    /**
+     * The integrator of driven bodies.
+     *
+     * @return never null
+     */
+    public Integrator getIntegrator() {
+        return integrator;
+    }
+
+    /**
+     * Sets the integrator of driven bodies.
+     *
+     * @param integrator not null
+     */
+    public void setIntegrator(Integrator integrator) {
+        this.integrator = Objects.requireNonNull(integrator, "integrator");
+    }
+
+    /**
+     * The force generators.
+     *
+     * @return a copy, in the order in which they were added
+     */
+    public List<ForceGenerator> generators() {
+        return new ArrayList<>(generators);
+    }
+
+    /**
+     * Adds a generator; the bodies must be admitted again.
+     *
+     * @param generator not null
+     * @return false if it was there already
+     */
+    public boolean add(ForceGenerator generator) {
+        Objects.requireNonNull(generator, "generator");
+        return !generators.contains(generator) && generators.add(generator) && sortOut();
+    }
+
+    /**
+     * Removes a generator; the bodies must be admitted again.
+     *
+     * @param generator one that was added
+     * @return false if it was not there
+     */
+    public boolean remove(ForceGenerator generator) {
+        return generators.remove(generator) && sortOut();
+    }
+
+    /** Tells uniform fields and surface friction, which are known in closed form, from other generators. */
+    private boolean sortOut() {
+        gravityX = 0;
+        gravityY = 0;
+        drives = false;
+        coupled = false;
+        surface = null;
+        for (ForceGenerator g : generators) {
+            if (g instanceof Gravity field) {
+                gravityX += field.getX();
+                gravityY += field.getY();
+            } else {
+                drives = true;
+                coupled |= g.isCoupled();
+                surface = g instanceof SurfaceFriction s ? s : surface;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Sets the simulated time of the start of the step.
+     *
+     * @param startOfStep time
+     */
+    public void begin(double startOfStep) {
+        time = startOfStep;
+    }
+
+    /**
+     * Takes a body in, or takes note that its block was written: anchors it there and decides how it moves on.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     */
+    public void admit(int body, double tau) {
+        if (support.length < 2 * state.size()) {
+            support = Arrays.copyOf(support, 4 * state.size());
+            held = Arrays.copyOf(held, 2 * state.size());
+        }
+        trajectories.anchor(body, tau, state);
+        Body view = state.body(body);
+        release(body);
+        setDriven(body, !view.isFixed() && isDriven(view));
+        if (view.isFixed()) {
+            return;
+        }
+        if (view.isPushed()) {
+            pushed.add(body);
+        }
+        if (!hold(body)) {
+            course(body);
+        }
+    }
+
+    private boolean isDriven(Body view) {
+        for (int k = 0; drives && k < generators.size(); k++) {
+            ForceGenerator g = generators.get(k);
+            if (!(g instanceof Gravity) && g.actsOn(view)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Sets the parabola of a body that is not driven, from its anchor on. */
+    private void course(int body) {
+        if (trajectories.isDriven(body)) {
+            return;
+        }
+        if (held[body]) {
+            trajectories.accelerate(body, 0, 0, 0);
+            return;
+        }
+        double[] w = state.w().values();
+        int b = State.BLOCK * body;
+        Body view = state.body(body);
+        double ax = gravityX + w[b] * view.appliedX(); // (5)
+        double ay = gravityY + w[b] * view.appliedY();
+        double alpha = w[b + State.THETA] * view.appliedTorque(); // (6)
+        double nx = support[2 * body];
+        double ny = support[2 * body + 1];
+        double into = ax * nx + ay * ny;
+        if (into < 0) {
+            ax -= into * nx; // the surface bears the body
+            ay -= into * ny;
+        }
+        trajectories.accelerate(body, ax, ay, alpha);
+    }
+
+    /**
+     * Lets the forces that were applied for the step before act no longer.
+     *
+     * @param changed takes the bodies whose course changes
+     */
+    public void endApplied(IntList changed) {
+        for (int k = 0; k < pushed.size; k++) {
+            int body = pushed.values[k];
+            if (state.body(body) != null && !trajectories.isDriven(body)) {
+                trajectories.bring(body, 0);
+                course(body);
+                changed.add(body);
+            }
+        }
+        pushed.clear();
+    }
+
+    /** Ends the step: writes where the driven bodies are; the forces that were applied for the step have acted. */
+    public void finish() {
+        for (int k = 0; k < driven.size; k++) {
+            int b = State.BLOCK * driven.values[k];
+            System.arraycopy(endX, b, state.x(), b, State.BLOCK);
+            System.arraycopy(endV, b, state.v(), b, State.BLOCK);
+        }
+        for (int k = 0; k < pushed.size; k++) {
+            Body view = state.body(pushed.values[k]);
+            if (view != null) {
+                view.clearApplied();
+            }
+        }
+    }
+
+    private void setDriven(int body, boolean yes) {
+        boolean was = trajectories.isDriven(body);
+        trajectories.setDriven(body, yes);
+        if (was == yes) {
+            return;
+        }
+        int k = 0;
+        while (k < driven.size && driven.values[k] < body) {
+            k++;
+        }
+        if (yes) {
+            driven.add(body);
+            System.arraycopy(driven.values, k, driven.values, k + 1, driven.size - 1 - k);
+            driven.values[k] = body;
+        } else {
+            System.arraycopy(driven.values, k + 1, driven.values, k, driven.size - 1 - k);
+            driven.size--;
+        }
+    }
+
+    /**
+     * Forgets a body.
+     *
+     * @param body index
+     */
+    public void remove(int body) {
+        setDriven(body, false);
+        release(body);
+    }
+
+    /**
+     * The driven bodies.
+     *
+     * @return indices in ascending order; live
+     */
+    public IntList driven() {
+        return driven;
+    }
+
+    /**
+     * The bodies that move together with a body, itself included: the whole set if a force couples bodies.
+     *
+     * @param body index of a driven body
+     * @return valid until the next call
+     */
+    public IntList companions(int body) {
+        if (coupled) {
+            return driven;
+        }
+        alone.clear();
+        alone.add(body);
+        return alone;
+    }
+
+    /**
+     * Advances a driven body, and those that move with it, from their anchors to the end of the step, and sets their
+     * paths.
+     *
+     * @param body index
+     * @return offset up to which the path holds: h, or less if the body stops or must be looked at again before
+     */
+    public double advance(int body) {
+        IntList group = companions(body);
+        double tau = trajectories.offset(body);
+        restore(group);
+        double length = integrate(group, time + tau, trajectories.h() - tau);
+        double[] m = trajectories.data();
+        if (endX.length < state.x().length) {
+            endX = Arrays.copyOf(endX, state.x().length);
+            endV = Arrays.copyOf(endV, state.x().length);
+        }
+        for (int k = 0; k < group.size; k++) {
+            int o = Trajectories.STRIDE * group.values[k];
+            int b = State.BLOCK * group.values[k];
+            System.arraycopy(path.a, b, m, o + Trajectories.AX, State.BLOCK);
+            System.arraycopy(path.j, b, m, o + Trajectories.JX, State.BLOCK);
+            System.arraycopy(state.x(), b, endX, b, State.BLOCK);
+            System.arraycopy(state.v(), b, endV, b, State.BLOCK);
+        }
+        return length == trajectories.h() - tau ? trajectories.h() : tau + length;
+    }
+
+    /** Integrates some bodies over a time; returns how far, which is less if a sliding body comes to rest. */
+    private double integrate(IntList group, double t, double length) {
+        if (surface == null || group.size > 1 || length <= 0 || !surface.actsOn(state.body(group.values[0]))) {
+            integrator.advance(this, state, group, t, length, path);
+            return length;
+        }
+        return sliding.advance(state.body(group.values[0]), surface, group, t, length);
+    }
+
+    /** Puts the anchors of driven bodies back into the state vectors. */
+    private void restore(IntList group) {
+        double[] m = trajectories.data();
+        for (int k = 0; k < group.size; k++) {
+            int o = Trajectories.STRIDE * group.values[k];
+            int b = State.BLOCK * group.values[k];
+            System.arraycopy(m, o, state.x(), b, State.BLOCK);
+            System.arraycopy(m, o + Trajectories.VX, state.v(), b, State.BLOCK);
+        }
+    }
+
+    /**
+     * Brings a body, and those that move with it, to an instant: driven ones by the integrator from their anchors, so
+     * that an impact does not cost the order of the method.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     */
+    public void bring(int body, double tau) {
+        if (!trajectories.isDriven(body)) {
+            trajectories.bring(body, tau);
+            return;
+        }
+        double from = trajectories.offset(body);
+        if (tau == from) {
+            return;
+        }
+        IntList group = companions(body);
+        restore(group);
+        integrate(group, time + from, tau - from);
+        for (int k = 0; k < group.size; k++) {
+            trajectories.anchor(group.values[k], tau, state);
+        }
+    }
+
+    /**
+     * Anchors driven bodies at the start of a step where the last one left them.
+     */
+    public void anchorDriven() {
+        for (int k = 0; k < driven.size; k++) {
+            trajectories.anchor(driven.values[k], 0, state);
+        }
+    }
+
+    /**
+     * Lets a body rest on a fixed surface: its acceleration into the surface is taken away.
+     *
+     * @param body index of a body that is not driven, anchored at the present instant
+     * @param nx unit normal from the surface to the body
+     * @param ny unit normal from the surface to the body
+     */
+    public void support(int body, double nx, double ny) {
+        support[2 * body] = nx;
+        support[2 * body + 1] = ny;
+        course(body);
+    }
+
+    /** Ends a body's rest; false if it did not rest. */
+    private boolean release(int body) {
+        boolean rested = held[body] || support[2 * body] != 0 || support[2 * body + 1] != 0;
+        support[2 * body] = 0;
+        support[2 * body + 1] = 0;
+        held[body] = false;
+        return rested;
+    }
+
+    /**
+     * Takes note that the velocity of a body has changed at its anchor: it no longer rests on anything.
+     *
+     * @param body index
+     */
+    public void deflect(int body) {
+        if (release(body)) {
+            setDriven(body, isDriven(state.body(body)));
+            course(body);
+        }
+    }
+
+    /**
+     * Whether a body rests on a fixed surface or is held by static friction.
+     *
+     * @param body index
+     * @return true if nothing will move it by itself
+     */
+    public boolean isResting(int body) {
+        return held[body] || support[2 * body] != 0 || support[2 * body + 1] != 0;
+    }
+
+    /**
+     * Takes a driven body that has come to rest and that constant static friction holds off the integrator.
+     *
+     * @param body index, anchored at the present instant
+     * @return whether it is at rest until something happens to it
+     */
+    public boolean hold(int body) {
+        if (!rests(body)) {
+            return false;
+        }
+        setDriven(body, false);
+        held[body] = true;
+        course(body);
+        return true;
+    }
+
+    /** Length of the present step. */
+    double step() {
+        return trajectories.h();
+    }
+
+    private boolean rests(int body) {
+        int o = Trajectories.STRIDE * body;
+        double[] m = trajectories.data();
+        Body view = state.body(body);
+        boolean moves = m[o + Trajectories.VX] != 0 || m[o + Trajectories.VY] != 0 || m[o + Trajectories.OMEGA] != 0;
+        if (surface == null || coupled || moves || view.isPushed()) {
+            return false;
+        }
+        for (int k = 0; k < generators.size(); k++) {
+            ForceGenerator g = generators.get(k);
+            if (!(g instanceof Gravity) && g != surface && g.actsOn(view)) {
+                return false;
+            }
+        }
+        return surface.actsOn(view) && surface.holds(view, view.getMass() * gravityX, view.getMass() * gravityY, 0);
+    }
+
+    @Override
+    public void acceleration(IntList bodies, double t, double[] a) {
+        double[] f = state.f();
+        double[] w = state.w().values();
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            Body body = state.body(bodies.values[k]);
+            f[b] = body.appliedX();
+            f[b + 1] = body.appliedY();
+            f[b + 2] = body.appliedTorque();
+            for (int g = 0; g < generators.size(); g++) {
+                ForceGenerator generator = generators.get(g);
+                if (!(generator instanceof Gravity) && generator.actsOn(body)) {
+                    generator.addForce(body, t, forces);
+                }
+            }
+            a[b] = gravityX + w[b] * f[b]; // (5), (7)
+            a[b + 1] = gravityY + w[b + 1] * f[b + 1];
+            a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
+        }
+    }
+}

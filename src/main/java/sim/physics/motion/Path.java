@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/**
+ * The cubic paths of bodies over a step: x(d) = x0 + d (v0 + d (a + d j)). By the body's block, 3 per body; plus the
+ * workspace that integrators share.
+ */
+public final class Path implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Half the second derivatives, 3n. */
+    double[] a = {};
+
+    /** A sixth of the third derivatives, 3n. */
+    double[] j = {};
+
+    /** Accelerations at a stage, 3n. */
+    double[] stage = {};
+
+    /** Positions and velocities at the start, and their weighted sums, 3n each. */
+    double[] x0 = {};
+
+    double[] v0 = {};
+    double[] sumX = {};
+    double[] sumV = {};
+
+    /** Makes room for no body. */
+    public Path() {
+        // grows with the state
+    }
+
+    void ensure(int length) {
+        if (a.length < length) {
+            a = Arrays.copyOf(a, length);
+            j = Arrays.copyOf(j, length);
+            stage = Arrays.copyOf(stage, length);
+            x0 = Arrays.copyOf(x0, length);
+            v0 = Arrays.copyOf(v0, length);
+            sumX = Arrays.copyOf(sumX, length);
+            sumV = Arrays.copyOf(sumV, length);
+        }
+    }
+
+    /** The path is a straight line. */
+    void straight(int b) {
+        a[b] = 0;
+        j[b] = 0;
+    }
+
+    /** The cubic through both ends, given the mean velocity of the step and the velocities at its ends. */
+    void cubic(int b, double mean, double start, double end, double h) {
+        a[b] = (3 * mean - 2 * start - end) / h;
+        j[b] = (start + end - 2 * mean) / (h * h);
+    }
+}

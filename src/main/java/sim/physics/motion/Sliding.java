@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import sim.physics.internal.IntList;
+
+/**
+ * Advances one body under surface friction, up to the instant at which it comes to rest.
+ *
+ * <p>The directions of friction depend on the ratio of sliding to spinning, which changes ever faster in time as the
+ * body comes to rest. So the step is divided: each part is a small share of the time that the body has left, and the
+ * last, negligible one is at constant deceleration and ends exactly at rest.
+ */
+final class Sliding implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Part of the time to rest that is integrated at once; smaller: more accurate near the stop, and slower. */
+    private static final double SHARE = 1.0 / 16;
+
+    /** Time to rest, relative to the step, from which the deceleration is taken as constant. */
+    private static final double LAST = 1e-7;
+
+    private final Motion motion;
+    private final State state;
+    private final Path path;
+    private final double[] start = new double[2 * State.BLOCK];
+
+    Sliding(Motion motion, State state, Path path) {
+        this.motion = motion;
+        this.state = state;
+        this.path = path;
+    }
+
+    /** Returns the time advanced: all of it, or less if the body comes to rest and is held there. */
+    double advance(Body body, SurfaceFriction surface, IntList group, double t, double length) {
+        int b = State.BLOCK * body.index();
+        System.arraycopy(state.x(), b, start, 0, State.BLOCK);
+        System.arraycopy(state.v(), b, start, State.BLOCK, State.BLOCK);
+        path.ensure(State.BLOCK * state.size());
+        if (body.kineticEnergy() == 0 && stop(body, surface, group, 0, t)) {
+            standStill(b);
+            return length;
+        }
+        double done = 0;
+        while (done < length) {
+            double rest = timeToRest(body, group, t + done);
+            if (rest <= LAST * motion.step() && stop(body, surface, group, Math.min(rest, length - done), t + done)) {
+                done += Math.min(rest, length - done);
+                break;
+            }
+            double left = length - done;
+            double part = Math.min(left, Math.max(SHARE * rest, SHARE * LAST * motion.step()));
+            motion.getIntegrator().advance(motion, state, group, t + done, part, path);
+            done = part == left ? length : done + part;
+        }
+        for (int c = 0; c < State.BLOCK; c++) {
+            double mean = (state.x()[b + c] - start[c]) / done;
+            path.cubic(b + c, mean, start[State.BLOCK + c], state.v()[b + c], done);
+        }
+        return done;
+    }
+
+    private void standStill(int b) {
+        for (int c = 0; c < State.BLOCK; c++) {
+            path.straight(b + c);
+        }
+    }
+
+    /** The time in which the present power of all forces would use up the kinetic energy: 2 E / P. */
+    private double timeToRest(Body body, IntList group, double t) {
+        int b = State.BLOCK * body.index();
+        double[] v = state.v();
+        double energy = body.kineticEnergy();
+        if (energy == 0) {
+            return Double.POSITIVE_INFINITY; // at rest and not held: it begins to move
+        }
+        motion.acceleration(group, t, path.stage);
+        double power = body.getMass() * (path.stage[b] * v[b] + path.stage[b + 1] * v[b + 1])
+                + body.getInertia() * path.stage[b + 2] * v[b + 2];
+        return power >= 0 ? Double.POSITIVE_INFINITY : -2 * energy / power;
+    }
+
+    /** Brings the body to rest in a time, if static friction can hold it then. */
+    private boolean stop(Body body, SurfaceFriction surface, IntList group, double rest, double t) {
+        int b = State.BLOCK * body.index();
+        double[] x = state.x();
+        double[] v = state.v();
+        double vx = v[b];
+        double vy = v[b + 1];
+        double omega = v[b + 2];
+        v[b] = 0;
+        v[b + 1] = 0;
+        v[b + 2] = 0;
+        motion.acceleration(group, t, path.stage); // friction is zero at rest: these are the other forces
+        double mass = body.getMass();
+        double load = body.getInertia() * path.stage[b + 2];
+        if (!surface.holds(body, mass * path.stage[b], mass * path.stage[b + 1], load)) {
+            v[b] = vx;
+            v[b + 1] = vy;
+            v[b + 2] = omega;
+            return false;
+        }
+        x[b] += 0.5 * rest * vx;
+        x[b + 1] += 0.5 * rest * vy;
+        x[b + 2] += 0.5 * rest * omega;
+        return true;
+    }
+}

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.matrix.DiagonalMatrix;
+
+/**
+ * The state of all bodies in shared vectors, as the write-up's chapter <i>State Representation</i> has it.
+ *
+ * <pre>
+ *   body            0             1             2
+ *   block      +---+---+-----+---+---+-----+---+---+-----+
+ *   x          | x | y |  θ  | x | y |  θ  | x | y |  θ  | ...   length, length, rad
+ *   v          | x'| y'|  θ' | x'| y'|  θ' |                     length/time, length/time, rad/time
+ *   f          | fx| fy|  τ  |                                   force, force, torque
+ *   w          |1/m|1/m| 1/I |                                   the diagonal of W
+ *              +---+---+-----+
+ * </pre>
+ *
+ * <p>A body that is not part of an engine owns a state of one block; {@code PhysicsEngine.add} copies the block into
+ * the engine's state and {@code remove} copies it back, so a {@link Body} is always a view on exactly one block. A
+ * block that a removed body leaves is empty (all zero, no body) until the next body takes it. Fixed bodies have
+ * W = 0.
+ *
+ * <p>The vectors hold the values at the end of the last step. Inside a step the engine works on
+ * {@link Trajectories} and writes the vectors when the step ends.
+ */
+public final class State implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Offset of the x coordinate in a block. */
+    public static final int X = 0;
+    /** Offset of the y coordinate in a block. */
+    public static final int Y = 1;
+    /** Offset of the orientation in a block. */
+    public static final int THETA = 2;
+    /** Length of a block. */
+    public static final int BLOCK = 3;
+
+    /** Positions and orientations, 3n. */
+    private double[] x;
+    /** Velocities and angular velocities, 3n. */
+    private double[] v;
+    /** Forces and torques of the present evaluation, 3n. */
+    private double[] f;
+    /** Inverse masses and moments of inertia, 3n. */
+    private DiagonalMatrix w;
+
+    private Body[] bodies;
+    private int size;
+
+    /** Empty blocks below {@code size}, a stack. */
+    private int[] free = new int[4];
+
+    private int freeCount;
+
+    /** Blocks that their bodies' setters have written since the last step, in the order of writing. */
+    private int[] touched = new int[8];
+
+    private boolean[] isTouched;
+    private int touchedCount;
+
+    /** Whether this is the state of one body that belongs to no engine. */
+    private final boolean own;
+
+    /** Makes an empty state. */
+    public State() {
+        this(8, false);
+    }
+
+    /**
+     * Makes the state of a body of its own.
+     *
+     * @return an empty state for one block
+     */
+    static State own() {
+        return new State(1, true);
+    }
+
+    private State(int capacity, boolean own) {
+        this.own = own;
+        x = new double[BLOCK * capacity];
+        v = new double[BLOCK * capacity];
+        f = new double[BLOCK * capacity];
+        w = new DiagonalMatrix(BLOCK * capacity);
+        bodies = new Body[capacity];
+        isTouched = new boolean[capacity];
+    }
+
+    /**
+     * The position vector x itself, not a copy; longer than {@code BLOCK * size()}.
+     *
+     * @return x, [x, y, θ] per body, length and rad
+     */
+    public double[] x() {
+        return x;
+    }
+
+    /**
+     * The velocity vector ẋ itself, not a copy.
+     *
+     * @return ẋ, [x', y', θ'] per body, length/time and rad/time
+     */
+    public double[] v() {
+        return v;
+    }
+
+    /**
+     * The force vector F itself, not a copy.
+     *
+     * @return F, [fx, fy, τ] per body
+     */
+    public double[] f() {
+        return f;
+    }
+
+    /**
+     * The mass inverse matrix W.
+     *
+     * @return W, diagonal [1/m, 1/m, 1/I] per body, zero for a fixed body
+     */
+    public DiagonalMatrix w() {
+        return w;
+    }
+
+    /**
+     * Whether this state holds one body that belongs to no engine.
+     *
+     * @return false for the state of an engine
+     */
+    public boolean isOwn() {
+        return own;
+    }
+
+    /**
+     * Number of blocks, empty ones included.
+     *
+     * @return one more than the largest index in use
+     */
+    public int size() {
+        return size;
+    }
+
+    /**
+     * Number of bodies.
+     *
+     * @return blocks that hold a body
+     */
+    public int bodyCount() {
+        return size - freeCount;
+    }
+
+    /**
+     * The body of a block.
+     *
+     * @param index block number, 0 … size() − 1
+     * @return the body, or null for an empty block
+     */
+    public Body body(int index) {
+        return bodies[index];
+    }
+
+    /**
+     * Takes a block for a body and copies the body's values into it.
+     *
+     * @param body a body that has a state of its own
+     * @return the index of its block
+     */
+    public int add(Body body) {
+        int index = freeCount > 0 ? free[--freeCount] : size++;
+        if (index >= bodies.length) {
+            grow(Math.max(8, 2 * index));
+        }
+        State old = body.state();
+        int from = BLOCK * body.index();
+        int to = BLOCK * index;
+        System.arraycopy(old.x, from, x, to, BLOCK);
+        System.arraycopy(old.v, from, v, to, BLOCK);
+        System.arraycopy(old.f, from, f, to, BLOCK);
+        System.arraycopy(old.w.values(), from, w.values(), to, BLOCK);
+        bodies[index] = body;
+        body.bind(this, index);
+        touch(index);
+        return index;
+    }
+
+    /**
+     * Gives a body a state of its own again and empties its block.
+     *
+     * @param body a body of this state
+     */
+    public void remove(Body body) {
+        int index = body.index();
+        State own = own();
+        own.size = 1;
+        own.bodies[0] = body;
+        int from = BLOCK * index;
+        System.arraycopy(x, from, own.x, 0, BLOCK);
+        System.arraycopy(v, from, own.v, 0, BLOCK);
+        System.arraycopy(w.values(), from, own.w.values(), 0, BLOCK);
+        body.bind(own, 0);
+        Arrays.fill(x, from, from + BLOCK, 0);
+        Arrays.fill(v, from, from + BLOCK, 0);
+        Arrays.fill(f, from, from + BLOCK, 0);
+        Arrays.fill(w.values(), from, from + BLOCK, 0);
+        bodies[index] = null;
+        if (freeCount == free.length) {
+            free = Arrays.copyOf(free, 2 * freeCount);
+        }
+        free[freeCount++] = index;
+    }
+
+    /**
+     * Notes that a body's block was written from outside a step.
+     *
+     * @param index the block
+     */
+    public void touch(int index) {
+        if (isTouched[index]) {
+            return;
+        }
+        if (touchedCount == touched.length) {
+            touched = Arrays.copyOf(touched, 2 * touchedCount);
+        }
+        isTouched[index] = true;
+        touched[touchedCount++] = index;
+    }
+
+    /**
+     * How many blocks were written by their bodies' setters since the last call of {@link #clearTouched()}.
+     *
+     * @return their number
+     */
+    public int touchedCount() {
+        return touchedCount;
+    }
+
+    /**
+     * A block that was written.
+     *
+     * @param k 0 … touchedCount() − 1
+     * @return its index; the block may have been emptied since
+     */
+    public int touched(int k) {
+        return touched[k];
+    }
+
+    /** Forgets which blocks were written. */
+    public void clearTouched() {
+        for (int k = 0; k < touchedCount; k++) {
+            isTouched[touched[k]] = false;
+        }
+        touchedCount = 0;
+    }
+
+    private void grow(int capacity) {
+        x = Arrays.copyOf(x, BLOCK * capacity);
+        v = Arrays.copyOf(v, BLOCK * capacity);
+        f = Arrays.copyOf(f, BLOCK * capacity);
+        DiagonalMatrix larger = new DiagonalMatrix(BLOCK * capacity);
+        System.arraycopy(w.values(), 0, larger.values(), 0, w.rows());
+        w = larger;
+        bodies = Arrays.copyOf(bodies, capacity);
+        isTouched = Arrays.copyOf(isTouched, capacity);
+    }
+}

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/**
+ * Where every body is at any instant of the present step: the dense output of the equations of motion.
+ *
+ * <p>Each body follows polynomials of time from its <i>anchor</i>, the instant of its last event:
+ *
+ * <pre>
+ *   x(d) = x0 + d (vx + d (ax + d jx)),   and y and θ likewise,   d = time since the anchor
+ * </pre>
+ *
+ * <p>where ax is <i>half</i> the acceleration and jx a sixth of its rate. A free body under a constant force needs no
+ * integrator: its polynomials (parabola and constant spin) hold until its next event, exactly and for any number of
+ * steps, so that nothing adds up along the way. A body that an integrator drives gets new polynomials in every step
+ * and is marked {@link #DRIVEN}.
+ *
+ * <p>Instants are offsets τ from the start of the present step, 0 … h. The anchor is kept as (step number, offset), so
+ * that the clock does not drift and no precision is lost in long runs.
+ *
+ * <p>The values lie in one array, {@link #STRIDE} per body, two cache lines:
+ *
+ * <pre>
+ *   0  1  2   3  4  5   6  7  8   9  10 11  12    13      14      15
+ *   x0 y0 θ0  vx vy ω   ax ay aθ  jx jy jθ  step  offset  radius  driven
+ * </pre>
+ */
+public final class Trajectories implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Values per body. */
+    public static final int STRIDE = 16;
+    /** Position at the anchor. */
+    public static final int X0 = 0;
+    /** Position at the anchor. */
+    public static final int Y0 = 1;
+    /** Orientation at the anchor. */
+    public static final int THETA0 = 2;
+    /** Velocity at the anchor. */
+    public static final int VX = 3;
+    /** Velocity at the anchor. */
+    public static final int VY = 4;
+    /** Angular velocity at the anchor. */
+    public static final int OMEGA = 5;
+    /** Half the acceleration at the anchor. */
+    public static final int AX = 6;
+    /** Half the acceleration at the anchor. */
+    public static final int AY = 7;
+    /** Half the angular acceleration at the anchor. */
+    public static final int ATHETA = 8;
+    /** A sixth of the third derivative. */
+    public static final int JX = 9;
+    /** A sixth of the third derivative. */
+    public static final int JY = 10;
+    /** A sixth of the third derivative. */
+    public static final int JTHETA = 11;
+    /** Number of the step of the anchor. */
+    public static final int STEP = 12;
+    /** Offset of the anchor in its step. */
+    public static final int OFFSET = 13;
+    /** Bounding radius of the body's shape. */
+    public static final int RADIUS = 14;
+    /** 1 if the polynomials hold for the present step only, else 0. */
+    public static final int DRIVEN = 15;
+
+    private double[] data = new double[8 * STRIDE];
+    private double step;
+    private double h;
+
+    /** Makes trajectories for no body. */
+    public Trajectories() {
+        // the arrays grow with the bodies
+    }
+
+    /**
+     * The values themselves, {@link #STRIDE} per body.
+     *
+     * @return the live array
+     */
+    public double[] data() {
+        return data;
+    }
+
+    /**
+     * Number of the present step.
+     *
+     * @return 0, 1, … as a double, for kernels
+     */
+    public double step() {
+        return step;
+    }
+
+    /**
+     * Length of the present step.
+     *
+     * @return h, time
+     */
+    public double h() {
+        return h;
+    }
+
+    /**
+     * Begins a step.
+     *
+     * @param number its number
+     * @param length its length h, time; anchors of earlier steps must have been made with the same length
+     */
+    public void begin(long number, double length) {
+        step = number;
+        h = length;
+    }
+
+    /**
+     * Makes room for bodies.
+     *
+     * @param count number of blocks
+     */
+    public void ensure(int count) {
+        if (data.length < count * STRIDE) {
+            data = Arrays.copyOf(data, Math.max(2 * data.length, count * STRIDE));
+        }
+    }
+
+    /**
+     * The offset of a body's anchor in its step.
+     *
+     * @param body index
+     * @return τ
+     */
+    public double offset(int body) {
+        return data[body * STRIDE + OFFSET];
+    }
+
+    /**
+     * Time from a body's anchor to an instant.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     * @return d, time
+     */
+    public double duration(int body, double tau) {
+        int o = body * STRIDE;
+        return (step - data[o + STEP]) * h + (tau - data[o + OFFSET]);
+    }
+
+    /**
+     * Anchors a body at an instant with the position and velocity of its block in the state vectors, and without
+     * acceleration.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     * @param state the vectors
+     */
+    public void anchor(int body, double tau, State state) {
+        int o = body * STRIDE;
+        int b = body * State.BLOCK;
+        System.arraycopy(state.x(), b, data, o, State.BLOCK);
+        System.arraycopy(state.v(), b, data, o + VX, State.BLOCK);
+        Arrays.fill(data, o + AX, o + STEP, 0);
+        data[o + STEP] = step;
+        data[o + OFFSET] = tau;
+    }
+
+    /**
+     * Moves a body's anchor along its trajectory to an instant; the path stays the same.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     */
+    public void bring(int body, double tau) {
+        int o = body * STRIDE;
+        double[] m = data;
+        double d = (step - m[o + STEP]) * h + (tau - m[o + OFFSET]);
+        if (d != 0) {
+            for (int c = 0; c < State.BLOCK; c++) {
+                double v = m[o + VX + c];
+                double a = m[o + AX + c];
+                double j = m[o + JX + c];
+                m[o + c] += d * (v + d * (a + d * j));
+                m[o + VX + c] = v + d * (2 * a + 3 * d * j);
+                m[o + AX + c] = a + 3 * d * j;
+            }
+        }
+        m[o + STEP] = step;
+        m[o + OFFSET] = tau;
+    }
+
+    /**
+     * Sets the constant accelerations of a body from its anchor on.
+     *
+     * @param body index, brought to the present instant before
+     * @param ax length/time²
+     * @param ay length/time²
+     * @param alpha rad/time²
+     */
+    public void accelerate(int body, double ax, double ay, double alpha) {
+        int o = body * STRIDE;
+        data[o + AX] = 0.5 * ax;
+        data[o + AY] = 0.5 * ay;
+        data[o + ATHETA] = 0.5 * alpha;
+        data[o + JX] = 0;
+        data[o + JY] = 0;
+        data[o + JTHETA] = 0;
+    }
+
+    /**
+     * Marks whether a body's polynomials hold for the present step only.
+     *
+     * @param body index
+     * @param driven true if an integrator makes new ones in the next step
+     */
+    public void setDriven(int body, boolean driven) {
+        data[body * STRIDE + DRIVEN] = driven ? 1 : 0;
+    }
+
+    /**
+     * Whether a body's polynomials hold for the present step only.
+     *
+     * @param body index
+     * @return true if an integrator drives it
+     */
+    public boolean isDriven(int body) {
+        return data[body * STRIDE + DRIVEN] != 0;
+    }
+
+    /**
+     * Sets the bounding radius of a body's shape.
+     *
+     * @param body index
+     * @param radius length
+     */
+    public void setRadius(int body, double radius) {
+        data[body * STRIDE + RADIUS] = radius;
+    }
+
+    /**
+     * Writes positions and velocities at an instant into the state vectors.
+     *
+     * @param tau offset in the present step
+     * @param state the vectors
+     */
+    public void publish(double tau, State state) {
+        double[] x = state.x();
+        double[] v = state.v();
+        double[] m = data;
+        int n = state.size();
+        for (int i = 0, o = 0, b = 0; i < n; i++, o += STRIDE, b += State.BLOCK) {
+            double d = (step - m[o + STEP]) * h + (tau - m[o + OFFSET]);
+            x[b] = m[o] + d * (m[o + VX] + d * (m[o + AX] + d * m[o + JX]));
+            x[b + 1] = m[o + 1] + d * (m[o + VY] + d * (m[o + AY] + d * m[o + JY]));
+            x[b + 2] = m[o + 2] + d * (m[o + OMEGA] + d * (m[o + ATHETA] + d * m[o + JTHETA]));
+            v[b] = m[o + VX] + d * (2 * m[o + AX] + 3 * d * m[o + JX]);
+            v[b + 1] = m[o + VY] + d * (2 * m[o + AY] + 3 * d * m[o + JY]);
+            v[b + 2] = m[o + OMEGA] + d * (2 * m[o + ATHETA] + 3 * d * m[o + JTHETA]);
+        }
+    }
+
+    /**
+     * Writes one body's position and velocity at an instant into the state vectors.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     * @param state the vectors
+     */
+    public void publish(int body, double tau, State state) {
+        int o = body * STRIDE;
+        int b = body * State.BLOCK;
+        double d = duration(body, tau);
+        for (int c = 0; c < State.BLOCK; c++) {
+            double a = data[o + AX + c];
+            double j = data[o + JX + c];
+            state.x()[b + c] = data[o + c] + d * (data[o + VX + c] + d * (a + d * j));
+            state.v()[b + c] = data[o + VX + c] + d * (2 * a + 3 * d * j);
+        }
+    }
+}

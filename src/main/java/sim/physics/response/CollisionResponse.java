@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import sim.physics.collision.CollisionDetection;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.collision.narrow.Manifold;
+import sim.physics.internal.IntList;
+import sim.physics.internal.Tolerances;
+import sim.physics.motion.Body;
+import sim.physics.motion.Motion;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Gives colliding bodies their new velocities, the write-up's chapter <i>Collision Response</i>.
+ *
+ * <p>One point of two bodies is solved by the {@link ImpulseSolver}; several points that touch at the same instant are
+ * solved together by {@link SimultaneousImpact}.
+ */
+public final class CollisionResponse implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final Motion motion;
+    private final CollisionDetection detection;
+    private final Pairs pairs;
+
+    private ImpulseSolver solver = new TwoBodyImpulse();
+    private PairRule restitutionRule = PairRule.MINIMUM;
+    private PairRule frictionRule = PairRule.GEOMETRIC_MEAN;
+    private final List<CollisionListener> listeners = new ArrayList<>();
+
+    private final Impact impact = new Impact();
+    private final SimultaneousImpact simultaneous = new SimultaneousImpact();
+    private final IntList changed = new IntList();
+    private transient Manifold manifold;
+    private double now;
+    private long impacts;
+    private double deepest;
+    private double approach;
+    private int restingNow;
+    private double restingX;
+    private double restingY;
+
+    /**
+     * Makes the collision response of an engine.
+     *
+     * @param state the state vectors
+     * @param trajectories the motion of the bodies
+     * @param motion brings bodies to the instant of an impact
+     * @param detection where the impacts come from
+     */
+    public CollisionResponse(State state, Trajectories trajectories, Motion motion, CollisionDetection detection) {
+        this.motion = motion;
+        this.state = state;
+        this.trajectories = trajectories;
+        this.detection = detection;
+        this.pairs = detection.pairs();
+    }
+
+    /**
+     * Solves the impacts of one instant.
+     *
+     * @param touching the pairs that touch
+     * @param tau offset in the present step
+     * @param time simulated time of that instant, for listeners
+     * @return the bodies whose velocities have changed, each once; valid until the next call
+     */
+    public IntList respond(IntList touching, double tau, double time) {
+        if (manifold == null) {
+            manifold = new Manifold();
+        }
+        changed.clear();
+        restingNow = -1;
+        now = time;
+        if (touching.size == 1) {
+            int pair = touching.values[0];
+            locate(pair, tau);
+            if (manifold.count == 1) {
+                respondToOne(pair, tau);
+                return changed;
+            }
+        }
+        respondToSeveral(touching, tau);
+        return changed;
+    }
+
+    private void locate(int pair, double tau) {
+        motion.bring(pairs.first(pair), tau);
+        motion.bring(pairs.second(pair), tau);
+        detection.contact(pair, tau, manifold);
+    }
+
+    private void respondToOne(int pair, double tau) {
+        int a = pairs.first(pair);
+        int b = pairs.second(pair);
+        load(a, b, 0);
+        impact.sticky = false;
+        polish(pair, a, b, tau);
+        if (!listeners.isEmpty() && !ask(a, b)) {
+            letPass(pair, a, b);
+            return;
+        }
+        impacts++;
+        deepest = Math.min(deepest, manifold.gap);
+        if (impact.restitution < 1 && limitBouncing(a, b, canBear(a, b))) {
+            rest(pair, a);
+        }
+        solver.solve(impact);
+        impact.apply();
+        store(a, b);
+        if (!listeners.isEmpty()) {
+            tell(a, b);
+        }
+    }
+
+    /**
+     * Ends the bouncing of bodies that gravity presses together. A body that a fixed surface can bear comes to rest on
+     * it when its bounces have become too short to matter; other bodies bounce on at the shortest length. Without a
+     * pressing acceleration nothing is changed, and no speed is too small to bounce.
+     *
+     * @return whether the body comes to rest
+     */
+    private boolean limitBouncing(int a, int b, boolean canBear) {
+        Impact c = impact;
+        double[] d = trajectories.data();
+        int oa = a * Trajectories.STRIDE;
+        int ob = b * Trajectories.STRIDE;
+        double closing = 2
+                * ((d[oa + Trajectories.AX] - d[ob + Trajectories.AX]) * c.nx
+                        + (d[oa + Trajectories.AY] - d[ob + Trajectories.AY]) * c.ny);
+        double approachSpeed = -c.normalVelocity();
+        if (c.restitution == 1 || !(closing > 0) || !(approachSpeed > 0)) {
+            return false;
+        }
+        double bounce = 2 * c.restitution * approachSpeed / closing;
+        double h = trajectories.h();
+        if (canBear && bounce < Tolerances.REST * h) {
+            c.restitution = 0;
+            return true;
+        }
+        if (!canBear && bounce < Tolerances.SHORTEST_BOUNCE * h) {
+            c.restitution = 0.5 * closing * Tolerances.SHORTEST_BOUNCE * h / approachSpeed;
+        }
+        return false;
+    }
+
+    /** Whether one of two bodies is fixed and can bear the other one at the points of the manifold. */
+    private boolean canBear(int a, int b) {
+        boolean fixedA = state.body(a).isFixed();
+        if (fixedA == state.body(b).isFixed() || trajectories.isDriven(fixedA ? b : a)) {
+            return false;
+        }
+        if (manifold.count == 1) {
+            return fixedA ? manifold.roundB : manifold.roundA;
+        }
+        double[] rx = fixedA ? manifold.rBx : manifold.rAx;
+        double[] ry = fixedA ? manifold.rBy : manifold.rAy;
+        double first = ry[0] * manifold.nx - rx[0] * manifold.ny;
+        double second = ry[1] * manifold.nx - rx[1] * manifold.ny;
+        return first * second <= 0; // the centre of mass is between the points
+    }
+
+    /** Lets the movable body of a pair rest on the fixed one. */
+    private void rest(int pair, int a) {
+        boolean fixedA = state.body(a).isFixed();
+        restingNow = pair;
+        restingX = fixedA ? manifold.nx : -manifold.nx;
+        restingY = fixedA ? manifold.ny : -manifold.ny;
+    }
+
+    /**
+     * The pair whose movable body has just come to rest on the fixed one.
+     *
+     * @return its number, or −1
+     */
+    public int restingPair() {
+        return restingNow;
+    }
+
+    /**
+     * Normal of the surface that bears the body of {@link #restingPair()}.
+     *
+     * @return unit normal from the surface to the body
+     */
+    public double restingX() {
+        return restingX;
+    }
+
+    /**
+     * Normal of the surface that bears the body of {@link #restingPair()}.
+     *
+     * @return unit normal from the surface to the body
+     */
+    public double restingY() {
+        return restingY;
+    }
+
+    /** The listeners want the pair to pass: both go on as they came. */
+    private void letPass(int pair, int a, int b) {
+        detection.ignore(pair);
+        changed.add(a);
+        changed.add(b);
+    }
+
+    /**
+     * The search found the contact on the dense output of driven bodies, which is not quite where the integrator brings
+     * them: moves the instant to where the gap is zero, by Newton's method.
+     */
+    private void polish(int pair, int a, int b, double tau) {
+        boolean driven = trajectories.isDriven(a) || trajectories.isDriven(b);
+        double t = tau;
+        for (int k = 0; driven && k < 3; k++) {
+            double approachSpeed = impact.normalVelocity();
+            if (!(approachSpeed < 0) || Math.abs(manifold.gap) <= -approachSpeed * Tolerances.SIMULTANEOUS * t) {
+                return;
+            }
+            t -= manifold.gap / approachSpeed;
+            locate(pair, t);
+            load(a, b, 0);
+        }
+    }
+
+    /**
+     * Sets what solves the impact of one point of two bodies.
+     *
+     * @param solver not null
+     */
+    public void setSolver(ImpulseSolver solver) {
+        this.solver = Objects.requireNonNull(solver, "solver");
+    }
+
+    /**
+     * What solves the impact of one point of two bodies.
+     *
+     * @return never null
+     */
+    public ImpulseSolver getSolver() {
+        return solver;
+    }
+
+    /**
+     * Sets how the coefficients of two bodies make that of a contact.
+     *
+     * @param restitution rule for the restitution
+     * @param friction rule for the friction
+     */
+    public void setRules(PairRule restitution, PairRule friction) {
+        restitutionRule = Objects.requireNonNull(restitution, "restitution");
+        frictionRule = Objects.requireNonNull(friction, "friction");
+    }
+
+    /**
+     * Those who are told of collisions.
+     *
+     * @return live
+     */
+    public List<CollisionListener> listeners() {
+        return listeners;
+    }
+
+    /**
+     * Number of pairs that have collided.
+     *
+     * @return since the engine was made
+     */
+    public long impacts() {
+        return impacts;
+    }
+
+    /**
+     * The smallest gap at which a collision was ever solved.
+     *
+     * @return length, 0 or negative
+     */
+    public double deepest() {
+        return deepest;
+    }
+
+    /** Loads one point of the manifold. */
+    private void load(int a, int b, int point) {
+        Impact c = impact;
+        Manifold m = manifold;
+        double[] w = state.w().values();
+        double[] d = trajectories.data();
+        int oa = a * Trajectories.STRIDE;
+        int ob = b * Trajectories.STRIDE;
+        c.wA = w[State.BLOCK * a];
+        c.wB = w[State.BLOCK * b];
+        c.iA = w[State.BLOCK * a + State.THETA];
+        c.iB = w[State.BLOCK * b + State.THETA];
+        c.vAx = d[oa + Trajectories.VX];
+        c.vAy = d[oa + Trajectories.VY];
+        c.omegaA = d[oa + Trajectories.OMEGA];
+        c.vBx = d[ob + Trajectories.VX];
+        c.vBy = d[ob + Trajectories.VY];
+        c.omegaB = d[ob + Trajectories.OMEGA];
+        c.nx = m.nx;
+        c.ny = m.ny;
+        c.rAx = m.rAx[point];
+        c.rAy = m.rAy[point];
+        c.rBx = m.rBx[point];
+        c.rBy = m.rBy[point];
+        c.setLevers(m.roundA, m.roundB);
+        Body bodyA = state.body(a);
+        Body bodyB = state.body(b);
+        c.restitution = restitutionRule.of(bodyA.getRestitution(), bodyB.getRestitution());
+        c.friction = frictionRule.of(bodyA.getFriction(), bodyB.getFriction());
+    }
+
+    private void store(int a, int b) {
+        Impact c = impact;
+        if (c.wA != 0) {
+            setVelocity(a, c.vAx, c.vAy, c.omegaA);
+        }
+        if (c.wB != 0) {
+            setVelocity(b, c.vBx, c.vBy, c.omegaB);
+        }
+    }
+
+    private void setVelocity(int body, double vx, double vy, double omega) {
+        double[] d = trajectories.data();
+        int o = body * Trajectories.STRIDE;
+        d[o + Trajectories.VX] = vx;
+        d[o + Trajectories.VY] = vy;
+        d[o + Trajectories.OMEGA] = omega;
+        changed.add(body);
+    }
+
+    private void respondToSeveral(IntList touching, double tau) {
+        simultaneous.clear();
+        for (int k = 0; k < touching.size; k++) {
+            collect(touching.values[k], tau, touching.size == 1);
+        }
+        simultaneous.solve();
+        for (int k = 0; k < simultaneous.bodyCount(); k++) {
+            double[] v = simultaneous.velocity(k);
+            setVelocity(simultaneous.body(k), v[0], v[1], v[2]);
+        }
+        if (!listeners.isEmpty()) {
+            tellOfAll();
+        }
+    }
+
+    /** Adds the points of one pair to the simultaneous impact. */
+    private void collect(int pair, double tau, boolean alone) {
+        int a = pairs.first(pair);
+        int b = pairs.second(pair);
+        locate(pair, tau);
+        load(a, b, 0);
+        impact.sticky = false;
+        if (!listeners.isEmpty() && !ask(a, b)) {
+            letPass(pair, a, b);
+            return;
+        }
+        impacts++;
+        deepest = Math.min(deepest, manifold.gap);
+        boolean rests = true;
+        for (int point = 0; point < manifold.count; point++) {
+            load(a, b, point);
+            rests &= impact.restitution < 1 && limitBouncing(a, b, alone && canBear(a, b));
+            simultaneous.add(a, b, impact);
+        }
+        if (rests) {
+            rest(pair, a);
+        }
+    }
+
+    /** Tells of each pair once, with the impulses of its points together. */
+    private void tellOfAll() {
+        for (int k = 0; k < simultaneous.pointCount(); k++) {
+            int a = simultaneous.bodyA(k);
+            int b = simultaneous.bodyB(k);
+            simultaneous.get(k, impact);
+            approach = simultaneous.approach(k);
+            boolean two = k + 1 < simultaneous.pointCount()
+                    && simultaneous.bodyA(k + 1) == a
+                    && simultaneous.bodyB(k + 1) == b;
+            if (two) {
+                impact.jn += simultaneous.normalImpulse(++k);
+            }
+            tell(a, b);
+        }
+    }
+
+    /** Asks the listeners what to do about the loaded impact; false to let it be. */
+    private boolean ask(int a, int b) {
+        trajectories.publish(a, trajectories.data()[a * Trajectories.STRIDE + Trajectories.OFFSET], state);
+        trajectories.publish(b, trajectories.data()[b * Trajectories.STRIDE + Trajectories.OFFSET], state);
+        Contact contact = contact(a, b, 0);
+        for (int k = 0; k < listeners.size(); k++) {
+            CollisionListener.Decision decision = listeners.get(k).colliding(contact);
+            if (decision == CollisionListener.Decision.IGNORE) {
+                return false;
+            }
+            if (decision == CollisionListener.Decision.STICK) {
+                impact.sticky = true;
+                return true;
+            }
+        }
+        return true;
+    }
+
+    private void tell(int a, int b) {
+        trajectories.publish(a, trajectories.data()[a * Trajectories.STRIDE + Trajectories.OFFSET], state);
+        trajectories.publish(b, trajectories.data()[b * Trajectories.STRIDE + Trajectories.OFFSET], state);
+        Contact contact = contact(a, b, Math.sqrt(impact.jn * impact.jn + impact.jt * impact.jt));
+        for (int k = 0; k < listeners.size(); k++) {
+            listeners.get(k).collided(contact);
+        }
+    }
+
+    private Contact contact(int a, int b, double impulse) {
+        int o = a * Trajectories.STRIDE;
+        double x = trajectories.data()[o] + impact.rAx;
+        double y = trajectories.data()[o + 1] + impact.rAy;
+        double speed = impulse == 0 ? -impact.normalVelocity() : approach;
+        approach = speed;
+        return new Contact(state.body(a), state.body(b), now, x, y, impact.nx, impact.ny, speed, impulse);
+    }
+}

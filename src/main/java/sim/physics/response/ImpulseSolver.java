@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+
+/** Solves the equations (16)–(24) for the impulse of one collision point of two free bodies. */
+public interface ImpulseSolver extends Serializable {
+    /**
+     * Finds the impulse.
+     *
+     * @param impact what is known; its impulse is set
+     */
+    void solve(Impact impact);
+}

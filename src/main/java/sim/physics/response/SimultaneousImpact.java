@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/**
+ * Impacts at several points at the same instant, solved as one problem.
+ *
+ * <p>The impulses λ ≥ 0 along the normals are those that would just stop the approach,
+ *
+ * <pre>
+ *   λ ≥ 0,   A λ + b ≥ 0,   λ·(A λ + b) = 0,   A = J W Jᵀ,   b = J v
+ * </pre>
+ *
+ * <p>made larger by 1 + e: a <i>generalized reflection</i> (Smith, Kaufman, Vouga, Tamstorf and Grinspun, <i>Reflections
+ * on simultaneous impact</i>, 2012). At e = 1 it keeps the energy exactly, it treats mirror images alike, and points
+ * that approach again afterwards are simply the next impact at the same instant, so that a momentum passes through a
+ * row of touching balls. Where points are redundant the λ of least norm is taken.
+ *
+ * <p>Sums over the points of a body and residuals are formed with twice the precision, so that the result does not
+ * depend on the order of the points.
+ */
+final class SimultaneousImpact implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Weight that makes redundant systems solvable; refinement removes its effect. */
+    private static final double REGULARIZATION = 1e-9;
+
+    private static final int REFINEMENTS = 4;
+    private static final int MAX_CHANGES = 60;
+
+    private int points;
+    private int[] bodyA = new int[8];
+    private int[] bodyB = new int[8];
+    private Impact[] impacts = new Impact[8];
+
+    private int bodies;
+    private int[] body = new int[8];
+    private double[][] velocity = new double[8][3];
+
+    private double[] matrix = new double[64];
+    private double[] factor = new double[64];
+    private double[] rhs = new double[8];
+    private double[] lambda = new double[8];
+    private double[] correction = new double[8];
+    private boolean[] active = new boolean[8];
+
+    SimultaneousImpact() {
+        // the arrays grow with the points
+    }
+
+    void clear() {
+        points = 0;
+        bodies = 0;
+    }
+
+    int bodyCount() {
+        return bodies;
+    }
+
+    int body(int k) {
+        return body[k];
+    }
+
+    double[] velocity(int k) {
+        return velocity[k];
+    }
+
+    int pointCount() {
+        return points;
+    }
+
+    int bodyA(int k) {
+        return bodyA[k];
+    }
+
+    int bodyB(int k) {
+        return bodyB[k];
+    }
+
+    /** Speed at which the surfaces approached at a point. */
+    double approach(int k) {
+        return -rhs[k];
+    }
+
+    double normalImpulse(int k) {
+        return impacts[k].jn;
+    }
+
+    /** Copies a point into an impact. */
+    void get(int k, Impact to) {
+        to.copy(impacts[k]);
+    }
+
+    /** Adds a point. */
+    void add(int a, int b, Impact impact) {
+        if (points == impacts.length) {
+            grow();
+        }
+        if (impacts[points] == null) {
+            impacts[points] = new Impact();
+        }
+        impacts[points].copy(impact);
+        bodyA[points] = a;
+        bodyB[points] = b;
+        points++;
+        if (impact.wA != 0) {
+            note(a, impact.vAx, impact.vAy, impact.omegaA);
+        }
+        if (impact.wB != 0) {
+            note(b, impact.vBx, impact.vBy, impact.omegaB);
+        }
+    }
+
+    private void note(int index, double vx, double vy, double omega) {
+        if (place(index) >= 0) {
+            return;
+        }
+        if (bodies == body.length) {
+            body = Arrays.copyOf(body, 2 * bodies);
+            velocity = Arrays.copyOf(velocity, 2 * bodies);
+            for (int k = bodies; k < velocity.length; k++) {
+                velocity[k] = new double[3];
+            }
+        }
+        body[bodies] = index;
+        velocity[bodies][0] = vx;
+        velocity[bodies][1] = vy;
+        velocity[bodies][2] = omega;
+        bodies++;
+    }
+
+    private int place(int index) {
+        for (int k = 0; k < bodies; k++) {
+            if (body[k] == index) {
+                return k;
+            }
+        }
+        return -1;
+    }
+
+    /** Solves for the impulses and gives the bodies their new velocities. */
+    void solve() {
+        assemble();
+        activeSet();
+        double least = 1;
+        boolean uniform = true;
+        for (int k = 0; k < points; k++) {
+            double e = impacts[k].sticky ? 0 : impacts[k].restitution;
+            uniform &= k == 0 || e == least;
+            least = Math.min(least, e);
+        }
+        for (int k = 0; k < points; k++) {
+            double e = impacts[k].sticky ? 0 : impacts[k].restitution;
+            impacts[k].jn = (1 + e) * lambda[k];
+            impacts[k].jt = 0;
+        }
+        if (!uniform && energyGain() > 0) {
+            for (int k = 0; k < points; k++) {
+                impacts[k].jn = (1 + least) * lambda[k];
+            }
+        }
+        apply();
+        rub();
+    }
+
+    /** A = J W Jᵀ over the points, b = J v. */
+    private void assemble() {
+        for (int i = 0; i < points; i++) {
+            rhs[i] = impacts[i].normalVelocity();
+            for (int j = 0; j < points; j++) {
+                matrix[i * points + j] = coupling(i, j);
+            }
+        }
+    }
+
+    private double coupling(int i, int j) {
+        Impact p = impacts[i];
+        Impact q = impacts[j];
+        double sum = 0;
+        if (bodyA[i] == bodyA[j]) {
+            sum += mobility(p.nx, p.ny, p.leverA, q.nx, q.ny, q.leverA, p.wA, p.iA);
+        }
+        if (bodyB[i] == bodyB[j]) {
+            sum += mobility(p.nx, p.ny, p.leverB, q.nx, q.ny, q.leverB, p.wB, p.iB);
+        }
+        if (bodyA[i] == bodyB[j]) {
+            sum -= mobility(p.nx, p.ny, p.leverA, q.nx, q.ny, q.leverB, p.wA, p.iA);
+        }
+        if (bodyB[i] == bodyA[j]) {
+            sum -= mobility(p.nx, p.ny, p.leverB, q.nx, q.ny, q.leverA, p.wB, p.iB);
+        }
+        return sum;
+    }
+
+    private static double mobility(
+            double px, double py, double lp, double qx, double qy, double lq, double w, double i) {
+        return w * (px * qx + py * qy) + i * (lp * lq);
+    }
+
+    /** Finds the points that push: starts with those that approach, then lets go of and adds all that are wrong. */
+    private void activeSet() {
+        double scale = 0;
+        for (int k = 0; k < points; k++) {
+            scale = Math.max(scale, Math.abs(rhs[k]));
+            active[k] = rhs[k] < 0;
+        }
+        for (int change = 0; change < MAX_CHANGES; change++) {
+            solveActive();
+            boolean done = true;
+            for (int k = 0; k < points; k++) {
+                if (active[k] && lambda[k] < 0) {
+                    active[k] = false;
+                    done = false;
+                }
+            }
+            for (int k = 0; k < points && done; k++) {
+                if (!active[k] && residual(k) < -1e-12 * scale) {
+                    addViolated(1e-12 * scale);
+                    done = false;
+                }
+            }
+            if (done) {
+                return;
+            }
+        }
+        relax();
+    }
+
+    private void addViolated(double tolerance) {
+        for (int k = 0; k < points; k++) {
+            if (!active[k] && residual(k) < -tolerance) {
+                active[k] = true;
+            }
+        }
+    }
+
+    /** (A λ + b) of one row, with the products exact and the sum compensated. */
+    private double residual(int i) {
+        double sum = rhs[i];
+        double low = 0;
+        for (int j = 0; j < points; j++) {
+            double a = matrix[i * points + j];
+            double product = a * lambda[j];
+            low += Math.fma(a, lambda[j], -product);
+            double next = sum + product;
+            double part = next - sum;
+            low += (sum - (next - part)) + (product - part);
+            sum = next;
+        }
+        return sum + low;
+    }
+
+    /** Solves A λ = −b on the active points, λ = 0 elsewhere. */
+    private void solveActive() {
+        factorize();
+        Arrays.fill(lambda, 0, points, 0);
+        for (int pass = 0; pass <= REFINEMENTS; pass++) {
+            for (int k = 0; k < points; k++) {
+                correction[k] = active[k] ? -residual(k) : 0;
+            }
+            substitute();
+            for (int k = 0; k < points; k++) {
+                lambda[k] += correction[k];
+            }
+        }
+    }
+
+    /** Cholesky factors of the active part of A, a little heavier on the diagonal. */
+    private void factorize() {
+        double trace = 0;
+        for (int k = 0; k < points; k++) {
+            trace = Math.max(trace, matrix[k * points + k]);
+        }
+        for (int i = 0; i < points; i++) {
+            for (int j = 0; j <= i; j++) {
+                double sum = active[i] && active[j] ? matrix[i * points + j] : i == j ? 1 : 0;
+                if (i == j && active[i]) {
+                    sum += REGULARIZATION * trace;
+                }
+                for (int k = 0; k < j; k++) {
+                    sum -= factor[i * points + k] * factor[j * points + k];
+                }
+                factor[i * points + j] = i == j ? Math.sqrt(sum) : sum / factor[j * points + j];
+            }
+        }
+    }
+
+    private void substitute() {
+        for (int i = 0; i < points; i++) {
+            double sum = correction[i];
+            for (int k = 0; k < i; k++) {
+                sum -= factor[i * points + k] * correction[k];
+            }
+            correction[i] = sum / factor[i * points + i];
+        }
+        for (int i = points - 1; i >= 0; i--) {
+            double sum = correction[i];
+            for (int k = i + 1; k < points; k++) {
+                sum -= factor[k * points + i] * correction[k];
+            }
+            correction[i] = sum / factor[i * points + i];
+        }
+    }
+
+    /** Projected relaxation, for the rare system on which the active sets go round in a circle. */
+    private void relax() {
+        Arrays.fill(lambda, 0, points, 0);
+        for (int sweep = 0; sweep < 2000; sweep++) {
+            for (int k = 0; k < points; k++) {
+                lambda[k] = Math.max(0, lambda[k] - residual(k) / matrix[k * points + k]);
+            }
+        }
+    }
+
+    private double energyGain() {
+        double gain = 0;
+        for (int i = 0; i < points; i++) {
+            double half = 0;
+            for (int j = 0; j < points; j++) {
+                half += matrix[i * points + j] * impacts[j].jn;
+            }
+            gain += impacts[i].jn * (rhs[i] + 0.5 * half);
+        }
+        return gain;
+    }
+
+    /** Adds each body's impulses, and gives it the velocity that they make. */
+    private void apply() {
+        for (int k = 0; k < bodies; k++) {
+            for (int c = 0; c < 3; c++) {
+                velocity[k][c] += change(body[k], c);
+            }
+        }
+    }
+
+    private double change(int index, int component) {
+        double sum = 0;
+        double low = 0;
+        for (int k = 0; k < points; k++) {
+            boolean isA = bodyA[k] == index;
+            if (!isA && bodyB[k] != index) {
+                continue;
+            }
+            double term = impacts[k].change(isA, component);
+            double next = sum + term;
+            double part = next - sum;
+            low += (sum - (next - part)) + (term - part);
+            sum = next;
+        }
+        return sum + low;
+    }
+
+    /** Friction and sticking: one point after the other, each with at most what stops its sliding. */
+    private void rub() {
+        for (int k = 0; k < points; k++) {
+            Impact c = impacts[k];
+            if (c.friction == 0 && !c.sticky) {
+                continue;
+            }
+            int a = place(bodyA[k]);
+            int b = place(bodyB[k]);
+            c.setVelocities(a < 0 ? null : velocity[a], b < 0 ? null : velocity[b]);
+            double kt = (c.wA + c.wB) + (c.iA * c.armA * c.armA + c.iB * c.armB * c.armB);
+            double stop = -c.tangentVelocity() / kt;
+            double most = c.sticky ? Math.abs(stop) : c.friction * c.jn;
+            double normal = c.jn;
+            c.jn = 0;
+            c.jt = Math.max(-most, Math.min(most, stop));
+            c.apply();
+            c.jn = normal;
+            c.getVelocities(a < 0 ? null : velocity[a], b < 0 ? null : velocity[b]);
+        }
+    }
+
+    private void grow() {
+        int n = 2 * points;
+        bodyA = Arrays.copyOf(bodyA, n);
+        bodyB = Arrays.copyOf(bodyB, n);
+        impacts = Arrays.copyOf(impacts, n);
+        matrix = new double[n * n];
+        factor = new double[n * n];
+        rhs = new double[n];
+        lambda = new double[n];
+        correction = new double[n];
+        active = new boolean[n];
+    }
+}

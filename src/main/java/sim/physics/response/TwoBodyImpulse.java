@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+/**
+ * The closed form of (16)–(24) for two bodies and one point, with friction and for surfaces that stick.
+ *
+ * <p>With (18), (19) and (24) in (23) the normal impulse is
+ *
+ * <pre>
+ *   j = −(1 + e) v·n / K,   K = 1/mA + 1/mB + (rA⊥·n)²/IA + (rB⊥·n)²/IB,   R = −j n
+ * </pre>
+ *
+ * <p>With friction the impulse is that of Routh's law in one step: the one that stops the sliding if Coulomb's cone
+ * allows it, else the one on the edge of the cone. Newton's restitution with friction can create energy (Kane and
+ * Levinson 1985); where it would, the impulse is shortened until the energy stays the same.
+ */
+public final class TwoBodyImpulse implements ImpulseSolver {
+    private static final long serialVersionUID = 1L;
+
+    /** Makes a solver. */
+    public TwoBodyImpulse() {
+        // no state
+    }
+
+    @Override
+    public void solve(Impact c) {
+        double approach = c.normalVelocity();
+        if (!c.sticky && c.friction == 0) {
+            c.jn = -(1 + c.restitution) * approach / c.normalMobility(); // (17), (20), (23)
+            c.jt = 0;
+            return;
+        }
+        withFriction(c, approach);
+    }
+
+    /** In the frame of the normal n and the tangent t = n⊥. */
+    private static void withFriction(Impact c, double approach) {
+        double slide = c.tangentVelocity();
+        double kn = c.normalMobility();
+        double kt = (c.wA + c.wB) + (c.iA * c.armA * c.armA + c.iB * c.armB * c.armB);
+        double knt = c.iA * c.leverA * c.armA + c.iB * c.leverB * c.armB;
+        double wanted = -(c.sticky ? 1 : 1 + c.restitution) * approach;
+        double det = kn * kt - knt * knt;
+        c.jn = (kt * wanted + knt * slide) / det;
+        c.jt = -(kn * slide + knt * wanted) / det;
+        if (c.sticky) {
+            return;
+        }
+        if (Math.abs(c.jt) > c.friction * c.jn) {
+            double mu = -Math.signum(slide) * c.friction;
+            double resistance = kn + mu * knt;
+            c.jn = wanted / (resistance > 0 ? resistance : kn);
+            c.jt = resistance > 0 ? mu * c.jn : 0;
+        }
+        double gain = c.energyGain();
+        if (gain > 0) {
+            shorten(c, gain);
+        }
+    }
+
+    /** Shortens an impulse that creates energy: gain(s) = s·linear + s²·square is zero at s = −linear/square. */
+    private static void shorten(Impact c, double gain) {
+        double linear = c.jn * c.normalVelocity() + c.jt * c.tangentVelocity();
+        double s = Math.min(1, -linear / (gain - linear));
+        c.jn *= s;
+        c.jt *= s;
+    }
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.shape;
+
+import sim.physics.internal.Check;
+
+/** A rectangle whose sides lie along the local axes. */
+public final class Rectangle extends Shape {
+    private static final long serialVersionUID = 1L;
+
+    private final double width;
+    private final double height;
+
+    /**
+     * Makes a rectangle.
+     *
+     * @param width along x, length, greater than 0
+     * @param height along y, length, greater than 0
+     * @throws IllegalArgumentException if one is not a finite number greater than 0
+     */
+    public Rectangle(double width, double height) {
+        super(corners(width, height), 0, new MassProperties(width * height, 0, 0, (width * width + height * height) / 12));
+        this.width = width;
+        this.height = height;
+    }
+
+    private static double[] corners(double width, double height) {
+        double x = 0.5 * Check.positive("width", width);
+        double y = 0.5 * Check.positive("height", height);
+        return new double[] {-x, -y, x, -y, x, y, -x, y};
+    }
+
+    /**
+     * Width.
+     *
+     * @return extent along the local x axis
+     */
+    public double width() {
+        return width;
+    }
+
+    /**
+     * Height.
+     *
+     * @return extent along the local y axis
+     */
+    public double height() {
+        return height;
+    }
+
+    @Override
+    public String toString() {
+        return "Rectangle[" + width + " x " + height + "]";
+    }
+}

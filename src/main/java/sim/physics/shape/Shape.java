@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.shape;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/**
+ * The shape of a body: all points within a radius of a convex polygon, the core. A circle's core is a point; a polygon
+ * has radius 0. Coordinates are local, their origin is the centroid. Shapes are immutable.
+ */
+public abstract sealed class Shape implements Serializable permits Circle, Rectangle, Polygon {
+    private static final long serialVersionUID = 1L;
+
+    /** Vertices of the core, counter-clockwise: x0, y0, x1, y1 … */
+    private final double[] vertices;
+
+    private final double radius;
+    private final MassProperties massProperties;
+    private final double boundingRadius;
+
+    Shape(double[] vertices, double radius, MassProperties massProperties) {
+        this.vertices = vertices;
+        this.radius = radius;
+        this.massProperties = massProperties;
+        double core = 0;
+        for (int k = 0; k < vertices.length; k += 2) {
+            double x = vertices[k];
+            double y = vertices[k + 1];
+            core = Math.max(core, Math.sqrt(x * x + y * y));
+        }
+        this.boundingRadius = core + radius;
+    }
+
+    /**
+     * Number of vertices of the core.
+     *
+     * @return 1 for a circle
+     */
+    public final int vertexCount() {
+        return vertices.length / 2;
+    }
+
+    /**
+     * A vertex of the core; they go round counter-clockwise, from the x axis to the y axis.
+     *
+     * @param vertex 0 …
+     * @return x, length
+     */
+    public final double vertexX(int vertex) {
+        return vertices[2 * vertex];
+    }
+
+    /**
+     * A vertex of the core.
+     *
+     * @param vertex 0 …
+     * @return y, length
+     */
+    public final double vertexY(int vertex) {
+        return vertices[2 * vertex + 1];
+    }
+
+    /**
+     * The vertices of the core.
+     *
+     * @return x0, y0, x1, y1 …; a copy
+     */
+    public final double[] copyVertices() {
+        return vertices.clone();
+    }
+
+    /**
+     * How far the shape reaches beyond its core.
+     *
+     * @return length, 0 for polygons
+     */
+    public final double radius() {
+        return radius;
+    }
+
+    /**
+     * Distance of the farthest point of the shape from the centroid.
+     *
+     * @return length
+     */
+    public final double boundingRadius() {
+        return boundingRadius;
+    }
+
+    /**
+     * Area.
+     *
+     * @return length²
+     */
+    public final double area() {
+        return massProperties.area();
+    }
+
+    /**
+     * Moment of inertia about the centroid for a unit of mass.
+     *
+     * @return length²
+     */
+    public final double unitInertia() {
+        return massProperties.unitInertia();
+    }
+
+    /**
+     * Area, centroid and moment of inertia.
+     *
+     * @return never null
+     */
+    public final MassProperties massProperties() {
+        return massProperties;
+    }
+
+    /**
+     * Whether a point is in the shape or on its border.
+     *
+     * @param x local coordinate
+     * @param y local coordinate
+     * @return true if it is
+     */
+    public final boolean contains(double x, double y) {
+        int n = vertexCount();
+        if (n == 1) {
+            return x * x + y * y <= radius * radius;
+        }
+        for (int k = 0; k < n; k++) {
+            int next = (k + 1) % n;
+            double ex = vertexX(next) - vertexX(k);
+            double ey = vertexY(next) - vertexY(k);
+            if (ex * (y - vertexY(k)) - ey * (x - vertexX(k)) < 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    @Override
+    public final boolean equals(Object other) {
+        return other instanceof Shape that
+                && that.getClass() == getClass()
+                && that.radius == radius
+                && Arrays.equals(that.vertices, vertices);
+    }
+
+    @Override
+    public final int hashCode() {
+        return 31 * Arrays.hashCode(vertices) + Double.hashCode(radius);
+    }
+}

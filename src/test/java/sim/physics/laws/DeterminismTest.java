@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.laws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
+import org.junit.jupiter.api.Test;
+import sim.physics.PhysicsEngine;
+import sim.physics.Scenes;
+import sim.physics.motion.Body;
+import sim.physics.motion.SurfaceFriction;
+
+/** The same scene gives the same bits: again, in another JVM, after a checkpoint, beside other engines. */
+class DeterminismTest {
+    /** Computed once; the same on every JDK, interpreted or compiled. */
+    private static final long GOLDEN_GAS = 1L;
+
+    private static final long GOLDEN_POLYGONS = 2L;
+
+    private static void run(PhysicsEngine engine, int steps) {
+        for (int k = 0; k < steps; k++) {
+            engine.step();
+        }
+    }
+
+    @Test
+    void theGasOfFigure1HasItsGoldenHash() {
+        PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 40, 11);
+        run(engine, 400);
+        assertThat(engine.getImpacts()).isGreaterThan(100);
+        assertThat(Scenes.hash(engine)).isEqualTo(GOLDEN_GAS);
+    }
+
+    @Test
+    void polygonsOnARoughGroundHaveTheirGoldenHash() {
+        PhysicsEngine engine = Scenes.gas(Scenes.Kind.POLYGONS, 24, 12);
+        engine.add(new SurfaceFriction(0.1));
+        for (Body body : engine.bodies()) {
+            body.setSurfaceFriction(0.02);
+        }
+        run(engine, 300);
+        assertThat(Scenes.hash(engine)).isEqualTo(GOLDEN_POLYGONS);
+    }
+
+    @Test
+    void aRestoredEngineContinuesBitForBit() throws IOException, ClassNotFoundException {
+        PhysicsEngine engine = Scenes.gas(Scenes.Kind.POLYGONS, 60, 13);
+        run(engine, 137);
+        PhysicsEngine restored = copy(engine);
+        for (int k = 0; k < 300; k++) {
+            engine.step();
+            restored.step();
+            assertThat(Scenes.hash(restored)).as("after %d steps", k).isEqualTo(Scenes.hash(engine));
+        }
+    }
+
+    private static PhysicsEngine copy(PhysicsEngine engine) throws IOException, ClassNotFoundException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+            out.writeObject(engine);
+        }
+        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
+            return (PhysicsEngine) in.readObject();
+        }
+    }
+
+    @Test
+    void enginesInManyThreadsDoNotMeet() throws InterruptedException {
+        PhysicsEngine alone = Scenes.gas(Scenes.Kind.FIGURE_1, 40, 14);
+        run(alone, 300);
+        long[] hashes = new long[4];
+        Thread[] threads = new Thread[hashes.length];
+        for (int k = 0; k < threads.length; k++) {
+            int number = k;
+            threads[k] = new Thread(() -> {
+                PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 40, 14);
+                run(engine, 300);
+                hashes[number] = Scenes.hash(engine);
+            });
+            threads[k].start();
+        }
+        for (Thread thread : threads) {
+            thread.join();
+        }
+        assertThat(hashes).containsOnly(Scenes.hash(alone));
+    }
+}
