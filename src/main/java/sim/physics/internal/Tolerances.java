@@ -28,6 +28,9 @@ public final class Tolerances {
     /** Gap up to which a second point of two parallel edges belongs to the same impact, relative to the bodies. */
     public static final double FLUSH = 1e-11;
 
+    /** Distance of two corners from which the normal of an edge is taken in place of the line between them. */
+    public static final double CORNERS = 1e-9;
+
     /** Time within which impacts count as simultaneous, relative to the step. */
     public static final double SIMULTANEOUS = 1e-14;
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.collision.narrow;
 
+import sim.physics.internal.Tolerances;
+
 /**
  * The closest features of two convex shapes, the write-up's <i>Narrow Phase</i> (after Lin and Canny 1991, Mirtich
  * 1998): the pair of features of which the closest point of each lies in the Voronoi region of the other.
@@ -52,7 +54,7 @@ final class ClosestFeatures {
         if (cached != NO_FEATURES && check(cached >> 16, cached & 0xffff)) {
             return cached;
         }
-        if (!searchNearCentreLine() && !searchAll()) {
+        if (!searchNearCentreLine() && !penetrates() && !searchAll()) {
             takeLeastPenetration();
         }
         return featureA << 16 | featureB;
@@ -67,6 +69,12 @@ final class ClosestFeatures {
         return nb > 1 && (check(2 * i, 2 * j + 1) || check(2 * i, 2 * ((j + nb - 1) % nb) + 1))
                 || na > 1 && (check(2 * i + 1, 2 * j) || check(2 * ((i + na - 1) % na) + 1, 2 * j))
                 || check(2 * i, 2 * j);
+    }
+
+    /** Whether no edge's line has the other body beyond it; then the edge of least penetration is taken. */
+    private boolean penetrates() {
+        takeLeastPenetration();
+        return gap <= 0;
     }
 
     private boolean searchAll() {
@@ -112,7 +120,7 @@ final class ClosestFeatures {
         double height = dx * ex + dy * ey;
         double along = dy * ex - dx * ey;
         double tolerance = REGION_TOLERANCE * pose.size;
-        if (height < 0 || along < -tolerance || along > owner.length(edge) + tolerance) {
+        if (height < -Tolerances.CORNERS * pose.size || along < -tolerance || along > owner.length(edge) + tolerance) {
             return false;
         }
         // the point of the edge, seen from the vertex, lies along -normal: it must be in the vertex's region
@@ -134,8 +142,8 @@ final class ClosestFeatures {
             return false;
         }
         double distance = Math.sqrt(dx * dx + dy * dy);
-        if (distance == 0) {
-            return false;
+        if (distance <= Tolerances.CORNERS * pose.size) {
+            return false; // too close for the line between them to be a normal: an edge gives a better one
         }
         gap = distance - pose.rounding;
         nx = dx / distance;

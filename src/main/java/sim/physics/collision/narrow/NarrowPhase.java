@@ -107,14 +107,22 @@ public final class NarrowPhase implements Serializable {
         }
         double da = trajectories.duration(i, tau);
         double db = trajectories.duration(j, tau);
-        double vax = m[a + Trajectories.VX] + 2 * da * m[a + Trajectories.AX];
-        double vay = m[a + Trajectories.VY] + 2 * da * m[a + Trajectories.AY];
-        double vbx = m[b + Trajectories.VX] + 2 * db * m[b + Trajectories.AX];
-        double vby = m[b + Trajectories.VY] + 2 * db * m[b + Trajectories.AY];
-        double px = m[b] + db * (m[b + Trajectories.VX] + db * m[b + Trajectories.AX])
-                - (m[a] + da * (m[a + Trajectories.VX] + da * m[a + Trajectories.AX]));
-        double py = m[b + 1] + db * (m[b + Trajectories.VY] + db * m[b + Trajectories.AY])
-                - (m[a + 1] + da * (m[a + Trajectories.VY] + da * m[a + Trajectories.AY]));
+        double vax = m[a + Trajectories.VX];
+        double vay = m[a + Trajectories.VY];
+        double vbx = m[b + Trajectories.VX];
+        double vby = m[b + Trajectories.VY];
+        double px = m[b] + db * vbx - (m[a] + da * vax);
+        double py = m[b + 1] + db * vby - (m[a + 1] + da * vay);
+        double ax = m[a + Trajectories.AX];
+        double ay = m[a + Trajectories.AY];
+        if (ax != 0 || ay != 0) {
+            px += (db * db - da * da) * ax; // both fall alike
+            py += (db * db - da * da) * ay;
+            vax += 2 * da * ax;
+            vay += 2 * da * ay;
+            vbx += 2 * db * ax;
+            vby += 2 * db * ay;
+        }
         double ux = vbx - vax;
         double uy = vby - vay;
         double radius = m[a + Trajectories.RADIUS] + m[b + Trajectories.RADIUS];

@@ -147,6 +147,9 @@ final class Pose {
     double maxAcceleration;
     boolean accelerationIsConstant;
 
+    /** Whether both bodies move and spin uniformly. */
+    private boolean linear;
+
     Pose(ShapeTable shapes, Trajectories trajectories) {
         this.shapes = shapes;
         this.trajectories = trajectories;
@@ -169,10 +172,20 @@ final class Pose {
         double jerk = Math.abs(m[oa + Trajectories.JX]) + Math.abs(m[oa + Trajectories.JY])
                 + Math.abs(m[ob + Trajectories.JX]) + Math.abs(m[ob + Trajectories.JY]);
         accelerationIsConstant = jerk == 0;
+        linear = isLinear(oa) && isLinear(ob);
         maxAcceleration = ax == 0 && ay == 0 ? 0 : Math.sqrt(ax * ax + ay * ay);
         if (!accelerationIsConstant) {
             maxAcceleration += 6 * jerk * trajectories.h();
         }
+    }
+
+    private boolean isLinear(int o) {
+        return m[o + Trajectories.AX] == 0
+                && m[o + Trajectories.AY] == 0
+                && m[o + Trajectories.ATHETA] == 0
+                && m[o + Trajectories.JX] == 0
+                && m[o + Trajectories.JY] == 0
+                && m[o + Trajectories.JTHETA] == 0;
     }
 
     private void bound(Placed body, int o) {
@@ -220,10 +233,16 @@ final class Pose {
     }
 
     private double position(int o, double d) {
+        if (linear) {
+            return m[o] + d * m[o + Trajectories.VX];
+        }
         return m[o] + d * (m[o + Trajectories.VX] + d * (m[o + Trajectories.AX] + d * m[o + Trajectories.JX]));
     }
 
     private double velocity(int o, double d) {
+        if (linear) {
+            return m[o + Trajectories.VX];
+        }
         return m[o + Trajectories.VX] + d * (2 * m[o + Trajectories.AX] + 3 * d * m[o + Trajectories.JX]);
     }
 }

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.matrix;
+
+import java.util.Arrays;
+
+/**
+ * The identity with a border of some rows below and as many columns on the right, of which only blocks are stored: the
+ * write-up's matrix of a collision.
+ *
+ * <pre>
+ *         n       m
+ *     +-------+-------+
+ *  n  |   1   | right |
+ *     +-------+-------+
+ *  m  | below | corner|
+ *     +-------+-------+
+ * </pre>
+ */
+public final class BorderedIdentityMatrix implements Matrix {
+    private static final long serialVersionUID = 1L;
+
+    private final int identity;
+    private final int border;
+    private final BlockSparseMatrix blocks;
+
+    /**
+     * Makes an identity with an empty border.
+     *
+     * @param identity rows of the identity, n
+     * @param border rows and columns of the border, m
+     */
+    public BorderedIdentityMatrix(int identity, int border) {
+        this.identity = identity;
+        this.border = border;
+        this.blocks = new BlockSparseMatrix(identity + border, identity + border);
+    }
+
+    /**
+     * Adds a block to the border.
+     *
+     * @param row of its upper left value
+     * @param column of its upper left value
+     * @param block kept, not copied
+     * @throws IllegalArgumentException if it reaches into the identity or out of the matrix
+     */
+    public void add(int row, int column, DenseMatrix block) {
+        if (row < identity && column < identity) {
+            throw new IllegalArgumentException(
+                    "block at (" + row + ", " + column + "): it must lie in the border, from " + identity + " on");
+        }
+        blocks.add(row, column, block);
+    }
+
+    /** Empties the border. */
+    public void clear() {
+        blocks.clear();
+    }
+
+    @Override
+    public int rows() {
+        return identity + border;
+    }
+
+    @Override
+    public int columns() {
+        return identity + border;
+    }
+
+    /** Values of the blocks; the identity needs none. */
+    @Override
+    public int storedValues() {
+        return blocks.storedValues();
+    }
+
+    @Override
+    public void times(double[] x, double[] y) {
+        Matrix.check(x, columns(), y, rows());
+        copyIdentity(x, y);
+        blocks.addTimes(x, y);
+    }
+
+    @Override
+    public void transposeTimes(double[] x, double[] y) {
+        Matrix.check(x, rows(), y, columns());
+        copyIdentity(x, y);
+        blocks.addTransposeTimes(x, y);
+    }
+
+    private void copyIdentity(double[] x, double[] y) {
+        System.arraycopy(x, 0, y, 0, identity);
+        Arrays.fill(y, identity, identity + border, 0);
+    }
+}

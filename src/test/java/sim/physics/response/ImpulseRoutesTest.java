@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import sim.physics.PhysicsEngine;
+import sim.physics.Scenes;
+
+/** The write-up's bordered system and the closed form give the same impulse. */
+class ImpulseRoutesTest {
+    static Impact random(SplittableRandom random, double decades) {
+        Impact c = new Impact();
+        c.wA = StrictMath.pow(10, decades * (random.nextDouble() - 0.5));
+        c.wB = StrictMath.pow(10, decades * (random.nextDouble() - 0.5));
+        c.iA = c.wA * (0.5 + random.nextDouble());
+        c.iB = c.wB * (0.5 + random.nextDouble());
+        double angle = 7 * random.nextDouble();
+        c.nx = StrictMath.cos(angle);
+        c.ny = StrictMath.sin(angle);
+        c.rAx = random.nextDouble() - 0.5;
+        c.rAy = random.nextDouble() - 0.5;
+        c.rBx = random.nextDouble() - 0.5;
+        c.rBy = random.nextDouble() - 0.5;
+        c.vAx = random.nextDouble() - 0.5;
+        c.vAy = random.nextDouble() - 0.5;
+        c.omegaA = random.nextDouble() - 0.5;
+        c.vBx = random.nextDouble() - 0.5;
+        c.vBy = random.nextDouble() - 0.5;
+        c.omegaB = random.nextDouble() - 0.5;
+        c.restitution = random.nextDouble();
+        c.setLevers(false, false);
+        return c;
+    }
+
+    @Test
+    void bothAgreeOnRandomImpacts() {
+        SplittableRandom random = new SplittableRandom(3);
+        TwoBodyImpulse closed = new TwoBodyImpulse();
+        BorderedImpulse bordered = new BorderedImpulse();
+        for (int k = 0; k < 10_000; k++) {
+            Impact c = random(random, 4);
+            closed.solve(c);
+            double expected = c.jn;
+            bordered.solve(c);
+            assertThat(c.jn).as("impact %d", k).isCloseTo(expected, within(1e-10 * Math.abs(expected)));
+        }
+    }
+
+    @Test
+    void aGasRunsOnTheBorderedSystemToo() {
+        PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 30, 4);
+        engine.setImpulseSolver(new BorderedImpulse());
+        double energy = engine.kineticEnergy();
+        for (int k = 0; k < 200; k++) {
+            engine.step();
+        }
+        assertThat(engine.getImpacts()).isGreaterThan(100);
+        assertThat(engine.kineticEnergy() / energy).isCloseTo(1, within(1e-11));
+    }
+}
