@@ -72,7 +72,7 @@ public class CollisionsWithUI extends GUIState {
     private void setupPortrayals() {
         Collisions model = (Collisions) state;
         portrayal.setField(model.field);
-        portrayal.setPortrayalForAll(new BodyPortrayal2D(Color.RED));
+        portrayal.setPortrayalForRemainder(new BodyPortrayal2D(Color.RED));
         BodyPortrayal2D wall = new BodyPortrayal2D(Color.WHITE);
         for (Body body : model.physics.bodies()) {
             if (body.isFixed()) {
@@ -113,6 +113,8 @@ public class CollisionsWithUI extends GUIState {
         chart.setYAxisLabel("energy");
         chartFrame = chart.createFrame();
         controller.registerFrame(chartFrame);
+        chartFrame.setLocation(820, 400);
+        chartFrame.setVisible(true);
     }
 
     @Override
