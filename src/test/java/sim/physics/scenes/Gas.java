@@ -96,7 +96,7 @@ public final class Gas {
 
     /**
      * Regular triangles, squares … octagons in turn, all of circumradius 5, at the density of Figure 1, velocities as in
-     * {@link #figure1} without doubling, random angles, spins in [-0.1, 0.1], dt = 1. Total area 346.1 per six bodies.
+     * {@link #figure1} without doubling, random angles, spins in [-0.1, 0.1], dt = 1. Total area 346.0 per six bodies.
      *
      * @param n number of bodies
      * @param seed of the random numbers

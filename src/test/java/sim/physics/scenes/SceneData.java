@@ -79,7 +79,8 @@ public record SceneData(
         double[][] columns = {sizeA, sizeB, x, y, theta, vx, vy, omega, mass};
         for (double[] column : columns) {
             if (column.length != kind.length) {
-                throw new IllegalArgumentException("a column has " + column.length + " entries for " + kind.length + " bodies");
+                throw new IllegalArgumentException(
+                        "a column has " + column.length + " entries for " + kind.length + " bodies");
             }
         }
     }

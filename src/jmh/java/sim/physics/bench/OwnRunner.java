@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.bench;
+
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.motion.Euler;
+import sim.physics.scenes.SceneData;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Polygon;
+import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
+
+/** A scene in this engine, in the scene's own units, as delivered (RK4) or with Euler. */
+final class OwnRunner implements Runner {
+    private final PhysicsEngine engine = new PhysicsEngine();
+    private final Body[] bodies;
+
+    OwnRunner(SceneData scene, boolean euler) {
+        engine.setTimeStep(scene.dt());
+        if (euler) {
+            engine.setIntegrator(new Euler());
+        }
+        for (SceneData.Box wall : scene.walls()) {
+            Body body = Body.fixed(new Rectangle(wall.width(), wall.height())).at(wall.x(), wall.y());
+            body.setRestitution(scene.restitution());
+            engine.add(body);
+        }
+        bodies = new Body[scene.size()];
+        for (int i = 0; i < bodies.length; i++) {
+            Body body = new Body(shape(scene, i))
+                    .at(scene.x()[i], scene.y()[i], scene.theta()[i])
+                    .moving(scene.vx()[i], scene.vy()[i], scene.omega()[i]);
+            body.setMass(scene.mass()[i], scene.inertia(i));
+            body.setRestitution(scene.restitution());
+            bodies[i] = engine.add(body);
+        }
+    }
+
+    private static Shape shape(SceneData scene, int i) {
+        return switch (scene.kind()[i]) {
+            case CIRCLE -> new Circle(scene.sizeA()[i]);
+            case RECTANGLE -> new Rectangle(scene.sizeA()[i], scene.sizeB()[i]);
+            case POLYGON -> new Polygon(scene.outline(i));
+        };
+    }
+
+    @Override
+    public void step() {
+        engine.step();
+    }
+
+    @Override
+    public double kineticEnergy() {
+        return engine.kineticEnergy();
+    }
+
+    @Override
+    public long bodies() {
+        return bodies.length;
+    }
+
+    @Override
+    public double readPoses() {
+        double sum = 0;
+        for (Body body : bodies) {
+            sum += body.getX() + body.getY() + body.getAngle();
+        }
+        return sum;
+    }
+}
