@@ -172,7 +172,8 @@ public final class PairedRun {
         processNanos = process.getProcessCpuTime() - processNanos;
         bytes = thread.getCurrentThreadAllocatedBytes() - bytes;
         if (batch.bodies() != batch.expectedBodies()) {
-            throw new IllegalStateException("the engine holds " + batch.bodies() + " of " + batch.expectedBodies() + " bodies");
+            throw new IllegalStateException(
+                    "the engine holds " + batch.bodies() + " of " + batch.expectedBodies() + " bodies");
         }
         double steps = batch.steps();
         return nanos / steps / 1000 + " " + processNanos / steps / 1000 + " " + bytes / steps + " "

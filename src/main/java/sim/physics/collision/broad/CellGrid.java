@@ -23,6 +23,8 @@ public final class CellGrid implements BroadPhase {
     private static final int OUTSIDE = -2;
 
     private static final int LARGE = -3;
+    private static final int COLUMN_STEP = 0x9E3779B1;
+    private static final int ROW_STEP = 0x85EBCA77;
 
     private double cell;
     private int mask = 255;
@@ -32,6 +34,14 @@ public final class CellGrid implements BroadPhase {
     private int[] bucket = filledOutside(8);
     private int[] column = new int[8];
     private int[] row = new int[8];
+
+    /** The cell of each body, mixed into one number; two cells may share one, which costs a look and nothing else. */
+    private int[] key = new int[8];
+
+    /** Which bodies are pairs already of the body that is looked at: those marked with the present number. */
+    private int[] mark = new int[8];
+
+    private int marking;
     private final IntList large = new IntList();
     private int count;
     private int largeMovable;
@@ -46,6 +56,7 @@ public final class CellGrid implements BroadPhase {
     public void add(int body, Boxes boxes, Pairs pairs) {
         ensure(body + 1);
         count++;
+        marking++;
         file(body, boxes);
         layAnewIfNeeded(boxes);
         collect(body, boxes, pairs);
@@ -63,18 +74,32 @@ public final class CellGrid implements BroadPhase {
     @Override
     public void update(int body, Boxes boxes, Pairs pairs) {
         IntList of = pairs.of(body);
+        marking++;
         if (of != null) {
             for (int k = of.size - 1; k >= 0; k--) {
                 int p = of.values[k];
-                if (!boxes.overlap(pairs.first(p), pairs.second(p))) {
+                int other = pairs.first(p) == body ? pairs.second(p) : pairs.first(p);
+                mark[other] = marking;
+                if (!boxes.overlap(body, other)) {
                     pairs.end(p);
                 }
             }
         }
-        unfile(body, boxes);
-        file(body, boxes);
+        if (bucket[body] == LARGE || !fits(body, boxes)) {
+            unfile(body, boxes);
+            file(body, boxes);
+        }
         layAnewIfNeeded(boxes);
         collect(body, boxes, pairs);
+    }
+
+    /** Whether a body's box still belongs to the cell where the body is filed. */
+    private boolean fits(int body, Boxes boxes) {
+        double[] d = boxes.data();
+        int o = Boxes.STRIDE * body;
+        return Math.max(d[o + 2] - d[o], d[o + 3] - d[o + 1]) <= cell
+                && coordinate(0.5 * (d[o] + d[o + 2])) == column[body]
+                && coordinate(0.5 * (d[o + 1] + d[o + 3])) == row[body];
     }
 
     @Override
@@ -86,7 +111,7 @@ public final class CellGrid implements BroadPhase {
         count--;
     }
 
-    /** Begins the pairs of a body with all whose boxes overlap its box. */
+    /** Begins the pairs of a body with all whose boxes overlap its box, but for those that are marked. */
     private void collect(int body, Boxes boxes, Pairs pairs) {
         for (int k = 0; k < large.size; k++) {
             beginIfOverlapping(body, large.values[k], boxes, pairs);
@@ -95,12 +120,12 @@ public final class CellGrid implements BroadPhase {
             collectAll(body, boxes, pairs);
             return;
         }
+        int centre = mix(column[body], row[body]);
         for (int dy = -1; dy <= 1; dy++) {
             for (int dx = -1; dx <= 1; dx++) {
-                int c = column[body] + dx;
-                int r = row[body] + dy;
-                for (int other = head[hash(c, r)]; other != NONE; other = next[other]) {
-                    if (column[other] == c && row[other] == r) {
+                int wanted = centre + dx * COLUMN_STEP + dy * ROW_STEP;
+                for (int other = head[hash(wanted)]; other != NONE; other = next[other]) {
+                    if (key[other] == wanted) {
                         beginIfOverlapping(body, other, boxes, pairs);
                     }
                 }
@@ -116,8 +141,8 @@ public final class CellGrid implements BroadPhase {
         }
     }
 
-    private static void beginIfOverlapping(int body, int other, Boxes boxes, Pairs pairs) {
-        if (other != body && boxes.overlap(body, other)) {
+    private void beginIfOverlapping(int body, int other, Boxes boxes, Pairs pairs) {
+        if (other != body && mark[other] != marking && boxes.overlap(body, other)) {
             pairs.begin(body, other);
         }
     }
@@ -138,7 +163,8 @@ public final class CellGrid implements BroadPhase {
         }
         column[body] = coordinate(0.5 * (d[o] + d[o + 2]));
         row[body] = coordinate(0.5 * (d[o + 1] + d[o + 3]));
-        int b = hash(column[body], row[body]);
+        key[body] = mix(column[body], row[body]);
+        int b = hash(key[body]);
         bucket[body] = b;
         previous[body] = NONE;
         next[body] = head[b];
@@ -202,9 +228,12 @@ public final class CellGrid implements BroadPhase {
         return (int) Math.max(-1e9, Math.min(1e9, c));
     }
 
-    private int hash(int c, int r) {
-        int k = c * 0x9E3779B1 + r * 0x85EBCA77;
-        return (k ^ k >>> 15) & mask;
+    private static int mix(int c, int r) {
+        return c * COLUMN_STEP + r * ROW_STEP;
+    }
+
+    private int hash(int mixed) {
+        return (mixed ^ mixed >>> 15) & mask;
     }
 
     private void ensure(int bodies) {
@@ -215,6 +244,8 @@ public final class CellGrid implements BroadPhase {
             previous = Arrays.copyOf(previous, length);
             column = Arrays.copyOf(column, length);
             row = Arrays.copyOf(row, length);
+            key = Arrays.copyOf(key, length);
+            mark = Arrays.copyOf(mark, length);
             bucket = Arrays.copyOf(bucket, length);
             Arrays.fill(bucket, old, length, OUTSIDE);
         }

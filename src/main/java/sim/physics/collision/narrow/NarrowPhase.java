@@ -98,23 +98,22 @@ public final class NarrowPhase implements Serializable {
         double[] m = trajectories.data();
         int a = i * Trajectories.STRIDE;
         int b = j * Trajectories.STRIDE;
-        double acceleration = Math.abs(m[b + Trajectories.AX] - m[a + Trajectories.AX])
-                + Math.abs(m[b + Trajectories.AY] - m[a + Trajectories.AY])
-                + m[a + Trajectories.DRIVEN]
-                + m[b + Trajectories.DRIVEN];
-        if (acceleration != 0) {
+        double ax = m[a + Trajectories.AX];
+        double ay = m[a + Trajectories.AY];
+        double driven = m[a + Trajectories.DRIVEN] + m[b + Trajectories.DRIVEN];
+        if (m[b + Trajectories.AX] != ax || m[b + Trajectories.AY] != ay || driven != 0) {
             return tau;
         }
-        double da = trajectories.duration(i, tau);
-        double db = trajectories.duration(j, tau);
+        double step = trajectories.step();
+        double h = trajectories.h();
+        double da = (step - m[a + Trajectories.STEP]) * h + (tau - m[a + Trajectories.OFFSET]);
+        double db = (step - m[b + Trajectories.STEP]) * h + (tau - m[b + Trajectories.OFFSET]);
         double vax = m[a + Trajectories.VX];
         double vay = m[a + Trajectories.VY];
         double vbx = m[b + Trajectories.VX];
         double vby = m[b + Trajectories.VY];
         double px = m[b] + db * vbx - (m[a] + da * vax);
         double py = m[b + 1] + db * vby - (m[a + 1] + da * vay);
-        double ax = m[a + Trajectories.AX];
-        double ay = m[a + Trajectories.AY];
         if (ax != 0 || ay != 0) {
             px += (db * db - da * da) * ax; // both fall alike
             py += (db * db - da * da) * ay;

@@ -104,8 +104,8 @@ final class Pose {
                 vy[0] = cy;
                 return;
             }
-            cos = Trig.cos(theta);
-            sin = Trig.sin(theta);
+            cos = theta == 0 ? 1 : Trig.cos(theta);
+            sin = theta == 0 ? 0 : Trig.sin(theta);
             for (int k = 0, o = base + ShapeTable.FIRST; k < n; k++, o += ShapeTable.VERTEX) {
                 vx[k] = cx + (cos * shape[o] - sin * shape[o + 1]);
                 vy[k] = cy + (sin * shape[o] + cos * shape[o + 1]);
