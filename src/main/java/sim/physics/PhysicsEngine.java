@@ -9,6 +9,8 @@ import sim.engine.Schedule;
 import sim.engine.SimState;
 import sim.engine.Steppable;
 import sim.physics.collision.CollisionDetection;
+import sim.physics.collision.Overlap;
+import sim.physics.collision.Overlaps;
 import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.SortAndSweep;
@@ -466,6 +468,40 @@ public final class PhysicsEngine implements Steppable {
         Objects.requireNonNull(broadPhase, "broadPhase");
         broadPhaseIsChosen = true;
         detection.setBroadPhase(broadPhase);
+    }
+
+    /**
+     * Chooses how impacts are found: in continuous time, so that nothing tunnels, or by the write-up's bisection over
+     * the last step, which looks at the bodies only when a step is over.
+     *
+     * @param continuous true unless set
+     */
+    public void setContinuousDetection(boolean continuous) {
+        requireBetweenSteps("the way to find impacts was set");
+        detection.narrowPhase().setContinuous(continuous);
+        touchAll();
+    }
+
+    /**
+     * The pairs of bodies that collide and overlap where they are now. Bodies that were added overlapping are driven
+     * apart only by their own motion; better call {@link #separate()} before the first step.
+     *
+     * @return one entry a pair, deepest first
+     */
+    public List<Overlap> overlaps() {
+        return new Overlaps(detection.filter()).find(bodies());
+    }
+
+    /**
+     * Moves overlapping bodies apart, each pair by the least way and the lighter body the farther, without gain of
+     * kinetic energy.
+     *
+     * @return number of sweeps over all pairs, 0 if nothing overlapped
+     * @throws IllegalStateException if there is no room
+     */
+    public int separate() {
+        requireBetweenSteps("bodies were to be separated");
+        return new Overlaps(detection.filter()).separate(bodies());
     }
 
     /**

@@ -272,13 +272,15 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             return;
         }
         double t = narrowPhase.firstContact(pair, tau, h);
-        if (t < h) {
+        if (narrowPhase.isTouching() && t < h) {
             impactTime[pair] = t;
             queue.add(t, pair);
             pairAgenda.schedule(pair, Agenda.NEVER);
             return;
         }
-        boolean driven = trajectories.isDriven(pairs.first(pair)) || trajectories.isDriven(pairs.second(pair));
+        boolean driven = !narrowPhase.isContinuous()
+                || trajectories.isDriven(pairs.first(pair))
+                || trajectories.isDriven(pairs.second(pair));
         pairAgenda.schedule(pair, driven ? step + 1 : stepOf(t));
     }
 

@@ -36,6 +36,24 @@ public final class Distance {
         return features.gap;
     }
 
+    /**
+     * Direction from the first to the second body of the last measurement.
+     *
+     * @return x of a unit normal
+     */
+    public double normalX() {
+        return features.nx;
+    }
+
+    /**
+     * Direction from the first to the second body of the last measurement.
+     *
+     * @return y of a unit normal
+     */
+    public double normalY() {
+        return features.ny;
+    }
+
     private void place(int slot, Body body) {
         shapes.set(slot, body.getShape());
         double[] m = trajectories.data();

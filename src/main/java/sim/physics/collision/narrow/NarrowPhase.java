@@ -29,7 +29,9 @@ public final class NarrowPhase implements Serializable {
     private transient ClosestFeatures features;
     private transient TimeOfImpact timeOfImpact;
     private transient Manifold bearing;
+    private transient Bisection bisection;
     private boolean touching;
+    private boolean continuous = true;
 
     /**
      * Makes a narrow phase.
@@ -69,6 +71,13 @@ public final class NarrowPhase implements Serializable {
         int i = pairs.first(pair);
         int j = pairs.second(pair);
         touching = false;
+        if (!continuous) {
+            wake();
+            pose.load(i, j);
+            double found = bisection.search(tau, end);
+            touching = bisection.touching;
+            return found;
+        }
         double start = boundingCircles(i, j, tau);
         if (touching || start >= end) {
             return start;
@@ -79,6 +88,24 @@ public final class NarrowPhase implements Serializable {
         codes[pair] = timeOfImpact.code;
         touching = timeOfImpact.touching;
         return found;
+    }
+
+    /**
+     * Chooses between impacts in continuous time and the write-up's bisection over the step.
+     *
+     * @param continuous true at first
+     */
+    public void setContinuous(boolean continuous) {
+        this.continuous = continuous;
+    }
+
+    /**
+     * Whether impacts are found in continuous time.
+     *
+     * @return false for bisection
+     */
+    public boolean isContinuous() {
+        return continuous;
     }
 
     /**
@@ -297,6 +324,7 @@ public final class NarrowPhase implements Serializable {
             pose = new Pose(shapes, trajectories);
             features = new ClosestFeatures(pose);
             timeOfImpact = new TimeOfImpact(pose, features);
+            bisection = new Bisection(pose, features);
         }
     }
 }

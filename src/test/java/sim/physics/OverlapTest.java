@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import sim.physics.motion.Body;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+
+/** Bodies that overlap are reported, and parted on request. */
+class OverlapTest {
+    @Test
+    void anOverlapIsReportedWithItsDepth() {
+        PhysicsEngine engine = new PhysicsEngine();
+        Body a = engine.add(new Body(new Circle(1)).at(0, 0));
+        Body b = engine.add(new Body(new Rectangle(2, 2)).at(1.75, 0));
+        assertThat(engine.overlaps()).hasSize(1);
+        assertThat(engine.overlaps().get(0).depth()).isCloseTo(0.25, within(1e-15));
+        assertThat(engine.separate()).isEqualTo(1);
+        assertThat(engine.overlaps()).isEmpty();
+        // the lighter body went the farther, and the common centre of mass stayed
+        assertThat(Math.abs(a.getX()) / (b.getX() - 1.75)).isCloseTo(b.getMass() / a.getMass(), within(1e-6));
+    }
+
+    @Test
+    void aHeapIsPartedWithoutGainOfEnergy() {
+        PhysicsEngine engine = new PhysicsEngine();
+        SplittableRandom random = new SplittableRandom(1);
+        for (int k = 0; k < 30; k++) {
+            Body body = new Body(k % 2 == 0 ? new Circle(1) : new Rectangle(1, 2));
+            engine.add(body.at(6 * random.nextDouble(), 6 * random.nextDouble(), random.nextDouble()).moving(1, 0));
+        }
+        double energy = engine.kineticEnergy();
+        assertThat(engine.overlaps()).isNotEmpty();
+        engine.separate();
+        assertThat(engine.overlaps()).isEmpty();
+        assertThat(engine.kineticEnergy()).isEqualTo(energy);
+        for (int k = 0; k < 20; k++) {
+            engine.step();
+        }
+        assertThat(Scenes.smallestGap(engine)).isGreaterThan(-1e-9);
+    }
+
+    @Test
+    void noRoomIsSaid() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.add(Body.fixed(new Rectangle(1, 1)).at(0, 0));
+        engine.add(Body.fixed(new Rectangle(1, 1)).at(2, 0));
+        engine.add(Body.fixed(new Rectangle(1, 1)).at(1, 1));
+        engine.add(Body.fixed(new Rectangle(1, 1)).at(1, -1));
+        engine.add(new Body(new Rectangle(1.2, 1.2)).at(1, 0));
+        assertThatThrownBy(engine::separate).isInstanceOf(IllegalStateException.class).hasMessageContaining("room");
+    }
+
+    @Test
+    void bisectionFindsAContactThatIsDeepEnoughAndMissesABullet() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setContinuousDetection(false);
+        engine.setTimeStep(0.1);
+        engine.add(Body.fixed(new Rectangle(1, 10)).at(5, 0));
+        Body slow = engine.add(new Body(new Rectangle(1, 1)).at(0, 0).moving(3, 0));
+        Body bullet = engine.add(new Body(new Circle(0.1)).at(0, 3).moving(1000, 0));
+        for (int k = 0; k < 20; k++) {
+            engine.step();
+        }
+        assertThat(slow.getVelocityX()).isCloseTo(-3, within(1e-14));
+        assertThat(slow.getX()).isCloseTo(8 - 6, within(1e-12));
+        assertThat(bullet.getVelocityX()).isEqualTo(1000);
+    }
+}
