@@ -46,5 +46,14 @@ public final class Tolerances {
      */
     public static final double SHORTEST_BOUNCE = 1.0 / 64;
 
+    /**
+     * Impacts of a pair in one step from which on they are elastic, if the pair loses speed in them: bodies that lose
+     * their speeds among one another would else collide for ever in a finite time.
+     */
+    public static final int ELASTIC_AFTER = 16;
+
+    /** Impacts of a pair in one step from which a body comes to rest at its next short bounce. */
+    public static final int REST_AFTER = 20_000;
+
     private Tolerances() {}
 }

@@ -4,6 +4,7 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.collision.CollisionDetection;
@@ -39,6 +40,8 @@ public final class CollisionResponse implements Serializable {
     private final Impact impact = new Impact();
     private final SimultaneousImpact simultaneous = new SimultaneousImpact();
     private final IntList changed = new IntList();
+    private int[] counts = {};
+    private double[] countedIn = {};
     private transient Manifold manifold;
     private double now;
     private long impacts;
@@ -109,7 +112,7 @@ public final class CollisionResponse implements Serializable {
         }
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
-        if (impact.restitution < 1 && limitBouncing(a, b, canBear(a, b))) {
+        if (impact.restitution < 1 && limitBouncing(a, b, canBear(a, b), countImpact(pair))) {
             rest(pair, a);
         }
         solver.solve(impact);
@@ -125,9 +128,12 @@ public final class CollisionResponse implements Serializable {
      * it when its bounces have become too short to matter; other bodies bounce on at the shortest length. Without a
      * pressing acceleration nothing is changed, and no speed is too small to bounce.
      *
+     * <p>The shortest bounce grows with the number of impacts that the pair has had in the step, so that their number is
+     * bounded whatever else pushes the two together.
+     *
      * @return whether the body comes to rest
      */
-    private boolean limitBouncing(int a, int b, boolean canBear) {
+    private boolean limitBouncing(int a, int b, boolean canBear, int count) {
         Impact c = impact;
         double[] d = trajectories.data();
         int oa = a * Trajectories.STRIDE;
@@ -136,19 +142,36 @@ public final class CollisionResponse implements Serializable {
                 * ((d[oa + Trajectories.AX] - d[ob + Trajectories.AX]) * c.nx
                         + (d[oa + Trajectories.AY] - d[ob + Trajectories.AY]) * c.ny);
         double approachSpeed = -c.normalVelocity();
-        if (c.restitution == 1 || !(closing > 0) || !(approachSpeed > 0)) {
+        if (!canBear && count > Tolerances.ELASTIC_AFTER) {
+            c.restitution = 1; // bodies that collapse on one another (Luding and McNamara 1998)
+        }
+        if (c.restitution == 1 && count <= Tolerances.ELASTIC_AFTER || !(closing > 0) || !(approachSpeed > 0)) {
             return false;
         }
         double bounce = 2 * c.restitution * approachSpeed / closing;
         double h = trajectories.h();
-        if (canBear && bounce < Tolerances.REST * h) {
+        double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
+        if (canBear && bounce < (count > Tolerances.REST_AFTER ? shortest : Tolerances.REST * h)) {
             c.restitution = 0;
             return true;
         }
-        if (!canBear && bounce < Tolerances.SHORTEST_BOUNCE * h) {
-            c.restitution = 0.5 * closing * Tolerances.SHORTEST_BOUNCE * h / approachSpeed;
+        if (bounce < shortest && (!canBear || count > Tolerances.REST_AFTER)) {
+            c.restitution = 0.5 * closing * shortest / approachSpeed;
         }
         return false;
+    }
+
+    /** How many impacts a pair has had in the present step, this one included. */
+    private int countImpact(int pair) {
+        if (pair >= counts.length) {
+            counts = Arrays.copyOf(counts, Math.max(2 * counts.length, pair + 1));
+            countedIn = Arrays.copyOf(countedIn, counts.length);
+        }
+        if (countedIn[pair] != trajectories.step()) {
+            countedIn[pair] = trajectories.step();
+            counts[pair] = 0;
+        }
+        return ++counts[pair];
     }
 
     /** Whether one of two bodies is fixed and can bear the other one at the points of the manifold. */
@@ -362,9 +385,10 @@ public final class CollisionResponse implements Serializable {
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
         boolean rests = true;
+        int count = countImpact(pair);
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
-            rests &= impact.restitution < 1 && limitBouncing(a, b, alone && canBear(a, b));
+            rests &= impact.restitution < 1 && limitBouncing(a, b, alone && canBear(a, b), count);
             simultaneous.add(a, b, impact);
         }
         if (rests) {
