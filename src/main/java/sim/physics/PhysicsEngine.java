@@ -105,8 +105,8 @@ public final class PhysicsEngine implements Steppable {
     private void drive() {
         changed.clear();
         motion.anchorDriven();
-        admitTouched(0);
         motion.endApplied(changed);
+        admitTouched(0);
         for (int k = 0; k < changed.size; k++) {
             detection.moved(changed.values[k], 0, false, -1);
         }

@@ -21,6 +21,8 @@ final class Sliding implements Serializable {
     /** Time to rest, relative to the step, from which the deceleration is taken as constant. */
     private static final double LAST = 1e-7;
 
+    private static final int SET_OFF_ITERATIONS = 20;
+
     private final Motion motion;
     private final State state;
     private final Path path;
@@ -42,6 +44,9 @@ final class Sliding implements Serializable {
             standStill(b);
             return length;
         }
+        if (body.kineticEnergy() == 0) {
+            setOff(group, b, t, LAST * LAST * length);
+        }
         double done = 0;
         while (done < length) {
             double rest = timeToRest(body, group, t + done);
@@ -59,6 +64,20 @@ final class Sliding implements Serializable {
             path.cubic(b + c, mean, start[State.BLOCK + c], state.v()[b + c], done);
         }
         return done;
+    }
+
+    /**
+     * Sets a body that was at rest and is not held any more in motion by a negligible velocity along its first
+     * acceleration, so that friction has a direction: a = W (load + friction along a).
+     */
+    private void setOff(IntList group, int b, double t, double instant) {
+        double[] v = state.v();
+        for (int k = 0; k < SET_OFF_ITERATIONS; k++) {
+            motion.acceleration(group, t, path.stage);
+            for (int c = 0; c < State.BLOCK; c++) {
+                v[b + c] = instant * path.stage[b + c];
+            }
+        }
     }
 
     private void standStill(int b) {

@@ -14,10 +14,10 @@ import java.util.Arrays;
  *   x(d) = x0 + d (vx + d (ax + d jx)),   and y and θ likewise,   d = time since the anchor
  * </pre>
  *
- * <p>where ax is <i>half</i> the acceleration and jx a sixth of its rate. A free body under a constant force needs no
- * integrator: its polynomials (parabola and constant spin) hold until its next event, exactly and for any number of
- * steps, so that nothing adds up along the way. A body that an integrator drives gets new polynomials in every step
- * and is marked {@link #DRIVEN}.
+ * <p>(1)–(4) for a time of any length: the series (9) and (10), which end here. ax is <i>half</i> the acceleration and
+ * jx a sixth of its rate. A free body under a constant force needs no integrator: its polynomials (parabola and constant
+ * spin) hold until its next event, exactly and for any number of steps, so that nothing adds up along the way. A body
+ * that an integrator drives gets new polynomials in every step and is marked {@link #DRIVEN}.
  *
  * <p>Instants are offsets τ from the start of the present step, 0 … h. The anchor is kept as (step number, offset), so
  * that the clock does not drift and no precision is lost in long runs.

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import org.junit.jupiter.api.Test;
+import sim.engine.SimState;
+import sim.physics.collision.broad.CellGrid;
+import sim.physics.collision.broad.SortAndSweep;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.motion.SurfaceFriction;
+import sim.physics.response.CollisionListener;
+import sim.physics.response.Contact;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+
+/** What an author does to bodies in the course of a run. */
+class LifeOfBodiesTest {
+    private static void run(PhysicsEngine engine, int steps) {
+        for (int k = 0; k < steps; k++) {
+            engine.step();
+        }
+    }
+
+    @Test
+    void bodiesComeAndGoInTheMiddleOfARun() {
+        PhysicsEngine engine = new PhysicsEngine();
+        Body a = engine.add(new Body(new Circle(1)).at(0, 0).moving(1, 0));
+        Body wall = engine.add(Body.fixed(new Rectangle(1, 10)).at(10, 0));
+        run(engine, 3);
+        engine.remove(wall);
+        run(engine, 10);
+        assertThat(a.getX()).isEqualTo(13);
+        assertThat(engine.getImpacts()).isZero();
+        Body b = engine.add(new Body(new Circle(1)).at(20, 0));
+        run(engine, 10);
+        assertThat(a.getVelocityX()).isCloseTo(0, within(1e-15));
+        assertThat(b.getVelocityX()).isCloseTo(1, within(1e-15));
+        engine.remove(a);
+        assertThat(a.getX()).isCloseTo(18, within(1e-14));
+        new PhysicsEngine().add(a);
+        b.setPosition(-50, 0);
+        run(engine, 5);
+        assertThat(b.getX()).isCloseTo(-45, within(1e-13));
+    }
+
+    @Test
+    void anAppliedForceActsForOneStep() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.5);
+        Body body = new Body(new Circle(1)).at(0, 0);
+        body.setMass(2, 3);
+        engine.add(body);
+        body.addForce(4, 0);
+        body.addTorque(6);
+        engine.step();
+        assertThat(body.getX()).isEqualTo(0.25);
+        assertThat(body.getVelocityX()).isEqualTo(1);
+        assertThat(body.getAngularVelocity()).isEqualTo(1);
+        engine.step();
+        assertThat(body.getX()).isEqualTo(0.75);
+        assertThat(body.getVelocityX()).isEqualTo(1);
+        body.addForceAt(0, 2, body.getX() + 3, 0);
+        engine.step();
+        assertThat(body.getVelocityY()).isEqualTo(0.5);
+        assertThat(body.getAngularVelocity()).isEqualTo(2);
+    }
+
+    @Test
+    void aParabolaIsExactForAnyStep() {
+        for (double step : new double[] {1e-3, 0.1, 1}) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(step);
+            engine.add(new Gravity(0, -9.81));
+            Body body = engine.add(new Body(new Circle(1)).at(1, 2).moving(3, 4, 5));
+            run(engine, (int) Math.round(10 / step));
+            assertThat(body.getX()).isCloseTo(31, within(1e-12));
+            assertThat(body.getY()).isCloseTo(2 + 40 - 0.5 * 9.81 * 100, within(1e-12));
+            assertThat(body.getAngle()).isCloseTo(50, within(1e-12));
+        }
+    }
+
+    @Test
+    void theClockDoesNotDrift() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.1);
+        run(engine, 1_000_000);
+        assertThat(engine.getTime()).isEqualTo(100_000);
+    }
+
+    @Test
+    void aClusterThatNeverTouchesChangesNothing() {
+        PhysicsEngine alone = Scenes.gas(Scenes.Kind.POLYGONS, 20, 1);
+        PhysicsEngine together = Scenes.gas(Scenes.Kind.POLYGONS, 20, 1);
+        for (int k = 0; k < 5; k++) {
+            together.add(new Body(new Circle(1)).at(1e4 + 2.5 * k, 0).moving(k, 0));
+        }
+        run(alone, 200);
+        run(together, 200);
+        for (int k = 0; k < alone.bodies().size(); k++) {
+            assertThat(together.bodies().get(k).getX()).isEqualTo(alone.bodies().get(k).getX());
+            assertThat(together.bodies().get(k).getAngle()).isEqualTo(alone.bodies().get(k).getAngle());
+        }
+    }
+
+    @Test
+    void bothBroadPhasesGiveTheSameRun() {
+        PhysicsEngine sweep = Scenes.gas(Scenes.Kind.FIGURE_1, 60, 2);
+        sweep.setBroadPhase(new SortAndSweep());
+        PhysicsEngine grid = Scenes.gas(Scenes.Kind.FIGURE_1, 60, 2);
+        grid.setBroadPhase(new CellGrid());
+        for (int k = 0; k < 20; k++) {
+            run(sweep, 10);
+            run(grid, 10);
+            assertThat(grid.getImpacts()).isEqualTo(sweep.getImpacts());
+        }
+    }
+
+    @Test
+    void aListenerLetsPassSticksAndRemoves() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.1);
+        Body wall = engine.add(Body.fixed(new Rectangle(1, 10)).at(5, 0));
+        Body ghost = engine.add(new Body(new Circle(1)).at(0, 0).moving(2, 0));
+        Body glue = engine.add(new Body(new Circle(1)).at(0, 3).moving(2, 1));
+        Body doomed = engine.add(new Body(new Circle(1)).at(0, -3).moving(2, 0));
+        engine.addListener(new CollisionListener() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public Decision colliding(Contact contact) {
+                assertThat(contact.approachSpeed()).isCloseTo(2, within(1e-14));
+                assertThat(contact.x()).isCloseTo(4.5, within(1e-14));
+                Body mover = contact.other(wall);
+                return mover == ghost ? Decision.IGNORE : mover == glue ? Decision.STICK : Decision.BOUNCE;
+            }
+
+            @Override
+            public void collided(Contact contact) {
+                assertThat(contact.time()).isCloseTo(1.75, within(1e-14));
+                assertThat(contact.impulse()).isPositive();
+                if (contact.other(wall) == doomed) {
+                    engine.remove(doomed);
+                    engine.add(new Body(new Circle(1)).at(-20, 0));
+                }
+            }
+        });
+        run(engine, 40);
+        assertThat(ghost.getX()).isCloseTo(8, within(1e-13));
+        // the point of contact stands still: the disc rolls about it
+        assertThat(glue.getVelocityX()).isCloseTo(0, within(1e-14));
+        assertThat(glue.getVelocityY() + glue.getAngularVelocity()).isCloseTo(0, within(1e-14));
+        assertThat(engine.contains(doomed)).isFalse();
+        assertThat(engine.bodies()).hasSize(4);
+    }
+
+    @Test
+    void filtersKeepBodiesApart() {
+        PhysicsEngine engine = new PhysicsEngine();
+        Body a = engine.add(new Body(new Circle(1)).at(0, 0).moving(1, 0));
+        Body b = engine.add(new Body(new Circle(1)).at(5, 0));
+        engine.setCollisions(a, b, false);
+        run(engine, 20);
+        assertThat(engine.getImpacts()).isZero();
+        a.at(0, 0);
+        b.setCollisionGroup(2, 2);
+        engine.setCollisions(a, b, true);
+        run(engine, 20);
+        assertThat(engine.getImpacts()).isZero();
+        a.at(0, 0);
+        b.setCollisionGroup(1, -1L);
+        run(engine, 20);
+        assertThat(engine.getImpacts()).isEqualTo(1);
+    }
+
+    @Test
+    void frictionStopsASpinningDiscWhereTheoryDoes() {
+        // hard case C21: Farkas et al. 2003, R = 0.1, mu = 0.3
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1.0 / 60);
+        engine.add(new SurfaceFriction(9.81));
+        Body disc = new Body(new Circle(0.1)).at(0, 0).moving(1, 0, 10);
+        disc.setSurfaceFriction(0.3);
+        engine.add(disc);
+        Body box = new Body(new Rectangle(1, 2)).at(0, 5).moving(0, 3);
+        box.setSurfaceFriction(0.5);
+        engine.add(box);
+        run(engine, 27);
+        assertThat(disc.getVelocityX()).isPositive();
+        run(engine, 1);
+        assertThat(disc.getVelocityX()).isZero();
+        assertThat(disc.getAngularVelocity()).isZero();
+        assertThat(disc.getX()).isCloseTo(0.2165807761242, within(1e-8));
+        run(engine, 60);
+        assertThat(box.getY()).isCloseTo(5 + 9 / (2 * 0.5 * 9.81), within(1e-9));
+        assertThat(box.getAngle()).isZero();
+    }
+
+    @Test
+    void staticFrictionHoldsUpToItsLimit() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.add(new SurfaceFriction(10));
+        Body box = new Body(new Rectangle(1, 1)).at(0, 0);
+        box.setMass(2);
+        box.setSurfaceFriction(0.3, 0.5);
+        engine.add(box);
+        for (int k = 0; k < 10; k++) {
+            box.addForce(9.999, 0);
+            engine.step();
+        }
+        assertThat(box.getX()).isZero();
+        box.addForce(10.001, 0);
+        engine.step();
+        assertThat(box.getVelocityX()).isCloseTo((10.001 - 6) / 2, within(1e-9));
+    }
+
+    @Test
+    void masonsScheduleRunsTheEngine() {
+        SimState state = new SimState(1);
+        state.start();
+        PhysicsEngine engine = new PhysicsEngine();
+        Body body = engine.add(new Body(new Circle(1)).moving(1, 0));
+        Repeating repeating = engine.scheduleOn(state.schedule);
+        for (int k = 0; k < 5; k++) {
+            state.schedule.step(state);
+        }
+        assertThat(body.getX()).isEqualTo(5);
+        repeating.stop();
+        state.schedule.step(state);
+        assertThat(body.getX()).isEqualTo(5);
+        state.finish();
+    }
+
+    @Test
+    void aStepAllocatesNothing() {
+        PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 30, 3);
+        run(engine, 60_000);
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long id = Thread.currentThread().getId();
+        long before = threads.getThreadAllocatedBytes(id);
+        run(engine, 2_000);
+        long after = threads.getThreadAllocatedBytes(id);
+        assertThat(after - before).isLessThan(2_000);
+    }
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.motion.SurfaceFriction;
+import sim.physics.response.CollisionListener;
+import sim.physics.response.Contact;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Polygon;
+import sim.physics.shape.Rectangle;
+
+/** Bad input gets an exception at the call that made it, and leaves the engine as it was. */
+class RefusalTest {
+    private PhysicsEngine engine;
+    private Body body;
+    private Body wall;
+
+    @BeforeEach
+    void setUp() {
+        engine = new PhysicsEngine();
+        body = engine.add(new Body(new Circle(1)).at(3, 4).moving(1, 2));
+        wall = engine.add(Body.fixed(new Rectangle(1, 10)).at(9, 0));
+    }
+
+    private void refused(String message, ThrowingCallable call) {
+        long before = Scenes.hash(engine);
+        assertThatIllegalArgumentException().isThrownBy(call).withMessageContaining(message);
+        assertThat(Scenes.hash(engine)).isEqualTo(before);
+    }
+
+    private void illegal(String message, ThrowingCallable call) {
+        long before = Scenes.hash(engine);
+        assertThatIllegalStateException().isThrownBy(call).withMessageContaining(message);
+        assertThat(Scenes.hash(engine)).isEqualTo(before);
+        assertThat(engine.bodies()).containsExactly(body, wall);
+    }
+
+    @Test
+    void whatIsNotFinite() {
+        double nan = Double.NaN;
+        refused("x is NaN", () -> body.setPosition(nan, 0));
+        refused("y is Infinity", () -> body.setPosition(0, Double.POSITIVE_INFINITY));
+        refused("angle is NaN", () -> body.setAngle(nan));
+        refused("angle is NaN", () -> body.at(1, 1, nan));
+        refused("vy is NaN", () -> body.setVelocity(0, nan));
+        refused("angular velocity is NaN", () -> body.moving(1, 1, nan));
+        refused("fx is NaN", () -> body.addForce(nan, 0));
+        refused("torque is NaN", () -> body.addTorque(nan));
+        refused("px is NaN", () -> body.addForceAt(1, 1, nan, 0));
+        refused("radius is NaN", () -> new Circle(nan));
+        refused("width is Infinity", () -> new Rectangle(Double.POSITIVE_INFINITY, 1));
+        refused("gx is NaN", () -> new Gravity(nan, 0));
+        refused("y of vertex 1 is NaN", () -> new Polygon(0, 0, 1, nan, 1, 1));
+    }
+
+    @Test
+    void whatIsOutOfRange() {
+        refused("mass is 0.0", () -> body.setMass(0));
+        refused("mass is -1.0", () -> body.setMass(-1));
+        refused("inertia is 0.0", () -> body.setMass(1, 0));
+        refused("1 / mass", () -> body.setMass(1e-310));
+        refused("restitution is 1.1", () -> body.setRestitution(1.1));
+        refused("restitution is -0.1", () -> body.setRestitution(-0.1));
+        refused("friction is -1.0", () -> body.setFriction(-1));
+        refused("kinetic surface friction is -1.0", () -> body.setSurfaceFriction(-1));
+        refused("static surface friction is 0.1", () -> body.setSurfaceFriction(0.2, 0.1));
+        refused("gravity is 0.0", () -> new SurfaceFriction(0));
+        refused("radius is 0.0", () -> new Circle(0));
+        refused("time step is -0.1", () -> engine.setTimeStep(-0.1));
+        refused("time step is NaN", () -> engine.setTimeStep(Double.NaN));
+        refused("fixed", () -> wall.setVelocity(1, 0));
+        refused("fixed", () -> wall.setMass(1));
+    }
+
+    @Test
+    void polygonsThatAreNotStrictlyConvex() {
+        refused("vertex 1 is (1.0, 0.0)", () -> new Polygon(0, 0, 1, 0, 2, 0, 1, 1));
+        refused("vertex 2 is (0.5, 0.5): the polygon is not convex", () -> new Polygon(0, 0, 2, 0, 0.5, 0.5, 0, 2));
+        refused("vertex 0", () -> new Polygon(0, 0, 0, 0, 1, 0, 0, 1));
+        refused("4 coordinates", () -> new Polygon(0, 0, 1, 1));
+        double[] star = new double[10];
+        for (int k = 0; k < 5; k++) {
+            star[2 * k] = Math.cos(4 * Math.PI * k / 5);
+            star[2 * k + 1] = Math.sin(4 * Math.PI * k / 5);
+        }
+        refused("crosses itself", () -> new Polygon(star));
+    }
+
+    @Test
+    void bodiesInTheWrongPlace() {
+        illegal("this engine", () -> engine.add(body));
+        PhysicsEngine other = new PhysicsEngine();
+        illegal("another engine", () -> other.add(body));
+        Body stranger = new Body(new Circle(1));
+        illegal("not in this engine", () -> engine.remove(stranger));
+        illegal("not in this engine", () -> engine.setCollisions(body, stranger, false));
+        illegal("not in this engine", () -> engine.remove(new Gravity(0, 1)));
+        Gravity gravity = new Gravity(0, 0);
+        engine.add(gravity);
+        illegal("already", () -> engine.add(gravity));
+    }
+
+    @Test
+    void aStepOfZeroChangesNothing() {
+        engine.step();
+        engine.setTimeStep(0);
+        long before = Scenes.hash(engine);
+        for (int k = 0; k < 10; k++) {
+            engine.step();
+        }
+        assertThat(Scenes.hash(engine)).isEqualTo(before);
+        assertThat(engine.getTime()).isEqualTo(1);
+    }
+
+    @Test
+    void aStepWithinAStep() {
+        engine.addListener(new CollisionListener() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public void collided(Contact contact) {
+                engine.step();
+            }
+        });
+        body.moving(4, 0);
+        assertThatIllegalStateException()
+                .isThrownBy(() -> {
+                    for (int k = 0; k < 5; k++) {
+                        engine.step();
+                    }
+                })
+                .withMessageContaining("within its own step");
+    }
+}
