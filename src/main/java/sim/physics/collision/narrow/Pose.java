@@ -179,6 +179,11 @@ final class Pose {
         }
     }
 
+    /** Whether both bodies move and spin uniformly. */
+    boolean isLinear() {
+        return linear;
+    }
+
     private boolean isLinear(int o) {
         return m[o + Trajectories.AX] == 0
                 && m[o + Trajectories.AY] == 0

@@ -23,6 +23,9 @@ final class TimeOfImpact {
     /** Steps of the search after which progress is forced. */
     private static final int PATIENCE = 200;
 
+    /** How far ahead of the simple bound the finer one looks. */
+    private static final double AHEAD = 3;
+
     private static final double INFINITE = Double.POSITIVE_INFINITY;
 
     private final Pose pose;
@@ -40,6 +43,9 @@ final class TimeOfImpact {
     private double tolerance;
     private double slowness;
     private double s;
+
+    /** Bound of |g‴|, or infinite if it is not known. */
+    private double third;
 
     TimeOfImpact(Pose pose, ClosestFeatures features) {
         this.pose = pose;
@@ -107,6 +113,7 @@ final class TimeOfImpact {
         double ey = owner.normalY(edge);
         double offset = owner.offset(edge) + pose.rounding;
         double bound = boundNearEdge(owner, other, side * ex, side * ey);
+        double relative = other.omega - owner.omega;
         for (int j = 0; j < other.n; j++) {
             int k = j == 0 ? closest : j <= closest ? j - 1 : j; // the closest vertex first
             double qx = other.vx[k] - owner.cx;
@@ -116,7 +123,10 @@ final class TimeOfImpact {
             double g = qx * ex + qy * ey - offset;
             double wx = side * pose.ux - other.omega * ry + owner.omega * qy;
             double wy = side * pose.uy + other.omega * rx - owner.omega * qx;
-            limit(g, wx * ex + wy * ey, bound);
+            double curvature = side * 2 * owner.omega * (pose.uy * ex - pose.ux * ey)
+                    - relative * relative * (rx * ex + ry * ey)
+                    - owner.omega * owner.omega * ((qx - rx) * ex + (qy - ry) * ey);
+            limit(g, wx * ex + wy * ey, bound, curvature);
             if (touching) {
                 return;
             }
@@ -125,6 +135,10 @@ final class TimeOfImpact {
 
     /** Bound M of |g''| of the vertices of one body over a spinning edge of the other, until they part. */
     private double boundNearEdge(Pose.Placed owner, Pose.Placed other, double nx, double ny) {
+        third = INFINITE;
+        if (pose.isLinear()) {
+            return boundInFrame(owner, other);
+        }
         double turning = other.maxOmega * other.maxOmega + other.maxAlpha;
         if (owner.maxOmega == 0 && owner.maxAlpha == 0) {
             // the normal stands still: only the acceleration along it counts
@@ -149,6 +163,25 @@ final class TimeOfImpact {
                 + (owner.maxOmega * owner.maxOmega + owner.maxAlpha) * (reach + other.core);
     }
 
+    /**
+     * The same for bodies that move and spin uniformly, in the frame that turns with the edge: there a vertex goes round
+     * its centre with the relative spin, and the centre on a straight line goes round the edge's body. Bounds g‴ too.
+     */
+    private double boundInFrame(Pose.Placed owner, Pose.Placed other) {
+        double spin = Math.abs(owner.omega);
+        double relative = Math.abs(other.omega - owner.omega);
+        double turning = relative * relative * other.core;
+        if (spin == 0) {
+            third = relative * turning;
+            return turning;
+        }
+        double speed = Math.sqrt(pose.ux * pose.ux + pose.uy * pose.uy);
+        // the bounding circles overlap until they part for good, so the centres stay this close
+        double reach = Math.max(Math.sqrt(pose.px * pose.px + pose.py * pose.py), pose.bounding);
+        third = relative * turning + spin * spin * (3 * speed + spin * reach);
+        return turning + spin * (2 * speed + spin * reach);
+    }
+
     /** The vertices of both bodies along the line between the two closest ones, which is held still. */
     private void advanceToVertex() {
         double nx = features.nx;
@@ -164,7 +197,8 @@ final class TimeOfImpact {
         double approach = pose.ux * nx + pose.uy * ny;
         int i = features.featureA >> 1;
         int j = features.featureB >> 1;
-        limit(features.gap, approach + spin(b, j, nx, ny) - spin(a, i, nx, ny), bound);
+        third = INFINITE;
+        limit(features.gap, approach + spin(b, j, nx, ny) - spin(a, i, nx, ny), bound, 0);
         // other vertices may come first: look for a pair that would have crossed by then
         while (!touching && s < INFINITE && (a.n > 1 || b.n > 1)) {
             int first = lead(a, nx, ny);
@@ -176,7 +210,7 @@ final class TimeOfImpact {
             j = second;
             double g = (b.vx[j] - a.vx[i]) * nx + (b.vy[j] - a.vy[i]) * ny - pose.rounding;
             double before = s;
-            limit(g, approach + spin(b, j, nx, ny) - spin(a, i, nx, ny), bound);
+            limit(g, approach + spin(b, j, nx, ny) - spin(a, i, nx, ny), bound, 0);
             if (s == before) {
                 return;
             }
@@ -202,8 +236,11 @@ final class TimeOfImpact {
         return body.omega * ((body.vx[k] - body.cx) * ny - (body.vy[k] - body.cy) * nx);
     }
 
-    /** Lowers s to the first root of g + g' s − M s²/2, or notices a contact. */
-    private void limit(double gap, double rate, double bound) {
+    /**
+     * Lowers s to the first root of g + g' s − M s²/2, or notices a contact. Where the present g″ and a bound T of |g‴|
+     * are known, −g″ + T S/3 is as good as M up to a time S, and often smaller.
+     */
+    private void limit(double gap, double rate, double bound, double curvature) {
         double g = gap;
         if (g <= tolerance) {
             if (rate < -slowness || rate < 0 && g < -Tolerances.DEEP * pose.size) {
@@ -220,13 +257,20 @@ final class TimeOfImpact {
         if (g + s * (rate - 0.5 * s * bound) >= 0 && s < INFINITE) {
             return; // the bound is concave: it is not negative before s
         }
-        double root;
-        if (bound == 0) {
-            root = rate < 0 ? g / -rate : INFINITE;
-        } else {
-            double d = Math.sqrt(rate * rate + 2 * bound * g);
-            root = rate < 0 ? 2 * g / (d - rate) : (rate + d) / bound;
+        double root = root(g, rate, bound);
+        if (third < INFINITE && root < s) {
+            double ahead = AHEAD * root;
+            root = Math.max(root, Math.min(ahead, root(g, rate, Math.max(0, ahead * third / 3 - curvature))));
         }
         s = Math.min(s, root);
+    }
+
+    /** First root of g + g' s − M s²/2 for g ≥ 0 and M ≥ 0. */
+    private static double root(double g, double rate, double bound) {
+        if (bound == 0) {
+            return rate < 0 ? g / -rate : INFINITE;
+        }
+        double d = Math.sqrt(rate * rate + 2 * bound * g);
+        return rate < 0 ? 2 * g / (d - rate) : (rate + d) / bound;
     }
 }
