@@ -42,6 +42,11 @@ public final class CollisionResponse implements Serializable {
     private final IntList changed = new IntList();
     private int[] counts = {};
     private double[] countedIn = {};
+
+    /** Speed at which the pair parted at its last impact, and when that was, if it was in the present step. */
+    private double[] lastSpeed = {};
+
+    private double[] lastTau = {};
     private transient Manifold manifold;
     private double now;
     private long impacts;
@@ -112,7 +117,7 @@ public final class CollisionResponse implements Serializable {
         }
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
-        if (impact.restitution < 1 && limitBouncing(a, b, canBear(a, b), countImpact(pair))) {
+        if (impact.restitution < 1 && startsToRest(pair, a, b, canBear(a, b))) {
             rest(pair, a);
         }
         solver.solve(impact);
@@ -133,7 +138,8 @@ public final class CollisionResponse implements Serializable {
      *
      * @return whether the body comes to rest
      */
-    private boolean limitBouncing(int a, int b, boolean canBear, int count) {
+    private boolean limitBouncing(int pair, int a, int b, boolean canBear) {
+        int count = countedIn[pair] == trajectories.step() ? counts[pair] : 0;
         Impact c = impact;
         double[] d = trajectories.data();
         int oa = a * Trajectories.STRIDE;
@@ -142,6 +148,12 @@ public final class CollisionResponse implements Serializable {
                 * ((d[oa + Trajectories.AX] - d[ob + Trajectories.AX]) * c.nx
                         + (d[oa + Trajectories.AY] - d[ob + Trajectories.AY]) * c.ny);
         double approachSpeed = -c.normalVelocity();
+        double pressing = closing;
+        if (count > Tolerances.ELASTIC_AFTER / 2) {
+            // whatever pressed the two together since their last impact, spin for one, will do it again
+            double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * trajectories.h());
+            closing = Math.max(closing, (approachSpeed + lastSpeed[pair]) / since);
+        }
         if (!canBear && count > Tolerances.ELASTIC_AFTER) {
             c.restitution = 1; // bodies that collapse on one another (Luding and McNamara 1998)
         }
@@ -156,22 +168,35 @@ public final class CollisionResponse implements Serializable {
             return true;
         }
         if (bounce < shortest && (!canBear || count > Tolerances.REST_AFTER)) {
-            c.restitution = 0.5 * closing * shortest / approachSpeed;
+            // at most elastic, but for what a constant acceleration would take back
+            c.restitution = Math.min(
+                    0.5 * closing * shortest / approachSpeed, Math.max(1, 0.5 * pressing * shortest / approachSpeed));
         }
         return false;
     }
 
-    /** How many impacts a pair has had in the present step, this one included. */
-    private int countImpact(int pair) {
+    /** Counts the impact, limits its bouncing, and notes how the two part. */
+    private boolean startsToRest(int pair, int a, int b, boolean canBear) {
+        countImpact(pair);
+        boolean rests = limitBouncing(pair, a, b, canBear);
+        lastSpeed[pair] = -impact.restitution * impact.normalVelocity();
+        lastTau[pair] = trajectories.offset(a);
+        return rests;
+    }
+
+    /** Counts the impacts that a pair has had in the present step, this one included. */
+    private void countImpact(int pair) {
         if (pair >= counts.length) {
             counts = Arrays.copyOf(counts, Math.max(2 * counts.length, pair + 1));
             countedIn = Arrays.copyOf(countedIn, counts.length);
+            lastSpeed = Arrays.copyOf(lastSpeed, counts.length);
+            lastTau = Arrays.copyOf(lastTau, counts.length);
         }
         if (countedIn[pair] != trajectories.step()) {
             countedIn[pair] = trajectories.step();
             counts[pair] = 0;
         }
-        return ++counts[pair];
+        counts[pair]++;
     }
 
     /** Whether one of two bodies is fixed and can bear the other one at the points of the manifold. */
@@ -385,12 +410,14 @@ public final class CollisionResponse implements Serializable {
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
         boolean rests = true;
-        int count = countImpact(pair);
+        countImpact(pair);
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
-            rests &= impact.restitution < 1 && limitBouncing(a, b, alone && canBear(a, b), count);
+            rests &= impact.restitution < 1 && limitBouncing(pair, a, b, alone && canBear(a, b));
             simultaneous.add(a, b, impact);
         }
+        lastSpeed[pair] = -impact.restitution * impact.normalVelocity();
+        lastTau[pair] = trajectories.offset(a);
         if (rests) {
             rest(pair, a);
         }

@@ -114,6 +114,8 @@ final class TimeOfImpact {
         double offset = owner.offset(edge) + pose.rounding;
         double bound = boundNearEdge(owner, other, side * ex, side * ey);
         double relative = other.omega - owner.omega;
+        double closestAlong = 0;
+        double closestRate = 0;
         for (int j = 0; j < other.n; j++) {
             int k = j == 0 ? closest : j <= closest ? j - 1 : j; // the closest vertex first
             double qx = other.vx[k] - owner.cx;
@@ -126,11 +128,32 @@ final class TimeOfImpact {
             double curvature = side * 2 * owner.omega * (pose.uy * ex - pose.ux * ey)
                     - relative * relative * (rx * ex + ry * ey)
                     - owner.omega * owner.omega * ((qx - rx) * ex + (qy - ry) * ey);
-            limit(g, wx * ex + wy * ey, bound, curvature);
+            double rate = wx * ex + wy * ey;
+            double along = (other.vy[k] - owner.vy[edge]) * ex - (other.vx[k] - owner.vx[edge]) * ey;
+            if (j == 0) {
+                closestAlong = along;
+                closestRate = rate;
+            }
+            double onEdge = Math.max(0, Math.min(owner.length(edge), along));
+            if (j > 0 && g <= tolerance && onEdge != along) {
+                // the edges lie flush, and this vertex beyond the end: what counts is the end of the stretch
+                double share = (onEdge - closestAlong) / (along - closestAlong);
+                limitSlowly(g, closestRate + share * (rate - closestRate), 2 * bound);
+            } else {
+                limit(g, rate, bound, curvature);
+            }
             if (touching) {
                 return;
             }
         }
+    }
+
+    /** Like {@link #limit}, without a bound of the third derivative. */
+    private void limitSlowly(double gap, double rate, double bound) {
+        double known = third;
+        third = INFINITE;
+        limit(gap, rate, bound, 0);
+        third = known;
     }
 
     /** Bound M of |g''| of the vertices of one body over a spinning edge of the other, until they part. */
@@ -210,7 +233,7 @@ final class TimeOfImpact {
             j = second;
             double g = (b.vx[j] - a.vx[i]) * nx + (b.vy[j] - a.vy[i]) * ny - pose.rounding;
             double before = s;
-            limit(g, approach + spin(b, j, nx, ny) - spin(a, i, nx, ny), bound, 0);
+            limit(Math.max(g, 2 * tolerance), approach + spin(b, j, nx, ny) - spin(a, i, nx, ny), bound, 0);
             if (s == before) {
                 return;
             }
