@@ -3,35 +3,82 @@
 package sim.physics.matrix;
 
 import java.io.Serializable;
-import sim.physics.internal.Check;
+import java.util.Arrays;
 
 /**
- * The biconjugate gradient method for M x = b (Fletcher 1976; Barrett et al., <i>Templates for the Solution of Linear
- * Systems</i>, 1994, section 2.3.5), the write-up's reference [9]. It uses M only through {@link Matrix#times} and
- * {@link Matrix#transposeTimes}.
+ * The biconjugate gradient method for M x = b, the solver of the write-up's chapter <i>Matrix Optimization</i> and its
+ * reference [9]. It uses M only through {@link Matrix#times} and {@link Matrix#transposeTimes}. Source: Fletcher 1976;
+ * Barrett et al., <i>Templates for the Solution of Linear Systems</i>, 1994, section 2.3.5.
  *
- * <p>It stops when the updated residual is within the tolerance and the true one agrees; where they part it starts
- * again from the true one. A breakdown (r̃·r or p̃·M p vanishes although r does not) is tried again once with another
- * shadow residual r̃, and is an exception then, never a wrong answer.
+ * <p>The residual is updated along the way; where it is small enough, the true one ‖b − M x‖ is computed, and the
+ * method starts again from that one until it is within the tolerance too. A tolerance below 1e-13 may be beyond what
+ * doubles can reach: the solver goes on as long as the true residual halves, and then 1e-13 will do.
+ *
+ * <p>A run that does not halve the true residual, by a breakdown or in half of the iterations, is followed by one with
+ * another shadow residual, r̃ = r/‖r‖ + Mh/‖Mh‖ instead of r, where h is a fixed sequence without a pattern. That heals
+ * nearly every breakdown unless M is singular. If it does not help, the outcome is an exception if the run broke down,
+ * and else a report that says "not converged". In neither case is a wrong answer called right. The breakdowns are
+ * those of the method: r̃·r = 0, p̃·M p = 0, overflow.
+ *
+ * <p>A preconditioner is a diagonal matrix near M⁻¹ (Jacobi: 1/mᵢᵢ), which is multiplied and not divided by. It changes
+ * the way and not the goal, which is always the residual of the system as given.
+ *
+ * <p>Settings are fixed; the workspace is reused, grows with the largest system so far and is not serialized.
  */
 public final class BiConjugateGradient implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Two vectors count as orthogonal when their product is this small relative to their lengths. */
-    private static final double ORTHOGONAL = 1e-30;
+    private static final double ORTHOGONAL = 1e-15;
 
-    private static final int RESTARTS = 6;
+    /** A true residual that will do when it does not fall any more. */
+    private static final double ROUNDING = 1e-13;
+
+    /** The updated residual goes this far below the tolerance, so that the true one is likely to be within. */
+    private static final double MARGIN = 0.25;
+
+    private static final int ITERATIONS_PER_UNKNOWN = 20;
+
+    /** How a run from one true residual to the next ended. */
+    private enum Ending {
+        SMALL(null),
+        LIMIT(null),
+        SHADOW("breakdown: the residual is orthogonal to its shadow (r~.r = 0)"),
+        DIRECTION("breakdown: the search direction is orthogonal to its image (p~.Mp = 0)"),
+        OVERFLOW("breakdown: overflow");
+
+        final String breakdown;
+
+        Ending(String breakdown) {
+            this.breakdown = breakdown;
+        }
+    }
 
     private final double tolerance;
     private final int maxIterations;
 
-    private double[] r = {};
-    private double[] shadow = {};
-    private double[] p = {};
-    private double[] q = {};
-    private double[] mp = {};
-    private double[] mq = {};
+    // of the last solution
+    private boolean converged;
     private int iterations;
+    private double residual;
+
+    // of the present one: size, limit, unit of the residuals (a power of two near ‖b‖), ‖b‖ in this unit
+    private transient int n;
+    private transient int limit;
+    private transient double unit;
+    private transient double length;
+
+    // workspace: iterate and best iterate; r, r̃; p, p̃; M p, Mᵀ p̃; preconditioned r, r̃
+    private transient double[] at;
+    private transient double[] best;
+    private transient double[] r;
+    private transient double[] shadow;
+    private transient double[] p;
+    private transient double[] q;
+    private transient double[] mp;
+    private transient double[] mq;
+    private transient double[] z;
+    private transient double[] zShadow;
 
     /** Makes a solver with the relative tolerance 1e-14 and 20 iterations per unknown. */
     public BiConjugateGradient() {
@@ -43,138 +90,288 @@ public final class BiConjugateGradient implements Serializable {
      *
      * @param tolerance of ‖b − M x‖ / ‖b‖, greater than 0
      * @param maxIterations 0 for 20 per unknown
+     * @throws IllegalArgumentException if one is out of its range
      */
     public BiConjugateGradient(double tolerance, int maxIterations) {
-        this.tolerance = Check.positive("tolerance", tolerance);
-        if (maxIterations < 0) {
-            throw new IllegalArgumentException("maxIterations is " + maxIterations + ": it must not be negative");
+        if (!(tolerance > 0 && tolerance < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException(
+                    "tolerance is " + tolerance + ": it must be a finite number greater than 0");
         }
+        Vectors.checkNotNegative("maxIterations", maxIterations);
+        this.tolerance = tolerance;
         this.maxIterations = maxIterations;
     }
 
     /**
      * Solves M x = b.
      *
-     * @param m a square matrix
-     * @param b right side
-     * @param x start value, replaced by the solution; left as it was on an exception
-     * @return how it went; not converged if the iterations were used up
+     * @param m a square matrix of n rows
+     * @param b right side, at least n values
+     * @param x start value, at least n values; replaced by the solution, or by the best iterate if it did not converge;
+     *     left as it was on an exception
+     * @return how it went; not converged if the iterations were used up or the residual does not fall any more
      * @throws SolverException on a breakdown or if a value is not a number
      * @throws IllegalArgumentException if the sizes do not fit
      */
     public SolveReport solve(Matrix m, double[] b, double[] x) {
-        int n = m.rows();
-        if (m.columns() != n) {
-            throw new IllegalArgumentException("matrix is " + n + " x " + m.columns() + ": it must be square");
-        }
-        Matrix.check(b, n, x, n);
-        ensure(n);
-        double scale = Math.sqrt(dot(b, b, n));
-        double[] start = x.clone();
+        return solve(m, b, x, null);
+    }
+
+    /**
+     * Solves M x = b with a preconditioner.
+     *
+     * @param m a square matrix of n rows
+     * @param b right side, at least n values
+     * @param x start value, as without a preconditioner
+     * @param inverse n finite values near M⁻¹, none of them zero; null for none
+     * @return how it went
+     * @throws SolverException on a breakdown or if a value is not a number
+     * @throws IllegalArgumentException if the sizes do not fit or a value of the preconditioner is zero or not finite
+     */
+    public SolveReport solve(Matrix m, double[] b, double[] x, DiagonalMatrix inverse) {
+        solveInPlace(m, b, x, inverse);
+        return new SolveReport(converged, iterations, residual);
+    }
+
+    /**
+     * Solves M x = b and allocates nothing: the report is in {@link #converged()}, {@link #iterations()} and
+     * {@link #residual()}.
+     *
+     * @param m a square matrix of n rows
+     * @param b right side, at least n values
+     * @param x start value, as in {@link #solve(Matrix, double[], double[])}
+     * @param inverse n finite values near M⁻¹, none of them zero; null for none
+     * @return whether it converged
+     * @throws SolverException on a breakdown or if a value is not a number
+     * @throws IllegalArgumentException if the sizes do not fit or a value of the preconditioner is zero or not finite
+     */
+    public boolean solveInPlace(Matrix m, double[] b, double[] x, DiagonalMatrix inverse) {
+        check(m, b, x, inverse);
+        n = m.rows();
+        limit = maxIterations > 0 ? maxIterations : ITERATIONS_PER_UNKNOWN * n;
+        ensureRoom();
+        converged = false;
         iterations = 0;
-        if (scale == 0) {
-            java.util.Arrays.fill(x, 0, n, 0);
-            return new SolveReport(true, 0, 0);
+        residual = Double.NaN;
+        double norm = Vectors.norm(b, n);
+        if (!(norm < Double.POSITIVE_INFINITY)) {
+            throw new SolverException("a value of b is infinite or not a number", 0, residual);
         }
-        int limit = maxIterations > 0 ? maxIterations : 20 * n;
-        try {
-            return iterate(m, b, x, n, scale, limit);
-        } catch (SolverException e) {
-            System.arraycopy(start, 0, x, 0, n);
-            throw e;
+        if (norm == 0) {
+            Arrays.fill(x, 0, n, 0);
+            residual = 0;
+            converged = true;
+            return true;
+        }
+        unit = Math.scalb(1.0, Math.max(Double.MIN_EXPONENT, Math.min(Math.getExponent(norm), -Double.MIN_EXPONENT)));
+        length = norm / unit;
+        System.arraycopy(x, 0, at, 0, n);
+        iterate(m, b, inverse);
+        converged = residual <= Math.max(tolerance, ROUNDING);
+        System.arraycopy(best, 0, x, 0, n);
+        return converged;
+    }
+
+    /**
+     * Whether the last solution converged.
+     *
+     * @return false also if it ended in an exception
+     */
+    public boolean converged() {
+        return converged;
+    }
+
+    /**
+     * Steps of the last solution.
+     *
+     * @return 0 …
+     */
+    public int iterations() {
+        return iterations;
+    }
+
+    /**
+     * True residual of the last solution.
+     *
+     * @return ‖b − M x‖ / ‖b‖
+     */
+    public double residual() {
+        return residual;
+    }
+
+    /** Runs from true residual to true residual; the best iterate is in {@code best} and has {@code residual}. */
+    private void iterate(Matrix m, double[] b, DiagonalMatrix inverse) {
+        residual = trueResidual(m, b);
+        if (!(residual < Double.POSITIVE_INFINITY)) {
+            throw new SolverException("a value of the matrix or of x is infinite or not a number", 0, residual);
+        }
+        System.arraycopy(at, 0, best, 0, n);
+        boolean otherShadow = false;
+        while (residual > tolerance && iterations < limit) {
+            double before = residual;
+            Ending ending = run(m, inverse, otherShadow);
+            keepTheBetter(m, b);
+            if (residual <= 0.5 * before) {
+                continue;
+            }
+            if (residual <= ROUNDING) {
+                return;
+            }
+            if (otherShadow) {
+                if (ending.breakdown != null && residual > tolerance) {
+                    throw new SolverException(ending.breakdown, iterations, residual);
+                }
+                return;
+            }
+            otherShadow = true;
         }
     }
 
-    private SolveReport iterate(Matrix m, double[] b, double[] x, int n, double scale, int limit) {
-        double best = Double.POSITIVE_INFINITY;
-        String breakdown = null;
-        for (int attempt = 0; attempt < RESTARTS; attempt++) {
-            double residual = trueResidual(m, b, x, n) / scale;
-            if (Double.isNaN(residual)) {
-                throw new SolverException("a value is not a number", iterations, residual);
-            }
-            boolean stalled = residual > 0.5 * best;
-            best = Math.min(best, residual);
-            if (residual <= tolerance || iterations >= limit || stalled && breakdown == null) {
-                return new SolveReport(residual <= Math.max(tolerance, 1e-13), iterations, residual);
-            }
-            breakdown = run(m, x, n, scale, limit, breakdown != null);
+    private void keepTheBetter(Matrix m, double[] b) {
+        double reached = trueResidual(m, b);
+        if (reached < residual) {
+            residual = reached;
+            System.arraycopy(at, 0, best, 0, n);
+        } else {
+            System.arraycopy(best, 0, at, 0, n);
+            trueResidual(m, b);
         }
-        double residual = trueResidual(m, b, x, n) / scale;
-        if (breakdown != null && residual > Math.max(tolerance, 1e-13)) {
-            throw new SolverException(breakdown, iterations, residual);
-        }
-        return new SolveReport(residual <= Math.max(tolerance, 1e-13), iterations, residual);
     }
 
-    /** One run from the residual in r; the name of the breakdown that ended it, or null. */
-    private String run(Matrix m, double[] x, int n, double scale, int limit, boolean otherShadow) {
-        for (int i = 0; i < n; i++) {
-            shadow[i] = otherShadow ? r[i] * (1 + (i % 3)) + (i % 2 == 0 ? 1 : -0.5) * scale / n : r[i];
-            p[i] = r[i];
-            q[i] = shadow[i];
-        }
-        double rho = dot(shadow, r, n);
-        while (iterations < limit) {
-            if (isZero(rho, shadow, r, n)) {
-                return "breakdown: the residual is orthogonal to its shadow";
+    /** One run of the method from the residual in r. */
+    private Ending run(Matrix m, DiagonalMatrix inverse, boolean otherShadow) {
+        chooseShadow(m, otherShadow);
+        double[] pr = precondition(inverse, r, z);
+        double[] ps = precondition(inverse, shadow, zShadow);
+        System.arraycopy(pr, 0, p, 0, n);
+        System.arraycopy(ps, 0, q, 0, n);
+        double rho = Vectors.dotOrZero(pr, shadow, n, ORTHOGONAL);
+        int left = limit - iterations;
+        // keep half for the other shadow, but let this one finish the n steps of exact arithmetic twice
+        int end = otherShadow ? limit : iterations + Math.min(left, Math.max(2 * n, left / 2));
+        while (iterations < end) {
+            if (rho == 0) {
+                return Ending.SHADOW;
             }
             m.times(p, mp);
             m.transposeTimes(q, mq);
-            double product = dot(q, mp, n);
-            if (isZero(product, q, mp, n)) {
-                return "breakdown: the search direction is orthogonal to its image";
-            }
-            double alpha = rho / product;
-            for (int i = 0; i < n; i++) {
-                x[i] += alpha * p[i];
-                r[i] -= alpha * mp[i];
-                shadow[i] -= alpha * mq[i];
+            double product = Vectors.dotOrZero(q, mp, n, ORTHOGONAL);
+            if (product == 0) {
+                return Ending.DIRECTION;
             }
             iterations++;
-            if (!(Math.sqrt(dot(r, r, n)) > 0.1 * tolerance * scale)) {
-                return null;
+            double size = advance(rho / product);
+            if (!(size < Double.POSITIVE_INFINITY)) {
+                return Ending.OVERFLOW;
             }
-            double next = dot(shadow, r, n);
-            double beta = next / rho;
+            if (size <= MARGIN * tolerance * length) {
+                return Ending.SMALL;
+            }
+            precondition(inverse, r, z);
+            precondition(inverse, shadow, zShadow);
+            double next = Vectors.dotOrZero(pr, shadow, n, ORTHOGONAL);
+            turn(pr, ps, next / rho);
             rho = next;
-            for (int i = 0; i < n; i++) {
-                p[i] = r[i] + beta * p[i];
-                q[i] = shadow[i] + beta * q[i];
+        }
+        return Ending.LIMIT;
+    }
+
+    /** r̃ = r, or r/‖r‖ + Mh/‖Mh‖, which keeps to the range of M. */
+    private void chooseShadow(Matrix m, boolean other) {
+        System.arraycopy(r, 0, shadow, 0, n);
+        if (!other) {
+            return;
+        }
+        for (int i = 0; i < n; i++) {
+            q[i] = Vectors.scattered(i);
+        }
+        m.times(q, mp);
+        double imageSize = Vectors.norm(mp, n);
+        double size = Vectors.norm(r, n);
+        for (int i = 0; i < n; i++) {
+            shadow[i] = r[i] / size + (imageSize > 0 ? mp[i] / imageSize : 0);
+        }
+    }
+
+    /** x += α p, r −= α M p, r̃ −= α Mᵀ p̃; the length of r. */
+    private double advance(double alpha) {
+        double alphaX = alpha * unit;
+        double square = 0;
+        for (int i = 0; i < n; i++) {
+            at[i] += alphaX * p[i];
+            r[i] -= alpha * mp[i];
+            shadow[i] -= alpha * mq[i];
+            square += r[i] * r[i];
+        }
+        return Vectors.norm(square, r, n);
+    }
+
+    /** p = z + β p, p̃ = z̃ + β p̃. */
+    private void turn(double[] pr, double[] ps, double beta) {
+        for (int i = 0; i < n; i++) {
+            p[i] = pr[i] + beta * p[i];
+            q[i] = ps[i] + beta * q[i];
+        }
+    }
+
+    /** r = b − M x in the unit of the residuals; its length relative to that of b. */
+    private double trueResidual(Matrix m, double[] b) {
+        m.times(at, mp);
+        for (int i = 0; i < n; i++) {
+            r[i] = (b[i] - mp[i]) / unit;
+        }
+        return Vectors.norm(r, n) / length;
+    }
+
+    /** The operand itself if there is no preconditioner. */
+    private static double[] precondition(DiagonalMatrix inverse, double[] operand, double[] result) {
+        if (inverse == null) {
+            return operand;
+        }
+        inverse.times(operand, result);
+        return result;
+    }
+
+    private static void check(Matrix m, double[] b, double[] x, DiagonalMatrix inverse) {
+        int size = m.rows();
+        if (m.columns() != size) {
+            throw new IllegalArgumentException("matrix is " + size + " x " + m.columns() + ": it must be square");
+        }
+        if (b.length < size || x.length < size) {
+            throw new IllegalArgumentException((b.length < size ? "b has " + b.length : "x has " + x.length)
+                    + " values: the system has " + size + " unknowns");
+        }
+        if (b == x) {
+            throw new IllegalArgumentException("b and x are the same array: the solution would overwrite b");
+        }
+        if (inverse == null) {
+            return;
+        }
+        if (inverse.rows() != size) {
+            throw new IllegalArgumentException(
+                    "preconditioner has " + inverse.rows() + " values: the system has " + size + " unknowns");
+        }
+        for (int i = 0; i < size; i++) {
+            double value = inverse.values()[i];
+            if (value == 0 || !(Math.abs(value) < Double.POSITIVE_INFINITY)) {
+                throw new IllegalArgumentException(
+                        "preconditioner has " + value + " in row " + i + ": it must be finite and not zero");
             }
         }
-        return null;
     }
 
-    private static boolean isZero(double product, double[] a, double[] b, int n) {
-        return Double.isNaN(product) || product * product <= ORTHOGONAL * dot(a, a, n) * dot(b, b, n);
-    }
-
-    /** r = b − M x; its length. */
-    private double trueResidual(Matrix m, double[] b, double[] x, int n) {
-        m.times(x, mp);
-        for (int i = 0; i < n; i++) {
-            r[i] = b[i] - mp[i];
-        }
-        return Math.sqrt(dot(r, r, n));
-    }
-
-    private static double dot(double[] a, double[] b, int n) {
-        double sum = 0;
-        for (int i = 0; i < n; i++) {
-            sum += a[i] * b[i];
-        }
-        return sum;
-    }
-
-    private void ensure(int n) {
-        if (r.length < n) {
+    private void ensureRoom() {
+        if (at == null || at.length < n) {
+            at = new double[n];
+            best = new double[n];
             r = new double[n];
             shadow = new double[n];
             p = new double[n];
             q = new double[n];
             mp = new double[n];
             mq = new double[n];
+            z = new double[n];
+            zShadow = new double[n];
         }
     }
 }

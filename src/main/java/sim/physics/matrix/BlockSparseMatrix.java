@@ -2,23 +2,37 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.matrix;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 
 /**
- * A matrix that is zero but for some blocks, each stored with its row and column offset: the write-up's J and J̇.
+ * A matrix that is zero but for some blocks, each stored with its row and column offset: the write-up's J and J̇
+ * (chapter <i>Matrix Optimization</i>, section <i>Block Sparse Matrix</i>).
+ *
+ * <pre>
+ *             column offset
+ *                  |
+ *            +-----+-------+-+
+ *            |     .       | |
+ * row offset +.....+-------+ |     y[row offset ...] += block x[column offset ...]
+ *            |     | block | |
+ *            |     +-------+ |
+ *            +---------------+
+ * </pre>
  *
  * <p>A product multiplies each block by the section of the vector that begins at the block's <i>column</i> offset, and
- * adds the result to the section of the answer that begins at its <i>row</i> offset. (The write-up takes the
- * section at the row index, in its text and in its example, which is right only for a block on the diagonal.) The transposed product changes the roles of the two.
+ * adds the result to the section of the answer that begins at its <i>row</i> offset. The transposed product changes the
+ * roles of the two. (The write-up takes the section of the vector at the <i>row</i> index, in its text and in its
+ * example, which is right only for a block whose two offsets are equal. It is a slip.)
+ *
+ * <p>A block stays live: its values may be set again at each step, without a new one being made.
  */
 public final class BlockSparseMatrix implements Matrix {
     private static final long serialVersionUID = 1L;
 
     private final int rows;
     private final int columns;
-    private final List<DenseMatrix> blocks = new ArrayList<>();
+    private int count;
+    private DenseMatrix[] blocks = new DenseMatrix[4];
     private int[] rowOffset = new int[4];
     private int[] columnOffset = new int[4];
 
@@ -27,11 +41,11 @@ public final class BlockSparseMatrix implements Matrix {
      *
      * @param rows not negative
      * @param columns not negative
+     * @throws IllegalArgumentException if a size is negative
      */
     public BlockSparseMatrix(int rows, int columns) {
-        if (rows < 0 || columns < 0) {
-            throw new IllegalArgumentException("matrix is " + rows + " x " + columns + ": sizes must not be negative");
-        }
+        Vectors.checkNotNegative("rows", rows);
+        Vectors.checkNotNegative("columns", columns);
         this.rows = rows;
         this.columns = columns;
     }
@@ -45,23 +59,41 @@ public final class BlockSparseMatrix implements Matrix {
      * @throws IllegalArgumentException if it does not fit in
      */
     public void add(int row, int column, DenseMatrix block) {
-        if (row < 0 || column < 0 || row + block.rows() > rows || column + block.columns() > columns) {
-            throw new IllegalArgumentException("block of " + block.rows() + " x " + block.columns() + " at (" + row + ", "
-                    + column + "): it must lie within " + rows + " x " + columns);
+        if (row < 0 || column < 0 || block.rows() > rows - row || block.columns() > columns - column) {
+            throw new IllegalArgumentException("block of " + block.rows() + " x " + block.columns() + " at (" + row
+                    + ", " + column + "): it must lie within " + rows + " x " + columns);
         }
-        int k = blocks.size();
-        if (k == rowOffset.length) {
-            rowOffset = Arrays.copyOf(rowOffset, 2 * k);
-            columnOffset = Arrays.copyOf(columnOffset, 2 * k);
+        if (count == blocks.length) {
+            blocks = Arrays.copyOf(blocks, 2 * count);
+            rowOffset = Arrays.copyOf(rowOffset, 2 * count);
+            columnOffset = Arrays.copyOf(columnOffset, 2 * count);
         }
-        rowOffset[k] = row;
-        columnOffset[k] = column;
-        blocks.add(block);
+        blocks[count] = block;
+        rowOffset[count] = row;
+        columnOffset[count] = column;
+        count++;
     }
 
-    /** Removes all blocks. */
+    /**
+     * Makes a zero block and adds it.
+     *
+     * @param row of its upper left value
+     * @param column of its upper left value
+     * @param blockRows rows of the block, at least 1
+     * @param blockColumns columns of the block, at least 1
+     * @return the block, to be filled and filled again
+     * @throws IllegalArgumentException if it does not fit in
+     */
+    public DenseMatrix add(int row, int column, int blockRows, int blockColumns) {
+        DenseMatrix block = new DenseMatrix(blockRows, blockColumns);
+        add(row, column, block);
+        return block;
+    }
+
+    /** Removes all blocks; the room for them stays. */
     public void clear() {
-        blocks.clear();
+        Arrays.fill(blocks, 0, count, null);
+        count = 0;
     }
 
     @Override
@@ -77,8 +109,8 @@ public final class BlockSparseMatrix implements Matrix {
     @Override
     public int storedValues() {
         int sum = 0;
-        for (DenseMatrix block : blocks) {
-            sum += block.storedValues();
+        for (int k = 0; k < count; k++) {
+            sum += blocks[k].storedValues();
         }
         return sum;
     }
@@ -98,14 +130,16 @@ public final class BlockSparseMatrix implements Matrix {
     }
 
     void addTimes(double[] x, double[] y) {
-        for (int k = 0; k < blocks.size(); k++) {
-            blocks.get(k).addTimes(x, columnOffset[k], y, rowOffset[k]);
+        // y[row …] += B x[column …]
+        for (int k = 0; k < count; k++) {
+            blocks[k].addTimes(x, columnOffset[k], y, rowOffset[k]);
         }
     }
 
     void addTransposeTimes(double[] x, double[] y) {
-        for (int k = 0; k < blocks.size(); k++) {
-            blocks.get(k).addTransposeTimes(x, rowOffset[k], y, columnOffset[k]);
+        // y[column …] += Bᵀ x[row …]
+        for (int k = 0; k < count; k++) {
+            blocks[k].addTransposeTimes(x, rowOffset[k], y, columnOffset[k]);
         }
     }
 }

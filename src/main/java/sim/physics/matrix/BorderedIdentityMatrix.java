@@ -6,14 +6,15 @@ import java.util.Arrays;
 
 /**
  * The identity with a border of some rows below and as many columns on the right, of which only blocks are stored: the
- * write-up's matrix of a collision.
+ * write-up's matrix of a collision (chapter <i>Matrix Optimization</i>, section <i>Bordered Diagonal Identity
+ * Matrix</i>).
  *
  * <pre>
  *         n       m
  *     +-------+-------+
- *  n  |   1   | right |
+ *  n  |   1   | right |     momentum before and after, (18), (19), (24)
  *     +-------+-------+
- *  m  | below | corner|
+ *  m  | below | corner|     restitution (23) and direction of the impulse (20)
  *     +-------+-------+
  * </pre>
  */
@@ -29,19 +30,25 @@ public final class BorderedIdentityMatrix implements Matrix {
      *
      * @param identity rows of the identity, n
      * @param border rows and columns of the border, m
+     * @throws IllegalArgumentException if a size is negative or the sum is no int
      */
     public BorderedIdentityMatrix(int identity, int border) {
+        Vectors.checkNotNegative("identity", identity);
+        Vectors.checkNotNegative("border", border);
+        if (border > Integer.MAX_VALUE - identity) {
+            throw new IllegalArgumentException("border is " + border + ": with " + identity + " rows it is too large");
+        }
         this.identity = identity;
         this.border = border;
         this.blocks = new BlockSparseMatrix(identity + border, identity + border);
     }
 
     /**
-     * Adds a block to the border.
+     * Adds a block to the border; blocks that overlap add up.
      *
      * @param row of its upper left value
      * @param column of its upper left value
-     * @param block kept, not copied
+     * @param block kept, not copied, so that its values may be set again
      * @throws IllegalArgumentException if it reaches into the identity or out of the matrix
      */
     public void add(int row, int column, DenseMatrix block) {
@@ -50,6 +57,22 @@ public final class BorderedIdentityMatrix implements Matrix {
                     "block at (" + row + ", " + column + "): it must lie in the border, from " + identity + " on");
         }
         blocks.add(row, column, block);
+    }
+
+    /**
+     * Makes a zero block and adds it to the border.
+     *
+     * @param row of its upper left value
+     * @param column of its upper left value
+     * @param blockRows rows of the block, at least 1
+     * @param blockColumns columns of the block, at least 1
+     * @return the block, to be filled and filled again
+     * @throws IllegalArgumentException if it reaches into the identity or out of the matrix
+     */
+    public DenseMatrix add(int row, int column, int blockRows, int blockColumns) {
+        DenseMatrix block = new DenseMatrix(blockRows, blockColumns);
+        add(row, column, block);
+        return block;
     }
 
     /** Empties the border. */
@@ -87,6 +110,7 @@ public final class BorderedIdentityMatrix implements Matrix {
         blocks.addTransposeTimes(x, y);
     }
 
+    /** y = (x₀ … xₙ₋₁, 0 … 0). */
     private void copyIdentity(double[] x, double[] y) {
         System.arraycopy(x, 0, y, 0, identity);
         Arrays.fill(y, identity, identity + border, 0);

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.matrix;
 
+import java.util.Arrays;
+
 /** A small matrix with all its values, row by row: the block of the sparse forms. */
 public final class DenseMatrix implements Matrix {
     private static final long serialVersionUID = 1L;
@@ -15,20 +17,25 @@ public final class DenseMatrix implements Matrix {
      *
      * @param rows at least 1
      * @param columns at least 1
-     * @param values row by row; none for a zero matrix
+     * @param values row by row, copied; none for a zero matrix
      * @throws IllegalArgumentException if the sizes are not positive or do not fit the values
      */
     public DenseMatrix(int rows, int columns, double... values) {
         if (rows < 1 || columns < 1) {
-            throw new IllegalArgumentException("matrix is " + rows + " x " + columns + ": it must have rows and columns");
-        }
-        if (values.length != 0 && values.length != rows * columns) {
             throw new IllegalArgumentException(
-                    values.length + " values were given: a " + rows + " x " + columns + " matrix has " + rows * columns);
+                    "matrix is " + rows + " x " + columns + ": it must have rows and columns");
+        }
+        long size = (long) rows * columns;
+        if (size > Integer.MAX_VALUE) {
+            throw new IllegalArgumentException("matrix is " + rows + " x " + columns + ": it is too large to be dense");
+        }
+        if (values.length != 0 && values.length != size) {
+            throw new IllegalArgumentException(
+                    values.length + " values were given: a " + rows + " x " + columns + " matrix has " + size);
         }
         this.rows = rows;
         this.columns = columns;
-        this.values = values.length == 0 ? new double[rows * columns] : values.clone();
+        this.values = values.length == 0 ? new double[(int) size] : values.clone();
     }
 
     /**
@@ -37,9 +44,10 @@ public final class DenseMatrix implements Matrix {
      * @param row 0 …
      * @param column 0 …
      * @return the value there
+     * @throws IllegalArgumentException if there is no such row or column
      */
     public double get(int row, int column) {
-        return values[row * columns + column];
+        return values[index(row, column)];
     }
 
     /**
@@ -48,9 +56,16 @@ public final class DenseMatrix implements Matrix {
      * @param row 0 …
      * @param column 0 …
      * @param value the value there
+     * @throws IllegalArgumentException if there is no such row or column
      */
     public void set(int row, int column, double value) {
-        values[row * columns + column] = value;
+        values[index(row, column)] = value;
+    }
+
+    private int index(int row, int column) {
+        Vectors.checkIndex("row", row, rows);
+        Vectors.checkIndex("column", column, columns);
+        return row * columns + column;
     }
 
     @Override
@@ -71,19 +86,20 @@ public final class DenseMatrix implements Matrix {
     @Override
     public void times(double[] x, double[] y) {
         Matrix.check(x, columns, y, rows);
-        java.util.Arrays.fill(y, 0, rows, 0);
+        Arrays.fill(y, 0, rows, 0);
         addTimes(x, 0, y, 0);
     }
 
     @Override
     public void transposeTimes(double[] x, double[] y) {
         Matrix.check(x, rows, y, columns);
-        java.util.Arrays.fill(y, 0, columns, 0);
+        Arrays.fill(y, 0, columns, 0);
         addTransposeTimes(x, 0, y, 0);
     }
 
     /** Adds M times a section of x to a section of y. */
     void addTimes(double[] x, int fromX, double[] y, int fromY) {
+        // yᵢ += Σⱼ mᵢⱼ xⱼ
         for (int i = 0, k = 0; i < rows; i++) {
             double sum = 0;
             for (int j = 0; j < columns; j++) {
@@ -95,6 +111,7 @@ public final class DenseMatrix implements Matrix {
 
     /** Adds Mᵀ times a section of x to a section of y. */
     void addTransposeTimes(double[] x, int fromX, double[] y, int fromY) {
+        // yⱼ += Σᵢ mᵢⱼ xᵢ, row by row as the values lie
         for (int i = 0, k = 0; i < rows; i++) {
             double factor = x[fromX + i];
             for (int j = 0; j < columns; j++) {

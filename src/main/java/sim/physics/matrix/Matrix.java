@@ -5,8 +5,8 @@ package sim.physics.matrix;
 import java.io.Serializable;
 
 /**
- * A matrix as an iterative solver sees it: all that it can do is multiply itself, or its transpose, by a vector. That is
- * what lets the write-up's solver work on each of the sparse forms without looking inside.
+ * A matrix as an iterative solver sees it: all that it can do is multiply itself, or its transpose, by a vector. That
+ * is what lets the write-up's solver work on each of the sparse forms without looking inside.
  */
 public interface Matrix extends Serializable {
     /**
@@ -44,12 +44,13 @@ public interface Matrix extends Serializable {
     /**
      * How many values are stored.
      *
-     * @return at most rows × columns
+     * @return the sum over all blocks
      */
     int storedValues();
 
     /**
-     * All values, for tests and for looking at.
+     * All values, for tests and for looking at. They are read off the products with the unit vectors, so that a value
+     * which is not finite shows in its whole row.
      *
      * @return rows of values
      */
@@ -75,6 +76,7 @@ public interface Matrix extends Serializable {
      * @param needed values that it must have
      * @param y result
      * @param made values that it must have room for
+     * @throws IllegalArgumentException if an array is too short or both are the same
      */
     static void check(double[] x, int needed, double[] y, int made) {
         if (x.length < needed) {

@@ -2,11 +2,15 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.matrix;
 
+import java.io.Serializable;
+
 /**
  * What an iterative solver did.
  *
- * @param converged whether the residual is within the tolerance
- * @param iterations how many steps it took
+ * @param converged whether the residual is as small as was asked for, see {@link BiConjugateGradient}
+ * @param iterations how many steps it took, over all restarts
  * @param residual ‖b − M x‖ / ‖b‖, computed from x and not updated along the way
  */
-public record SolveReport(boolean converged, int iterations, double residual) {}
+public record SolveReport(boolean converged, int iterations, double residual) implements Serializable {
+    private static final long serialVersionUID = 1L;
+}
