@@ -12,13 +12,15 @@ public final class Circle extends Shape {
      * Makes a circle.
      *
      * @param radius length, greater than 0
-     * @throws IllegalArgumentException if it is not a finite number greater than 0
+     * @throws IllegalArgumentException if it is not a finite number greater than 0, or the area or the moment of
+     *     inertia over- or underflows
      */
     public Circle(double radius) {
         super(
                 new double[2],
                 Check.positive("radius", radius),
-                new MassProperties(Math.PI * radius * radius, 0, 0, 0.5 * radius * radius));
+                new MassProperties(Math.PI * radius * radius, 0, 0, 0.5 * radius * radius)
+                        .requireUsable("a circle of radius " + radius));
     }
 
     @Override

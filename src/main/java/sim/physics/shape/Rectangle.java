@@ -16,10 +16,15 @@ public final class Rectangle extends Shape {
      *
      * @param width along x, length, greater than 0
      * @param height along y, length, greater than 0
-     * @throws IllegalArgumentException if one is not a finite number greater than 0
+     * @throws IllegalArgumentException if one is not a finite number greater than 0, or the area or the moment of
+     *     inertia over- or underflows
      */
     public Rectangle(double width, double height) {
-        super(corners(width, height), 0, new MassProperties(width * height, 0, 0, (width * width + height * height) / 12));
+        super(
+                corners(width, height),
+                0,
+                new MassProperties(width * height, 0, 0, (width * width + height * height) / 12)
+                        .requireUsable("a rectangle of width " + width + " and height " + height));
         this.width = width;
         this.height = height;
     }

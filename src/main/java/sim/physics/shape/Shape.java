@@ -7,7 +7,10 @@ import java.util.Arrays;
 
 /**
  * The shape of a body: all points within a radius of a convex polygon, the core. A circle's core is a point; a polygon
- * has radius 0. Coordinates are local, their origin is the centroid. Shapes are immutable.
+ * has radius 0. Coordinates are local, their origin is the centroid. Shapes are immutable and may be shared by threads.
+ *
+ * <p>Two shapes are equal if they are of one class and have the same radius and the same vertices, to the bit and in
+ * the same order; where the author had put a polygon does not matter.
  */
 public abstract sealed class Shape implements Serializable permits Circle, Rectangle, Polygon {
     private static final long serialVersionUID = 1L;

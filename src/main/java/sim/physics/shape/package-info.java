@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+
+/**
+ * Shapes of bodies: circles, rectangles and convex polygons, with their areas, centroids and moments of inertia. All
+ * are immutable. No argument may be null and none is ever returned.
+ */
+package sim.physics.shape;
