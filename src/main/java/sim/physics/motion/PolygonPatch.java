@@ -6,132 +6,176 @@ import sim.physics.internal.Trig;
 import sim.physics.shape.Shape;
 
 /**
- * A convex polygon on a plane. Around the instantaneous centre c the velocities are ω (r − c)⊥, and by Gauss's theorem
- * the integrals over the area are integrals over the edges,
+ * A convex polygon on a plane. Around the instantaneous centre c the velocities are ω (r − c)⊥. The triangle of c and
+ * an edge from s to s + L along its tangent t, whose line is at distance d from c in the direction of its normal n, has
+ * the area ½ dL and
  *
  * <pre>
- *   ∫ (r − c)/|r − c| dA = Σ n I,    ∫ |r − c| dA = ⅓ Σ d I,    I = ∫ |r − c| ds = ½ [s √(d² + s²) + d² asinh(s/d)]
+ *   ∫ (r − c)/|r − c| dA = ½ d (t Δρ + n d Δa),    ρ = √(d² + s²)
+ *   ∫ |r − c| dA         = ⅙ d (Δ(sρ) + d² Δa),    a = asinh(s/|d|)
  * </pre>
  *
- * <p>with n the normal of an edge and d the distance of its line from c. Where the centre is far away, and the sums
- * would cancel, Gauss's quadrature over triangles is used.
+ * <p>with Δ for the difference between its ends. The sum over the edges is the integral over the polygon. From a centre
+ * far outside, the triangles are much larger than the polygon and cancel: then {@link FarMotion} takes over, or
+ * {@link SlenderBody}.
  */
 final class PolygonPatch extends SurfacePatch {
     private static final long serialVersionUID = 1L;
 
-    /** Distance of the centre, relative to the size, from which quadrature is used. */
-    private static final double FAR = 6;
+    /** Distance of the centre, relative to the bounding radius, from which the series of {@link FarMotion} is used. */
+    private static final double FAR = 16;
 
-    // spotless:off
-    private static final double[] NODE = {
-        -0.9602898564975363, -0.7966664774136267, -0.5255324099163290, -0.1834346424956498,
-         0.1834346424956498,  0.5255324099163290,  0.7966664774136267,  0.9602898564975363
-    };
-    private static final double[] WEIGHT = {
-        0.1012285362903763, 0.2223810344533745, 0.3137066458778873, 0.3626837833783620,
-        0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763
-    };
-    // spotless:on
+    /** Largest loss of accuracy by cancellation that is accepted, in units of rounding. */
+    private static final double LOSS = 2000;
 
+    /** Vertices x0, y0, x1, y1 … in units. */
     private final double[] xy;
+
+    /** Tangent x, tangent y and length of the edges. */
+    private final double[] edges;
+
     private final double area;
-    private final double size;
-    private double fx;
-    private double fy;
-    private double torque;
+    private final double reach;
+    private final FarMotion farMotion;
+    private final SlenderBody slenderBody;
+
+    /** ⟨v/|v|⟩ and ⟨r × v/|v|⟩ of the body that spins in place: the most torque that the patch takes. */
+    private final double[] spinning = new double[State.BLOCK];
 
     PolygonPatch(Shape shape) {
+        this(shape, Math.scalb(1.0, Math.getExponent(shape.boundingRadius()) + 1));
+    }
+
+    private PolygonPatch(Shape shape, double unit) {
+        super(unit);
         xy = shape.copyVertices();
-        area = shape.area();
-        size = shape.boundingRadius();
+        edges = new double[xy.length / 2 * 3];
+        for (int k = 0; k < xy.length; k++) {
+            xy[k] /= unit;
+        }
+        for (int k = 0; k < xy.length / 2; k++) {
+            int next = (2 * k + 2) % xy.length;
+            double ex = xy[next] - xy[2 * k];
+            double ey = xy[next + 1] - xy[2 * k + 1];
+            double length = StrictMath.hypot(ex, ey); // its square may underflow
+            edges[3 * k] = ex / length;
+            edges[3 * k + 1] = ey / length;
+            edges[3 * k + 2] = length;
+        }
+        area = shape.area() / unit / unit;
+        reach = shape.boundingRadius() / unit;
+        farMotion = new FarMotion(xy, area);
+        slenderBody = new SlenderBody(xy);
+        slip(0, 0, 1, spinning);
     }
 
     @Override
-    double size() {
-        return size;
-    }
-
-    @Override
-    void friction(double vx, double vy, double omega, double theta, double[] out) {
+    void rub(double vx, double vy, double spin, double theta, double[] out) {
         double cos = Trig.cos(theta);
         double sin = Trig.sin(theta);
-        double ux = cos * vx + sin * vy; // in the body's own frame
+        double ux = cos * vx + sin * vy;
         double uy = cos * vy - sin * vx;
-        double speed = Math.sqrt(ux * ux + uy * uy);
-        fx = 0;
-        fy = 0;
-        torque = 0;
-        if (speed <= FAR * size * Math.abs(omega)) {
-            if (omega != 0) {
-                near(-uy / omega, ux / omega, Math.signum(omega));
-            }
-        } else if (omega == 0) {
-            fx = -ux / speed;
-            fy = -uy / speed;
-        } else {
-            far(ux, uy, omega);
+        if (isFar(ux, uy, spin)) {
+            farMotion.friction(vx, vy, ux, uy, spin, out);
+            return;
         }
-        out[0] = cos * fx - sin * fy;
-        out[1] = sin * fx + cos * fy;
-        out[2] = torque;
+        near(-uy / spin, ux / spin, out);
+        double ex = spin > 0 ? out[0] : -out[0];
+        double ey = spin > 0 ? out[1] : -out[1];
+        out[0] = sin * ex + cos * ey;
+        out[1] = sin * ey - cos * ex;
+        out[2] = spin > 0 ? -out[2] : out[2];
     }
 
-    private void near(double cx, double cy, double sign) {
-        double sumX = 0;
-        double sumY = 0;
-        double sumD = 0;
-        for (int k = 0; k < xy.length; k += 2) {
-            int next = (k + 2) % xy.length;
-            double ex = xy[next] - xy[k];
-            double ey = xy[next + 1] - xy[k + 1];
-            double length = Math.sqrt(ex * ex + ey * ey);
-            double tx = ex / length;
-            double ty = ey / length;
-            double ax = xy[k] - cx;
-            double ay = xy[k + 1] - cy;
-            double d = ax * ty - ay * tx; // the outward normal is (ty, -tx)
-            double from = ax * tx + ay * ty;
-            double integral = primitive(from + length, Math.abs(d)) - primitive(from, Math.abs(d));
-            sumX += ty * integral;
-            sumY -= tx * integral;
-            sumD += d * integral;
+    private boolean isFar(double ux, double uy, double spin) {
+        double bound = FAR * reach * spin;
+        return ux * ux + uy * uy >= bound * bound;
+    }
+
+    /** Takes ⟨v/|v|⟩ and ⟨r × v/|v|⟩ in the body's own frame to out. */
+    void slip(double ux, double uy, double spin, double[] out) {
+        if (isFar(ux, uy, spin)) {
+            farMotion.friction(-ux, -uy, ux, uy, spin, out);
+            out[2] = -out[2];
+            return;
         }
-        fx = sign * sumY / area;
-        fy = -sign * sumX / area;
-        torque = -sign * (sumD / 3 + cx * sumX + cy * sumY) / area;
+        near(-uy / spin, ux / spin, out);
+        double ex = out[0];
+        out[0] = spin > 0 ? -out[1] : out[1];
+        out[1] = spin > 0 ? ex : -ex;
+        out[2] = spin > 0 ? out[2] : -out[2];
     }
 
-    /** ½ [s √(d² + s²) + d² asinh(s/d)], odd in s. */
-    private static double primitive(double s, double d) {
-        double a = Math.abs(s);
-        double root = Math.sqrt(d * d + a * a);
-        double value = 0.5 * (a * root + (d == 0 ? 0 : d * d * StrictMath.log1p(a / d * (1 + a / (root + d)))));
-        return s < 0 ? -value : value;
-    }
-
-    private void far(double ux, double uy, double omega) {
-        for (int k = 2; k + 3 < xy.length; k += 2) {
-            double ax = xy[k] - xy[0];
-            double ay = xy[k + 1] - xy[1];
-            double bx = xy[k + 2] - xy[0];
-            double by = xy[k + 3] - xy[1];
-            double jacobian = (ax * by - ay * bx) / (4 * area);
-            for (int i = 0; i < NODE.length; i++) {
-                double p = 0.5 * (1 + NODE[i]);
-                for (int j = 0; j < NODE.length; j++) {
-                    double q = 0.5 * (1 + NODE[j]);
-                    double x = xy[0] + p * (ax + q * (bx - ax));
-                    double y = xy[1] + p * (ay + q * (by - ay));
-                    rub(x, y, ux - omega * y, uy + omega * x, p * jacobian * WEIGHT[i] * WEIGHT[j]);
-                }
-            }
+    /** Takes the means of e = (r − c)/|r − c| and of r·e to out. */
+    private void near(double cx, double cy, double[] out) {
+        out[0] = 0;
+        out[1] = 0;
+        out[2] = 0;
+        double whole = 0;
+        for (int k = 0, e = 0; k < xy.length; k += 2, e += 3) {
+            whole += addEdge(xy[k], xy[k + 1], edges[e], edges[e + 1], edges[e + 2], cx, cy, out);
         }
+        if (whole * (reach + Math.abs(cx) + Math.abs(cy)) > LOSS * reach * 2 * area) {
+            slenderBody.integrals(cx, cy, out);
+        }
+        out[0] /= area;
+        out[1] /= area;
+        out[2] /= area;
     }
 
-    private void rub(double x, double y, double vx, double vy, double weight) {
-        double share = weight / Math.sqrt(vx * vx + vy * vy);
-        fx -= share * vx;
-        fy -= share * vy;
-        torque -= share * (x * vy - y * vx);
+    /**
+     * Adds the integrals of e and r·e over the triangle of the centre and the edge from (ax, ay) along (tx, ty).
+     *
+     * @return twice its area
+     */
+    private static double addEdge(
+            double ax, double ay, double tx, double ty, double length, double cx, double cy, double[] out) {
+        double px = ax - cx;
+        double py = ay - cy;
+        double d = px * ty - py * tx;
+        double s = px * tx + py * ty;
+        double end = s + length;
+        double h = Math.abs(d);
+        double rho = Math.sqrt(d * d + s * s);
+        double rhoEnd = Math.sqrt(d * d + end * end);
+        double sum = rho + rhoEnd;
+        double rise = length * ((s + end) / sum);
+        double bend = d * asinhRise(s, rho, end, rhoEnd, length, h);
+        double ex = 0.5 * d * (tx * rise + ty * bend);
+        double ey = 0.5 * d * (ty * rise - tx * bend);
+        out[0] += ex;
+        out[1] += ey;
+        out[2] += d * (0.5 * (length * sum + (s + end) * rise) + d * bend) / 6 + cx * ex + cy * ey;
+        return h * length;
+    }
+
+    /** asinh(end/h) − asinh(s/h) without cancellation; 0 for an edge in line with the centre: h times it is wanted. */
+    private static double asinhRise(double s, double rho, double end, double rhoEnd, double length, double h) {
+        if (h < 1e-100) {
+            return 0;
+        }
+        if (s >= 0) {
+            return StrictMath.log1p(length * (1 + (s + end) / (rho + rhoEnd)) / (s + rho));
+        }
+        if (end <= 0) {
+            return StrictMath.log1p(length * (1 - (s + end) / (rho + rhoEnd)) / (rhoEnd - end));
+        }
+        double p = end / h * (1 + end / (h + rhoEnd)); // log1p(p) = asinh(end/h)
+        double q = -s / h * (1 - s / (h + rho));
+        return StrictMath.log1p(p + q + p * q);
+    }
+
+    @Override
+    boolean carries(double fx, double fy, double torque) {
+        double share = torque / spinning[2];
+        if (!(Math.abs(share) <= 1)) {
+            return false;
+        }
+        double gx = fx - share * spinning[0];
+        double gy = fy - share * spinning[1];
+        if (Math.sqrt(gx * gx + gy * gy) <= 1 - Math.abs(share)) {
+            return true; // in the double cone between sliding and spinning, which the limit surface encloses
+        }
+        return new WorstTwist(this, spinning[2]).holds(fx, fy, torque);
     }
 }

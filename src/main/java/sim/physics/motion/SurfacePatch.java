@@ -3,16 +3,38 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
+import sim.physics.internal.Trig;
 import sim.physics.shape.Shape;
 
 /**
- * Friction of a flat body that presses on a plane with uniform pressure (Goyal, Ruina and Papadopoulos 1991): each
- * element resists its own velocity, so the force of a unit of μN is −⟨v/|v|⟩ over the area, and the torque likewise.
+ * Coulomb friction of a flat rigid body that presses on a plane with uniform pressure. Each element resists its own
+ * velocity, so sliding and spinning are coupled (Farkas, Bartels, Unger and Wolf, <i>Frictional coupling between
+ * sliding and spinning motion</i>, 2003): for a normal force N and the coefficient μ
+ *
+ * <pre>
+ *   F = −μN ⟨v/|v|⟩,   τ = −μN ⟨r × v/|v|⟩,   v(r) = v + ω × r,   ⟨·⟩ the mean over the area
+ * </pre>
+ *
+ * <p>The loads that static friction can hold form the limit surface (Goyal, Ruina and Papadopoulos, <i>Planar sliding
+ * with dry friction</i>, 1991). It is convex, and its support function is the power that friction takes,
+ * D(v, ω) = ⟨|v(r)|⟩.
+ *
+ * <p>Patches are immutable: bodies and threads may share one.
  */
 abstract class SurfacePatch implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    private final double[] unit = new double[State.BLOCK];
+    /** Between these the squares of velocities neither overflow nor underflow. */
+    private static final double SLOW = 0x1p-300;
+
+    private static final double FAST = 0x1p300;
+
+    /** The length that subclasses measure in. */
+    private final double unit;
+
+    SurfacePatch(double unit) {
+        this.unit = unit;
+    }
 
     static SurfacePatch of(Shape shape) {
         return shape.vertexCount() == 1 ? new DiscPatch(shape.radius()) : new PolygonPatch(shape);
@@ -23,10 +45,24 @@ abstract class SurfacePatch implements Serializable {
      *
      * @param out takes force x, force y and torque
      */
-    abstract void friction(double vx, double vy, double omega, double theta, double[] out);
-
-    /** The longest distance from the centre, a scale. */
-    abstract double size();
+    final void friction(double vx, double vy, double omega, double theta, double[] out) {
+        out[0] = 0;
+        out[1] = 0;
+        out[2] = 0;
+        if (vx == 0 && vy == 0 && omega == 0) {
+            return;
+        }
+        double spin = unit * omega;
+        double largest = Math.max(Math.max(Math.abs(vx), Math.abs(vy)), Math.abs(spin));
+        if (largest > SLOW && largest < FAST) {
+            rub(vx, vy, spin, theta, out);
+        } else {
+            int linear = Math.max(Math.getExponent(vx), Math.getExponent(vy));
+            int power = -Math.max(linear, Math.getExponent(omega) + Math.getExponent(unit));
+            rub(Math.scalb(vx, power), Math.scalb(vy, power), unit * Math.scalb(omega, power), theta, out);
+        }
+        out[2] *= unit;
+    }
 
     /**
      * Whether static friction holds a body at rest: its load lies within the limit surface, that is, no motion gains
@@ -35,51 +71,29 @@ abstract class SurfacePatch implements Serializable {
      * @param limit the largest friction force, μs N
      */
     final boolean holds(double fx, double fy, double torque, double theta, double limit) {
-        double force = Math.sqrt(fx * fx + fy * fy);
-        if (force > limit || Math.abs(torque) > limit * size()) {
+        if (limit == 0) {
+            return fx == 0 && fy == 0 && torque == 0;
+        }
+        double x = fx / limit;
+        double y = fy / limit;
+        if (!(Math.sqrt(x * x + y * y) <= 1)) {
             return false;
         }
-        // by the triangle inequality friction of any motion takes at least limit · |v|
-        return torque == 0 || limit > 0 && leastExcess(fx / limit, fy / limit, torque / limit, theta) >= 0;
-    }
-
-    /** Minimum over v of ⟨|v|⟩ − f·v − τω at |ω| = 1 / size, a convex function of v: Newton's method with a line search. */
-    private double leastExcess(double fx, double fy, double torque, double theta) {
-        double omega = Math.signum(torque) / size();
-        double vx = 0;
-        double vy = 0;
-        double value = excess(fx, fy, torque, vx, vy, omega, theta);
-        for (int k = 0; k < 60; k++) {
-            double gx = -unit[0] - fx;
-            double gy = -unit[1] - fy;
-            double d = 1e-6;
-            excess(fx, fy, torque, vx + d, vy, omega, theta);
-            double hxx = Math.max(1e-9, (-unit[0] - fx - gx) / d);
-            double hxy = (-unit[1] - fy - gy) / d;
-            excess(fx, fy, torque, vx, vy + d, omega, theta);
-            double hyy = Math.max(1e-9, (-unit[1] - fy - gy) / d);
-            double det = Math.max(1e-3 * hxx * hyy, hxx * hyy - hxy * hxy);
-            double sx = -(hyy * gx - hxy * gy) / det;
-            double sy = -(hxx * gy - hxy * gx) / det;
-            double length = 1;
-            double next = excess(fx, fy, torque, vx + sx, vy + sy, omega, theta);
-            while (next > value && length > 1e-9) {
-                length *= 0.5;
-                next = excess(fx, fy, torque, vx + length * sx, vy + length * sy, omega, theta);
-            }
-            if (!(next < value - 1e-15)) {
-                return value;
-            }
-            vx += length * sx;
-            vy += length * sy;
-            value = next;
+        if (torque == 0) {
+            return true; // ⟨|v(r)|⟩ ≥ |⟨v(r)⟩| = |v|
         }
-        return value;
+        double cos = Trig.cos(theta);
+        double sin = Trig.sin(theta);
+        return carries(cos * x + sin * y, cos * y - sin * x, torque / limit / unit);
     }
 
-    private double excess(double fx, double fy, double torque, double vx, double vy, double omega, double theta) {
-        friction(vx, vy, omega, theta, unit);
-        double taken = -(unit[0] * vx + unit[1] * vy + unit[2] * omega);
-        return taken - fx * vx - fy * vy - torque * omega;
-    }
+    /**
+     * Adds friction for lengths in units, to an array of zeros.
+     *
+     * @param spin angular velocity times the unit, not all of them 0
+     */
+    abstract void rub(double vx, double vy, double spin, double theta, double[] out);
+
+    /** Whether a load in the body's own frame, in units of μs N and the length unit, with |f| ≤ 1, is held. */
+    abstract boolean carries(double fx, double fy, double torque);
 }
