@@ -14,6 +14,12 @@ import sim.physics.collision.Overlaps;
 import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.SortAndSweep;
+import sim.physics.constraint.Constraint;
+import sim.physics.constraint.ConstraintSolver;
+import sim.physics.constraint.Constraints;
+import sim.physics.constraint.DirectSolver;
+import sim.physics.constraint.Joint;
+import sim.physics.constraint.Stabilization;
 import sim.physics.internal.Check;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
@@ -51,7 +57,13 @@ public final class PhysicsEngine implements Steppable {
 
     private final IntList changed = new IntList();
     private final IntList resting = new IntList();
-    private final List<Body> leaving = new ArrayList<>();
+    private final IntList groups = new IntList();
+    private final Admission admission = new Admission(state, trajectories, motion, detection);
+
+    /** Null until the first constraint is added. */
+    private Constraints constraints;
+
+    private ConstraintSolver constraintSolver = new DirectSolver();
     private boolean broadPhaseIsChosen;
     private boolean stepping;
 
@@ -106,14 +118,17 @@ public final class PhysicsEngine implements Steppable {
         changed.clear();
         motion.anchorDriven();
         motion.endApplied(changed);
-        admitTouched(0);
+        admit(0);
+        groups.clear();
         for (int k = 0; k < changed.size; k++) {
             detection.moved(changed.values[k], 0, false, -1);
         }
         checkResting();
         IntList driven = motion.driven();
-        for (int k = 0; k < driven.size; k += motion.companions(driven.values[k]).size) {
-            follow(driven.values[k]);
+        for (int k = 0; k < driven.size; k++) {
+            if (motion.companions(driven.values[k]).values[0] == driven.values[k]) {
+                follow(driven.values[k]);
+            }
         }
     }
 
@@ -130,6 +145,24 @@ public final class PhysicsEngine implements Steppable {
         }
     }
 
+    /** Lets the groups of driven bodies that were noted follow new paths. */
+    private void followGroups() {
+        for (int k = 0; k < groups.size; k++) {
+            follow(groups.values[k]);
+        }
+        groups.clear();
+    }
+
+    private void noteGroup(int body) {
+        int first = motion.companions(body).values[0];
+        for (int k = 0; k < groups.size; k++) {
+            if (groups.values[k] == first) {
+                return;
+            }
+        }
+        groups.add(first);
+    }
+
     /** Collision response, (16)–(24), at the next impact; then the bodies concerned go on. */
     private void respond() {
         double tau = detection.nextTime();
@@ -144,15 +177,15 @@ public final class PhysicsEngine implements Steppable {
                 support(body, response.restingPair());
             }
             if (trajectories.isDriven(body)) {
-                follow(body);
+                noteGroup(body);
             } else {
                 detection.moved(body, trajectories.offset(body), false, k == 1 ? pair : -1);
             }
         }
-        if (state.touchedCount() > 0 || !leaving.isEmpty()) {
-            admitTouched(tau);
-            removeLeaving();
+        if (admission.isNeeded()) {
+            admit(tau);
         }
+        followGroups();
     }
 
     /** A body has come to rest on a fixed one, which bears it until something happens to it. */
@@ -198,44 +231,15 @@ public final class PhysicsEngine implements Steppable {
         steps++;
     }
 
-    /** Lets the bodies that were added or written since the last look start from where they were put. */
-    private void admitTouched(double tau) {
-        for (int k = 0; k < state.touchedCount(); k++) {
-            int index = state.touched(k);
-            Body body = state.body(index);
-            if (body == null) {
-                continue;
-            }
-            trajectories.ensure(index + 1);
-            motion.admit(index, tau);
-            if (detection.knows(index)) {
-                detection.refilter(index);
-                detection.moved(index, tau, true, -1);
-            } else {
-                detection.add(index, tau);
-            }
+    /** Lets in what authors have changed since the last look. */
+    private void admit(double tau) {
+        IntList driven = admission.admit(tau);
+        for (int k = 0; k < driven.size; k++) {
+            noteGroup(driven.values[k]);
         }
-        state.clearTouched();
         if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
             setBroadPhase(new CellGrid());
         }
-    }
-
-    private void removeLeaving() {
-        for (Body body : leaving) {
-            drop(body);
-        }
-        leaving.clear();
-    }
-
-    private void drop(Body body) {
-        int index = body.index();
-        if (detection.knows(index)) {
-            detection.remove(index);
-            motion.remove(index);
-        }
-        detection.filter().forget(body);
-        state.remove(body);
     }
 
     /**
@@ -257,7 +261,8 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Removes a body; within a step, when the collision that is being handled is over.
+     * Removes a body, and the constraints that it has part in; within a step, when the collision that is being handled is
+     * over.
      *
      * @param body a body of this engine
      * @throws IllegalStateException if it is not in this engine
@@ -265,11 +270,9 @@ public final class PhysicsEngine implements Steppable {
     public void remove(Body body) {
         requireMine(body);
         if (stepping) {
-            if (!leaving.contains(body)) {
-                leaving.add(body);
-            }
+            admission.leave(body);
         } else {
-            drop(body);
+            admission.drop(body);
         }
     }
 
@@ -336,6 +339,110 @@ public final class PhysicsEngine implements Steppable {
         for (Body body : bodies()) {
             state.touch(body.index());
         }
+    }
+
+    /**
+     * Adds a constraint, a joint for one; within a step, when the collision that is being handled is over. Its bodies
+     * collide with each other no more, unless {@link Joint#setCollideConnected} says so. Velocities that it does not allow
+     * are changed by the least amount.
+     *
+     * @param <C> its class
+     * @param constraint between bodies of this engine that are where its equations want them
+     * @return the constraint
+     * @throws IllegalStateException if it was added already, or a body of it is not in this engine
+     * @throws IllegalArgumentException if its equations are not satisfied, or none of its bodies can move
+     */
+    public <C extends Constraint> C add(C constraint) {
+        checkBodies(constraint);
+        constraints().check(constraint, true);
+        constraints().add(constraint);
+        return constraint;
+    }
+
+    private void checkBodies(Constraint constraint) {
+        Objects.requireNonNull(constraint, "constraint");
+        requireMine(constraint.getBodyA());
+        if (constraint.getBodyB() != null) {
+            requireMine(constraint.getBodyB());
+        }
+    }
+
+    private Constraints constraints() {
+        if (constraints == null) {
+            constraints = new Constraints(state);
+            constraints.setSolver(constraintSolver);
+            admission.setConstraints(constraints);
+            response.setTies(constraints);
+        }
+        return constraints;
+    }
+
+    /**
+     * Adds constraints, and moves the bodies that they have part in to where all their equations are satisfied, by the
+     * mass-weighted least way.
+     *
+     * @param those constraints between bodies of this engine
+     * @throws IllegalStateException if one was added already, if there is no such place, or within a step
+     */
+    public void assemble(Constraint... those) {
+        requireBetweenSteps("constraints were to be assembled");
+        for (Constraint constraint : those) {
+            checkBodies(constraint);
+            constraints().check(constraint, false);
+        }
+        admission.assemble(those);
+    }
+
+    /**
+     * Removes a constraint; within a step, when the collision that is being handled is over.
+     *
+     * @param constraint one of this engine
+     * @throws IllegalStateException if it is not in this engine
+     */
+    public void remove(Constraint constraint) {
+        if (constraints == null || !constraints.remove(constraint)) {
+            throw new IllegalStateException("constraint is " + constraint + ": it is not in this engine");
+        }
+    }
+
+    /**
+     * Whether a constraint is in this engine.
+     *
+     * @param constraint any
+     * @return true from add to remove, or until the joint breaks
+     */
+    public boolean contains(Constraint constraint) {
+        return constraints != null && constraints.contains(constraint);
+    }
+
+    /**
+     * The constraints, in the order in which they were added.
+     *
+     * @return a copy
+     */
+    public List<Constraint> allConstraints() {
+        return constraints == null ? new ArrayList<>() : constraints.all();
+    }
+
+    /**
+     * Sets how the constraint forces, (41), are solved for.
+     *
+     * @param solver not null
+     */
+    public void setConstraintSolver(ConstraintSolver solver) {
+        constraintSolver = Objects.requireNonNull(solver, "solver");
+        if (constraints != null) {
+            constraints.setSolver(solver);
+        }
+    }
+
+    /**
+     * Sets what keeps constraints closed against the errors of the integrator.
+     *
+     * @param stabilization projection unless set
+     */
+    public void setStabilization(Stabilization stabilization) {
+        constraints().setStabilization(stabilization);
     }
 
     /**

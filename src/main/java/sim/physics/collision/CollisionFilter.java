@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.List;
 import sim.physics.motion.Body;
+import sim.physics.motion.Ties;
 
 /** Which bodies collide: those whose categories allow it and that no author has excluded as a pair. */
 public final class CollisionFilter implements Serializable {
@@ -13,6 +14,9 @@ public final class CollisionFilter implements Serializable {
 
     private final List<Body> excludedA = new ArrayList<>();
     private final List<Body> excludedB = new ArrayList<>();
+
+    /** Null while nothing ties bodies together. */
+    private Ties ties;
 
     /** Makes a filter that lets all bodies collide. */
     public CollisionFilter() {
@@ -24,12 +28,22 @@ public final class CollisionFilter implements Serializable {
      *
      * @param a a body
      * @param b another body
-     * @return true unless a category or an exclusion forbids it
+     * @return true unless a category, an exclusion or a joint forbids it
      */
     public boolean allows(Body a, Body b) {
         return (a.getCategory() & b.getCollidesWith()) != 0
                 && (b.getCategory() & a.getCollidesWith()) != 0
-                && find(a, b) < 0;
+                && find(a, b) < 0
+                && (ties == null || !ties.areTied(a, b));
+    }
+
+    /**
+     * Sets what ties bodies together: those may overlap.
+     *
+     * @param ties null for nothing
+     */
+    public void setTies(Ties ties) {
+        this.ties = ties;
     }
 
     /**

@@ -3,7 +3,6 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
@@ -22,19 +21,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
     private final State state;
     private final Trajectories trajectories;
     private final Forces forces;
-    private final List<ForceGenerator> generators = new ArrayList<>();
+    private final Generators generators = new Generators();
     private Integrator integrator = new RungeKutta4();
-    private SurfaceFriction surface;
-
-    /** Sum of the uniform fields. */
-    private double gravityX;
-
-    private double gravityY;
-
-    /** Whether some generator needs the integrator, and whether one couples bodies. */
-    private boolean drives;
-
-    private boolean coupled;
 
     /** Driven bodies in ascending order; bodies with an applied force in this step. */
     private final IntList driven = new IntList();
@@ -43,6 +31,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
     private final IntList alone = new IntList();
     private final Path path = new Path();
     private final Sliding sliding;
+
+    /** Null while nothing ties bodies together. */
+    private Ties ties;
+
+    private TiedMotion tied;
 
     /** Unit normals of the fixed surfaces that bodies rest on, 2n; zero for a body that rests on nothing. */
     private double[] support = new double[16];
@@ -70,6 +63,26 @@ public final class Motion implements EquationsOfMotion, Serializable {
     }
 
     /**
+     * Sets what ties bodies together.
+     *
+     * @param ties null for nothing
+     */
+    public void setTies(Ties ties) {
+        this.ties = ties;
+        tied = ties == null ? null : new TiedMotion(state, ties);
+    }
+
+    /**
+     * Whether a body is tied to others.
+     *
+     * @param body index
+     * @return false for fixed bodies
+     */
+    public boolean isTied(int body) {
+        return ties != null && ties.isTied(body);
+    }
+
+    /**
      * The integrator of driven bodies.
      *
      * @return never null
@@ -93,7 +106,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @return a copy, in the order in which they were added
      */
     public List<ForceGenerator> generators() {
-        return new ArrayList<>(generators);
+        return generators.copy();
     }
 
     /**
@@ -103,8 +116,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @return false if it was there already
      */
     public boolean add(ForceGenerator generator) {
-        Objects.requireNonNull(generator, "generator");
-        return !generators.contains(generator) && generators.add(generator) && sortOut();
+        return generators.add(generator);
     }
 
     /**
@@ -114,27 +126,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @return false if it was not there
      */
     public boolean remove(ForceGenerator generator) {
-        return generators.remove(generator) && sortOut();
-    }
-
-    /** Tells uniform fields and surface friction, which are known in closed form, from other generators. */
-    private boolean sortOut() {
-        gravityX = 0;
-        gravityY = 0;
-        drives = false;
-        coupled = false;
-        surface = null;
-        for (ForceGenerator g : generators) {
-            if (g instanceof Gravity field) {
-                gravityX += field.getX();
-                gravityY += field.getY();
-            } else {
-                drives = true;
-                coupled |= g.isCoupled();
-                surface = g instanceof SurfaceFriction s ? s : surface;
-            }
-        }
-        return true;
+        return generators.remove(generator);
     }
 
     /**
@@ -173,13 +165,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
     }
 
     private boolean isDriven(Body view) {
-        for (int k = 0; drives && k < generators.size(); k++) {
-            ForceGenerator g = generators.get(k);
-            if (!(g instanceof Gravity) && g.actsOn(view)) {
-                return true;
-            }
-        }
-        return false;
+        return isTied(view.index()) || generators.drive(view);
     }
 
     /** Sets the parabola of a body that is not driven, from its anchor on. */
@@ -194,8 +180,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
         double[] w = state.w().values();
         int b = State.BLOCK * body;
         Body view = state.body(body);
-        double ax = gravityX + w[b] * view.appliedX(); // (5)
-        double ay = gravityY + w[b] * view.appliedY();
+        double ax = generators.gravityX + w[b] * view.appliedX(); // (5)
+        double ay = generators.gravityY + w[b] * view.appliedY();
         double alpha = w[b + State.THETA] * view.appliedTorque(); // (6)
         double nx = support[2 * body];
         double ny = support[2 * body + 1];
@@ -245,9 +231,9 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (was == yes) {
             return;
         }
-        int k = 0;
-        while (k < driven.size && driven.values[k] < body) {
-            k++;
+        int k = driven.size;
+        while (k > 0 && driven.values[k - 1] >= body) {
+            k--;
         }
         if (yes) {
             driven.add(body);
@@ -279,14 +265,18 @@ public final class Motion implements EquationsOfMotion, Serializable {
     }
 
     /**
-     * The bodies that move together with a body, itself included: the whole set if a force couples bodies.
+     * The bodies that move together with a body, itself included: those that are tied to it, and all driven ones if a
+     * force couples bodies.
      *
      * @param body index of a driven body
      * @return valid until the next call
      */
     public IntList companions(int body) {
-        if (coupled) {
+        if (generators.coupled) {
             return driven;
+        }
+        if (isTied(body)) {
+            return ties.island(body);
         }
         alone.clear();
         alone.add(body);
@@ -323,6 +313,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     /** Integrates some bodies over a time; returns how far, which is less if a sliding body comes to rest. */
     private double integrate(IntList group, double t, double length) {
+        if (ties != null && (generators.coupled || isTied(group.values[0]))) {
+            tied.advance(this, group, t, length, path);
+            return length;
+        }
+        SurfaceFriction surface = generators.surface;
         if (surface == null || group.size > 1 || length <= 0 || !surface.actsOn(state.body(group.values[0]))) {
             integrator.advance(this, state, group, t, length, path);
             return length;
@@ -330,8 +325,12 @@ public final class Motion implements EquationsOfMotion, Serializable {
         return sliding.advance(state.body(group.values[0]), surface, group, t, length);
     }
 
-    /** Puts the anchors of driven bodies back into the state vectors. */
-    private void restore(IntList group) {
+    /**
+     * Puts the anchors of bodies back into the state vectors.
+     *
+     * @param group driven bodies
+     */
+    public void restore(IntList group) {
         double[] m = trajectories.data();
         for (int k = 0; k < group.size; k++) {
             int o = Trajectories.STRIDE * group.values[k];
@@ -444,16 +443,16 @@ public final class Motion implements EquationsOfMotion, Serializable {
         double[] m = trajectories.data();
         Body view = state.body(body);
         boolean moves = m[o + Trajectories.VX] != 0 || m[o + Trajectories.VY] != 0 || m[o + Trajectories.OMEGA] != 0;
-        if (surface == null || coupled || moves || view.isPushed()) {
+        SurfaceFriction surface = generators.surface;
+        if (surface == null || generators.coupled || moves || view.isPushed() || isTied(body)) {
             return false;
         }
-        for (int k = 0; k < generators.size(); k++) {
-            ForceGenerator g = generators.get(k);
-            if (!(g instanceof Gravity) && g != surface && g.actsOn(view)) {
-                return false;
-            }
+        if (generators.drivesOtherThan(surface, view)) {
+            return false;
         }
-        return surface.actsOn(view) && surface.holds(view, view.getMass() * gravityX, view.getMass() * gravityY, 0);
+        double mass = view.getMass();
+        return surface.actsOn(view)
+                && surface.holds(view, mass * generators.gravityX, mass * generators.gravityY, 0);
     }
 
     @Override
@@ -466,15 +465,13 @@ public final class Motion implements EquationsOfMotion, Serializable {
             f[b] = body.appliedX();
             f[b + 1] = body.appliedY();
             f[b + 2] = body.appliedTorque();
-            for (int g = 0; g < generators.size(); g++) {
-                ForceGenerator generator = generators.get(g);
-                if (!(generator instanceof Gravity) && generator.actsOn(body)) {
-                    generator.addForce(body, t, forces);
-                }
-            }
-            a[b] = gravityX + w[b] * f[b]; // (5), (7)
-            a[b + 1] = gravityY + w[b + 1] * f[b + 1];
+            generators.addForces(body, t, forces);
+            a[b] = generators.gravityX + w[b] * f[b]; // (5), (7)
+            a[b + 1] = generators.gravityY + w[b + 1] * f[b + 1];
             a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
+        }
+        if (ties != null && (generators.coupled || isTied(bodies.values[0]))) {
+            ties.accelerate(bodies, a); // (34)–(41)
         }
     }
 }

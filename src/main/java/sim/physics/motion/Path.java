@@ -12,6 +12,8 @@ import java.util.Arrays;
 public final class Path implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    private static final double ROUNDING = 0x1p-49;
+
     /** Half the second derivatives, 3n. */
     double[] a = {};
 
@@ -53,7 +55,13 @@ public final class Path implements Serializable {
 
     /** The cubic through both ends, given the mean velocity of the step and the velocities at its ends. */
     void cubic(int b, double mean, double start, double end, double h) {
+        double bend = start + end - 2 * mean;
+        if (Math.abs(bend) <= ROUNDING * (Math.abs(start) + Math.abs(end))) {
+            a[b] = (end - start) / (2 * h); // a short step, whose third derivative is lost in rounding
+            j[b] = 0;
+            return;
+        }
         a[b] = (3 * mean - 2 * start - end) / h;
-        j[b] = (start + end - 2 * mean) / (h * h);
+        j[b] = bend / (h * h);
     }
 }

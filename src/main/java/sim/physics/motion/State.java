@@ -229,6 +229,16 @@ public final class State implements Serializable {
     }
 
     /**
+     * Whether a body's block was written since the last call of {@link #clearTouched()}.
+     *
+     * @param index the block
+     * @return true after {@link #touch(int)}
+     */
+    public boolean isTouched(int index) {
+        return isTouched[index];
+    }
+
+    /**
      * How many blocks were written by their bodies' setters since the last call of {@link #clearTouched()}.
      *
      * @return their number

@@ -15,6 +15,7 @@ import sim.physics.internal.Tolerances;
 import sim.physics.motion.Body;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
+import sim.physics.motion.Ties;
 import sim.physics.motion.Trajectories;
 
 /**
@@ -38,14 +39,15 @@ public final class CollisionResponse implements Serializable {
     private final List<CollisionListener> listeners = new ArrayList<>();
 
     private final Impact impact = new Impact();
-    private final SimultaneousImpact simultaneous = new SimultaneousImpact();
+    private final SimultaneousImpact simultaneous;
+
+    /** Null while nothing ties bodies together. */
+    private JointedBodies jointed;
     private final IntList changed = new IntList();
     private int[] counts = {};
     private double[] countedIn = {};
-
     /** Speed at which the pair parted at its last impact, and when that was, if it was in the present step. */
     private double[] lastSpeed = {};
-
     private double[] lastTau = {};
     private transient Manifold manifold;
     private double now;
@@ -70,6 +72,7 @@ public final class CollisionResponse implements Serializable {
         this.trajectories = trajectories;
         this.detection = detection;
         this.pairs = detection.pairs();
+        this.simultaneous = new SimultaneousImpact(state);
     }
 
     /**
@@ -90,13 +93,23 @@ public final class CollisionResponse implements Serializable {
         if (touching.size == 1) {
             int pair = touching.values[0];
             locate(pair, tau);
-            if (manifold.count == 1) {
+            if (manifold.count == 1 && (jointed == null || !jointed.has(pairs.first(pair), pairs.second(pair)))) {
                 respondToOne(pair, tau);
                 return changed;
             }
         }
         respondToSeveral(touching, tau);
         return changed;
+    }
+
+    /**
+     * Sets what ties bodies together.
+     *
+     * @param ties null for nothing
+     */
+    public void setTies(Ties ties) {
+        jointed = ties == null ? null : new JointedBodies(state, trajectories, motion, ties);
+        simultaneous.setTies(ties);
     }
 
     private void locate(int pair, double tau) {
@@ -391,6 +404,9 @@ public final class CollisionResponse implements Serializable {
             double[] v = simultaneous.velocity(k);
             setVelocity(simultaneous.body(k), v[0], v[1], v[2]);
         }
+        if (jointed != null) {
+            jointed.settle(changed);
+        }
         if (!listeners.isEmpty()) {
             tellOfAll();
         }
@@ -403,6 +419,12 @@ public final class CollisionResponse implements Serializable {
         locate(pair, tau);
         load(a, b, 0);
         impact.sticky = false;
+        if (alone) {
+            polish(pair, a, b, tau);
+        }
+        if (jointed != null) {
+            jointed.prepare(a, b);
+        }
         if (!listeners.isEmpty() && !ask(a, b)) {
             letPass(pair, a, b);
             return;

@@ -4,6 +4,9 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
+import sim.physics.motion.State;
+import sim.physics.motion.Ties;
 
 /**
  * Impacts at several points at the same instant, solved as one problem.
@@ -31,6 +34,7 @@ final class SimultaneousImpact implements Serializable {
     private static final int REFINEMENTS = 4;
     private static final int MAX_CHANGES = 60;
 
+    private final State state;
     private int points;
     private int[] bodyA = new int[8];
     private int[] bodyB = new int[8];
@@ -47,13 +51,26 @@ final class SimultaneousImpact implements Serializable {
     private double[] correction = new double[8];
     private boolean[] active = new boolean[8];
 
-    SimultaneousImpact() {
-        // the arrays grow with the points
+    /** Null while nothing ties bodies together; and whether a body of this impact is tied. */
+    private Ties ties;
+
+    private boolean tied;
+
+    /** What a unit of each point's impulse does to the velocities of all bodies: by points, then by bodies. */
+    private final Replies replies = new Replies();
+
+    SimultaneousImpact(State state) {
+        this.state = state;
+    }
+
+    void setTies(Ties ties) {
+        this.ties = ties;
     }
 
     void clear() {
         points = 0;
         bodies = 0;
+        tied = false;
     }
 
     int bodyCount() {
@@ -114,10 +131,25 @@ final class SimultaneousImpact implements Serializable {
         }
     }
 
+    /** Notes a body, and those that are tied to it, whose velocities the state vectors hold. */
     private void note(int index, double vx, double vy, double omega) {
         if (place(index) >= 0) {
             return;
         }
+        if (ties == null || !ties.isTied(index)) {
+            noteOne(index, vx, vy, omega);
+            return;
+        }
+        tied = true;
+        IntList island = ties.island(index);
+        for (int k = 0; k < island.size; k++) {
+            int s = State.BLOCK * island.values[k];
+            double[] v = state.v();
+            noteOne(island.values[k], v[s], v[s + 1], v[s + 2]);
+        }
+    }
+
+    private void noteOne(int index, double vx, double vy, double omega) {
         if (bodies == body.length) {
             body = Arrays.copyOf(body, 2 * bodies);
             velocity = Arrays.copyOf(velocity, 2 * bodies);
@@ -168,6 +200,12 @@ final class SimultaneousImpact implements Serializable {
 
     /** A = J W Jᵀ over the points, b = J v. */
     private void assemble() {
+        if (tied) {
+            replies.begin(bodies, body, state, ties);
+            for (int k = 0; k < points; k++) {
+                replies.find(k, bodyA[k], bodyB[k], impacts[k], false);
+            }
+        }
         for (int i = 0; i < points; i++) {
             rhs[i] = impacts[i].normalVelocity();
             for (int j = 0; j < points; j++) {
@@ -177,6 +215,9 @@ final class SimultaneousImpact implements Serializable {
     }
 
     private double coupling(int i, int j) {
+        if (tied) {
+            return replies.normal(place(bodyA[i]), place(bodyB[i]), impacts[i], j);
+        }
         Impact p = impacts[i];
         Impact q = impacts[j];
         double sum = 0;
@@ -341,10 +382,12 @@ final class SimultaneousImpact implements Serializable {
         double low = 0;
         for (int k = 0; k < points; k++) {
             boolean isA = bodyA[k] == index;
-            if (!isA && bodyB[k] != index) {
+            if (!tied && !isA && bodyB[k] != index) {
                 continue;
             }
-            double term = impacts[k].change(isA, component);
+            double term = tied
+                    ? impacts[k].jn * replies.get(k, place(index), component)
+                    : impacts[k].change(isA, component);
             double next = sum + term;
             double part = next - sum;
             low += (sum - (next - part)) + (term - part);
@@ -364,11 +407,19 @@ final class SimultaneousImpact implements Serializable {
             int b = place(bodyB[k]);
             c.setVelocities(a < 0 ? null : velocity[a], b < 0 ? null : velocity[b]);
             double kt = (c.wA + c.wB) + (c.iA * c.armA * c.armA + c.iB * c.armB * c.armB);
-            double stop = -c.tangentVelocity() / kt;
+            if (tied) {
+                replies.find(k, bodyA[k], bodyB[k], c, true);
+                kt = replies.tangent(a, b, c, k);
+            }
+            double stop = kt > 0 ? -c.tangentVelocity() / kt : 0;
             double most = c.sticky ? Math.abs(stop) : c.friction * c.jn;
+            c.jt = Math.max(-most, Math.min(most, stop));
+            if (tied) {
+                replies.apply(k, c.jt, velocity);
+                continue;
+            }
             double normal = c.jn;
             c.jn = 0;
-            c.jt = Math.max(-most, Math.min(most, stop));
             c.apply();
             c.jn = normal;
             c.getVelocities(a < 0 ? null : velocity[a], b < 0 ? null : velocity[b]);

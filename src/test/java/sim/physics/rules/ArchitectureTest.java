@@ -28,6 +28,7 @@ class ArchitectureTest {
                 .layer("matrix").definedBy("sim.physics.matrix")
                 .layer("shape").definedBy("sim.physics.shape")
                 .layer("motion").definedBy("sim.physics.motion")
+                .layer("constraint").definedBy("sim.physics.constraint")
                 .layer("broad").definedBy("sim.physics.collision.broad")
                 .layer("narrow").definedBy("sim.physics.collision.narrow")
                 .layer("collision").definedBy("sim.physics.collision")
@@ -41,8 +42,9 @@ class ArchitectureTest {
                 .whereLayer("narrow").mayOnlyBeAccessedByLayers("engine", "response", "collision")
                 .whereLayer("broad").mayOnlyBeAccessedByLayers("engine", "response", "collision", "narrow")
                 .whereLayer("motion")
-                .mayOnlyBeAccessedByLayers("engine", "response", "collision", "narrow", "mason")
-                .whereLayer("matrix").mayOnlyBeAccessedByLayers("motion", "response")
+                .mayOnlyBeAccessedByLayers("engine", "response", "constraint", "collision", "narrow", "mason")
+                .whereLayer("constraint").mayOnlyBeAccessedByLayers("engine")
+                .whereLayer("matrix").mayOnlyBeAccessedByLayers("motion", "response", "constraint")
                 .check(PRODUCT);
     }
 

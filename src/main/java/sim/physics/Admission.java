@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.List;
+import sim.physics.collision.CollisionDetection;
+import sim.physics.constraint.Constraint;
+import sim.physics.constraint.ConstraintException;
+import sim.physics.constraint.Constraints;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Body;
+import sim.physics.motion.Motion;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Lets into the motion what authors have changed: bodies that were added, written or removed, and constraints that were
+ * made or cut, between steps or by a listener in the middle of one.
+ */
+final class Admission implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final Motion motion;
+    private final CollisionDetection detection;
+    private final List<Body> leaving = new ArrayList<>();
+
+    /** Null until the first constraint is added. */
+    private Constraints constraints;
+
+    /** Driven bodies that were admitted last: their paths are to be made. */
+    private final IntList driven = new IntList();
+
+    private final double[] written = new double[2 * State.BLOCK];
+
+    Admission(State state, Trajectories trajectories, Motion motion, CollisionDetection detection) {
+        this.state = state;
+        this.trajectories = trajectories;
+        this.motion = motion;
+        this.detection = detection;
+    }
+
+    void setConstraints(Constraints those) {
+        constraints = those;
+        motion.setTies(those);
+        detection.filter().setTies(those);
+    }
+
+    boolean isNeeded() {
+        return state.touchedCount() > 0 || !leaving.isEmpty() || constraints != null && constraints.isChanged();
+    }
+
+    /** Removes a body at the next {@link #admit(double)}. */
+    void leave(Body body) {
+        if (!leaving.contains(body)) {
+            leaving.add(body);
+        }
+    }
+
+    /**
+     * Lets all changes in; bodies start anew from where their blocks of the state vectors say.
+     *
+     * @param tau offset in the present step; at 0 the vectors hold where all bodies are
+     * @return driven bodies that start anew; valid until the next call
+     */
+    IntList admit(double tau) {
+        driven.clear();
+        if (constraints != null) {
+            for (int k = 0; k < leaving.size(); k++) {
+                untie(leaving.get(k));
+            }
+            regroup(tau);
+        }
+        for (int k = 0; k < state.touchedCount(); k++) {
+            int index = state.touched(k);
+            if (state.body(index) != null) {
+                admit(index, tau);
+            }
+        }
+        state.clearTouched();
+        for (int k = 0; k < leaving.size(); k++) {
+            drop(leaving.get(k));
+        }
+        leaving.clear();
+        return driven;
+    }
+
+    private void admit(int index, double tau) {
+        trajectories.ensure(index + 1);
+        motion.admit(index, tau);
+        if (detection.knows(index)) {
+            detection.refilter(index);
+            detection.moved(index, tau, true, -1);
+        } else {
+            detection.add(index, tau);
+        }
+        if (trajectories.isDriven(index)) {
+            driven.add(index);
+        }
+    }
+
+    /** Forms islands anew where constraints have changed, and closes the joints of bodies that were written. */
+    private void regroup(double tau) {
+        int writtenBodies = state.touchedCount();
+        for (int k = 0; k < writtenBodies; k++) {
+            Body body = state.body(state.touched(k));
+            if (body != null) {
+                constraints.touched(body);
+            }
+        }
+        if (tau > 0) {
+            for (int k = 0; k < writtenBodies; k++) {
+                bringCompanions(state.touched(k), tau);
+            }
+        }
+        if (constraints.isChanged()) {
+            IntList concerned = constraints.concerned();
+            for (int k = 0; k < concerned.size; k++) {
+                bring(concerned.values[k], tau);
+            }
+            constraints.regroup();
+        }
+        close(tau);
+    }
+
+    /** Closes the joints of the islands that have bodies that start anew; their bodies all start anew then. */
+    private void close(double tau) {
+        for (int k = 0; k < state.touchedCount(); k++) {
+            int index = state.touched(k);
+            if (state.body(index) == null || !motion.isTied(index)) {
+                continue;
+            }
+            IntList island = constraints.island(index);
+            if (firstTouched(island, k)) {
+                for (int m = 0; m < island.size; m++) {
+                    bring(island.values[m], tau);
+                }
+                constraints.assemble(island);
+            }
+        }
+    }
+
+    /** Whether no body of an island is among the first k that start anew. */
+    private boolean firstTouched(IntList island, int k) {
+        for (int m = 0; m < k; m++) {
+            int earlier = state.touched(m);
+            if (state.body(earlier) != null && motion.isTied(earlier) && constraints.island(earlier) == island) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Brings a body that was not written to the present instant, and lets it start anew from there. */
+    private void bring(int index, double tau) {
+        if (state.isTouched(index)) {
+            return;
+        }
+        if (tau > 0) {
+            motion.bring(index, tau);
+            trajectories.publish(index, tau, state);
+        }
+        state.touch(index);
+    }
+
+    /** Brings those that are tied to a body which was written, but not the body itself. */
+    private void bringCompanions(int index, double tau) {
+        if (state.body(index) == null || !motion.isTied(index)) {
+            return;
+        }
+        int b = State.BLOCK * index;
+        System.arraycopy(state.x(), b, written, 0, State.BLOCK);
+        System.arraycopy(state.v(), b, written, State.BLOCK, State.BLOCK);
+        IntList island = constraints.island(index);
+        for (int k = 0; k < island.size; k++) {
+            bring(island.values[k], tau);
+        }
+        System.arraycopy(written, 0, state.x(), b, State.BLOCK);
+        System.arraycopy(written, State.BLOCK, state.v(), b, State.BLOCK);
+    }
+
+    /** Cuts the constraints of a body that leaves. */
+    private void untie(Body body) {
+        for (Constraint c : constraints.all()) {
+            if (c.getBodyA() == body || c.getBodyB() == body) {
+                constraints.remove(c);
+            }
+        }
+    }
+
+    /** Forms islands anew between steps, when the vectors hold where all bodies are. */
+    private void regroup() {
+        IntList concerned = constraints.concerned();
+        for (int k = 0; k < concerned.size; k++) {
+            state.touch(concerned.values[k]);
+        }
+        constraints.regroup();
+    }
+
+    /** Adds constraints between steps and closes them; if that cannot be, all is as before. */
+    void assemble(Constraint... those) {
+        double[] x = state.x().clone();
+        double[] v = state.v().clone();
+        for (Constraint c : those) {
+            constraints.add(c);
+        }
+        regroup();
+        try {
+            for (Constraint c : those) {
+                Body body = c.getBodyA().isFixed() ? c.getBodyB() : c.getBodyA();
+                constraints.assemble(constraints.island(body.index()));
+            }
+        } catch (ConstraintException e) {
+            System.arraycopy(x, 0, state.x(), 0, x.length);
+            System.arraycopy(v, 0, state.v(), 0, v.length);
+            for (Constraint c : those) {
+                constraints.remove(c);
+            }
+            regroup();
+            throw e;
+        }
+    }
+
+    /** Removes a body, with its constraints if that has not been done yet. */
+    void drop(Body body) {
+        if (constraints != null) {
+            untie(body);
+            if (constraints.isChanged()) {
+                regroup();
+            }
+        }
+        int index = body.index();
+        if (detection.knows(index)) {
+            detection.remove(index);
+            motion.remove(index);
+        }
+        detection.filter().forget(body);
+        state.remove(body);
+    }
+}

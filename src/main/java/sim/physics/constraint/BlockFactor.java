@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/**
+ * The symmetric matrix A = J W Jᵀ of an island in blocks of 2 × 2, and its factors L D Lᵀ, by block elimination in an
+ * order that was found before. All indices of the work are kept, so that only numbers are computed.
+ */
+final class BlockFactor implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Pivots below this part of their diagonal are noise: the constraints are redundant. */
+    private static final double PIVOT = 1e-14;
+
+    private final int n;
+
+    /** Blocks below the diagonal by columns: those of column p are start[p] … start[p + 1] − 1, with their rows. */
+    private final int[] start;
+
+    private final int[] row;
+
+    /** Where the products of the blocks of a column are subtracted: a block below the diagonal, or ~p on it. */
+    private final int[] target;
+
+    /** The diagonal blocks, upper triangle: 3 each; their inverses when factored. */
+    private final double[] diagonal;
+
+    /** The diagonal values before the elimination, 2 each. */
+    private final double[] size;
+
+    private final double[] below;
+
+    private int redundant;
+
+    /**
+     * Makes a matrix of zeros.
+     *
+     * @param start first block of each column, and the number of blocks
+     * @param row the row of each block, ascending in a column
+     */
+    BlockFactor(int[] start, int[] row) {
+        this.start = start;
+        this.row = row;
+        n = start.length - 1;
+        diagonal = new double[3 * n];
+        size = new double[2 * n];
+        below = new double[4 * row.length];
+        target = targets();
+    }
+
+    private int[] targets() {
+        int count = 0;
+        for (int p = 0; p < n; p++) {
+            int k = start[p + 1] - start[p];
+            count += k * (k + 1) / 2;
+        }
+        int[] found = new int[count];
+        int u = 0;
+        for (int p = 0; p < n; p++) {
+            for (int e = start[p]; e < start[p + 1]; e++) {
+                for (int f = e; f < start[p + 1]; f++) {
+                    found[u++] = f == e ? ~row[e] : block(row[f], row[e]);
+                }
+            }
+        }
+        return found;
+    }
+
+    /** The number of the block of a row and a column, row > column. */
+    int block(int r, int column) {
+        int e = Arrays.binarySearch(row, start[column], start[column + 1], r);
+        if (e < 0) {
+            throw new IllegalStateException("block (" + r + ", " + column + ") is not part of the matrix");
+        }
+        return e;
+    }
+
+    double[] diagonal() {
+        return diagonal;
+    }
+
+    double[] below() {
+        return below;
+    }
+
+    /** Number of rows that depend on others. */
+    int redundant() {
+        return redundant;
+    }
+
+    void clear() {
+        Arrays.fill(below, 0);
+    }
+
+    /**
+     * Factors the matrix.
+     *
+     * @param relaxation added to the diagonal, relative to its largest value
+     */
+    void factor(double relaxation) {
+        double[] d = diagonal;
+        double most = 0;
+        for (int p = 0; p < n; p++) {
+            size[2 * p] = d[3 * p];
+            size[2 * p + 1] = d[3 * p + 2];
+            most = Math.max(most, Math.max(d[3 * p], d[3 * p + 2]));
+        }
+        redundant = 0;
+        int u = 0;
+        for (int p = 0; p < n; p++) {
+            invert(p, relaxation * most);
+            int end = start[p + 1];
+            for (int e = start[p]; e < end; e++) {
+                u = eliminate(p, e, end, u);
+            }
+        }
+    }
+
+    /** Inverts a diagonal block; a row that is redundant gets no multiplier. */
+    private void invert(int p, double extra) {
+        double[] d = diagonal;
+        double d00 = d[3 * p] + extra;
+        double d01 = d[3 * p + 1];
+        double d11 = d[3 * p + 2] + extra;
+        double i0 = 0;
+        if (d00 > PIVOT * size[2 * p]) {
+            i0 = 1 / d00;
+        } else {
+            redundant++;
+        }
+        double q = d01 * i0;
+        double s = d11 - d01 * q;
+        double i1 = 0;
+        if (s > PIVOT * size[2 * p + 1]) {
+            i1 = 1 / s;
+        } else {
+            redundant++;
+        }
+        d[3 * p] = i0 + q * q * i1;
+        d[3 * p + 1] = -q * i1;
+        d[3 * p + 2] = i1;
+    }
+
+    /** Forms L of one block, and subtracts its products with the later blocks of the column. */
+    private int eliminate(int p, int e, int end, int from) {
+        int u = from;
+        double[] b = below;
+        double i00 = diagonal[3 * p];
+        double i01 = diagonal[3 * p + 1];
+        double i11 = diagonal[3 * p + 2];
+        int o = 4 * e;
+        double b00 = b[o];
+        double b01 = b[o + 1];
+        double b10 = b[o + 2];
+        double b11 = b[o + 3];
+        double l00 = b00 * i00 + b01 * i01;
+        double l01 = b00 * i01 + b01 * i11;
+        double l10 = b10 * i00 + b11 * i01;
+        double l11 = b10 * i01 + b11 * i11;
+        int q = 3 * ~target[u++];
+        diagonal[q] -= l00 * b00 + l01 * b01;
+        diagonal[q + 1] -= l00 * b10 + l01 * b11;
+        diagonal[q + 2] -= l10 * b10 + l11 * b11;
+        for (int f = e + 1; f < end; f++) {
+            int t = 4 * target[u++];
+            double c00 = b[4 * f];
+            double c01 = b[4 * f + 1];
+            double c10 = b[4 * f + 2];
+            double c11 = b[4 * f + 3];
+            b[t] -= c00 * l00 + c01 * l01; // rows of f, columns of e
+            b[t + 1] -= c00 * l10 + c01 * l11;
+            b[t + 2] -= c10 * l00 + c11 * l01;
+            b[t + 3] -= c10 * l10 + c11 * l11;
+        }
+        b[o] = l00;
+        b[o + 1] = l01;
+        b[o + 2] = l10;
+        b[o + 3] = l11;
+        return u;
+    }
+
+    /**
+     * Solves A x = b.
+     *
+     * @param x b before, x afterwards, 2 per block
+     */
+    void solve(double[] x) {
+        double[] b = below;
+        for (int p = 0; p < n; p++) {
+            double x0 = x[2 * p];
+            double x1 = x[2 * p + 1];
+            for (int e = start[p]; e < start[p + 1]; e++) {
+                int q = 2 * row[e];
+                x[q] -= b[4 * e] * x0 + b[4 * e + 1] * x1;
+                x[q + 1] -= b[4 * e + 2] * x0 + b[4 * e + 3] * x1;
+            }
+        }
+        for (int p = n - 1; p >= 0; p--) {
+            double x0 = diagonal[3 * p] * x[2 * p] + diagonal[3 * p + 1] * x[2 * p + 1];
+            double x1 = diagonal[3 * p + 1] * x[2 * p] + diagonal[3 * p + 2] * x[2 * p + 1];
+            for (int e = start[p]; e < start[p + 1]; e++) {
+                double q0 = x[2 * row[e]];
+                double q1 = x[2 * row[e] + 1];
+                x0 -= b[4 * e] * q0 + b[4 * e + 2] * q1;
+                x1 -= b[4 * e + 1] * q0 + b[4 * e + 3] * q1;
+            }
+            x[2 * p] = x0;
+            x[2 * p + 1] = x1;
+        }
+    }
+}

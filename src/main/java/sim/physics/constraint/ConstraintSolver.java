@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+
+/** Solves J W Jᵀ λ = −J W F − J̇ ẋ, (41): {@link DirectSolver} or {@link GlobalSolver}. */
+public abstract class ConstraintSolver implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    ConstraintSolver() {
+        // two are there
+    }
+
+    /**
+     * Prepares for solves at the present J of an island.
+     *
+     * @param island evaluated
+     * @param w the diagonal of W
+     */
+    abstract void prepare(Island island, double[] w);
+
+    /**
+     * Finds λ so that J (u + W Jᵀ λ) + g = 0, and adds W Jᵀ λ to u.
+     *
+     * @param island prepared
+     * @param w the diagonal of W
+     * @param u by blocks of the state
+     * @param g 2 per node; null: zero
+     */
+    abstract void correct(Island island, double[] w, double[] u, double[] g);
+}

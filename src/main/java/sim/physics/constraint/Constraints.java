@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.TreeSet;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Body;
+import sim.physics.motion.State;
+import sim.physics.motion.Ties;
+
+/**
+ * The constraints of an engine, the write-up's chapter <i>Constrained Dynamics</i>: it keeps their islands and gives the
+ * integrators the accelerations of (37).
+ */
+public final class Constraints implements Ties, Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Gap of a new constraint, relative to the sizes of its bodies, up to which it counts as closed. */
+    private static final double CLOSED = 1e-6;
+
+    private final State state;
+    private final LinkedHashSet<Constraint> constraints = new LinkedHashSet<>();
+    private final LinkedHashSet<Constraint> changed = new LinkedHashSet<>();
+    private final List<Island> islands = new ArrayList<>();
+
+    /** The island of each body. */
+    private Island[] of = {};
+
+    private ConstraintSolver solver = new DirectSolver();
+    private final Projection projection = new Projection();
+    private Stabilization stabilization = Stabilization.projection();
+
+    /**
+     * Makes an empty set of constraints.
+     *
+     * @param state the state vectors
+     */
+    public Constraints(State state) {
+        this.state = state;
+    }
+
+    /**
+     * What solves (41).
+     *
+     * @return a {@link DirectSolver} unless set
+     */
+    public ConstraintSolver getSolver() {
+        return solver;
+    }
+
+    /**
+     * Sets what solves (41).
+     *
+     * @param solver not null
+     */
+    public void setSolver(ConstraintSolver solver) {
+        this.solver = Objects.requireNonNull(solver, "solver");
+    }
+
+    /**
+     * Sets what keeps constraints closed.
+     *
+     * @param stabilization not null
+     */
+    public void setStabilization(Stabilization stabilization) {
+        this.stabilization = Objects.requireNonNull(stabilization, "stabilization");
+    }
+
+    /**
+     * The constraints.
+     *
+     * @return a copy, in the order in which they were added
+     */
+    public List<Constraint> all() {
+        return new ArrayList<>(constraints);
+    }
+
+    /**
+     * Whether a constraint is here.
+     *
+     * @param constraint any
+     * @return true from add to remove
+     */
+    public boolean contains(Constraint constraint) {
+        return constraints.contains(constraint);
+    }
+
+    @Override
+    public boolean areTied(Body a, Body b) {
+        Body movable = a.isFixed() ? b : a;
+        Island island = islandOf(movable.index());
+        return island != null && island.ties(movable, movable == a ? b : a);
+    }
+
+    /**
+     * Checks that a constraint can be added.
+     *
+     * @param constraint not null
+     * @param closed whether its equations must be satisfied
+     * @throws IllegalStateException if it was added already
+     * @throws IllegalArgumentException if no body of it can move, its rows are not 1 to 3, or its equations are not
+     *     satisfied
+     */
+    public void check(Constraint constraint, boolean closed) {
+        if (constraints.contains(constraint)) {
+            throw new IllegalStateException("constraint is " + constraint + ": it was added already");
+        }
+        Body b = constraint.getBodyB();
+        if (constraint.getBodyA().isFixed() && (b == null || b.isFixed())) {
+            throw new IllegalArgumentException("constraint is " + constraint + ": none of its bodies can move");
+        }
+        int rows = constraint.getRows();
+        if (rows < 1 || rows > Equations.ROWS) {
+            throw new IllegalArgumentException("rows are " + rows + ": a constraint has 1 to " + Equations.ROWS);
+        }
+        Equations equations = new Equations();
+        constraint.evaluate(equations);
+        for (int row = 0; row < rows; row++) {
+            double gap = Math.abs(equations.c[row]);
+            double size = constraint.isAngle(row) ? 1 : constraint.getSize();
+            if (!(gap <= (closed ? CLOSED * size : Double.MAX_VALUE))) {
+                throw new IllegalArgumentException("constraint is " + constraint + ": it is open by "
+                        + equations.c[row] + " in row " + row + "; assemble() would close it");
+            }
+        }
+    }
+
+    /**
+     * Adds a constraint that was checked; it acts from {@link #regroup()} on.
+     *
+     * @param constraint not null
+     */
+    public void add(Constraint constraint) {
+        constraints.add(constraint);
+        changed.add(constraint);
+    }
+
+    /**
+     * Removes a constraint; it acts no more from {@link #regroup()} on.
+     *
+     * @param constraint any
+     * @return false if it was not there
+     */
+    public boolean remove(Constraint constraint) {
+        return constraints.remove(constraint) && changed.add(constraint);
+    }
+
+    /**
+     * Takes note that a body was written: a fixed one carries the anchors of its constraints along.
+     *
+     * @param body a body of the state
+     */
+    public void touched(Body body) {
+        if (!body.isFixed()) {
+            if (isTied(body.index())) {
+                of[body.index()].forgetMasses();
+            }
+            return;
+        }
+        for (Constraint c : constraints) {
+            if (c.getBodyA() == body || c.getBodyB() == body) {
+                changed.add(c);
+            }
+        }
+    }
+
+    /**
+     * Whether constraints were added, removed or moved since the last {@link #regroup()}.
+     *
+     * @return true if there is something to do
+     */
+    public boolean isChanged() {
+        return !changed.isEmpty();
+    }
+
+    /**
+     * The movable bodies that the changes concern, with those that are tied to them so far.
+     *
+     * @return indices in ascending order
+     */
+    public IntList concerned() {
+        TreeSet<Integer> found = new TreeSet<>();
+        for (Constraint c : changed) {
+            concern(c.getBodyA(), found);
+            concern(c.getBodyB(), found);
+        }
+        IntList list = new IntList();
+        found.forEach(list::add);
+        return list;
+    }
+
+    private void concern(Body body, TreeSet<Integer> found) {
+        if (body == null || body.isFixed() || body.state() != state || !found.add(body.index())) {
+            return;
+        }
+        IntList tied = isTied(body.index()) ? island(body.index()) : new IntList();
+        for (int k = 0; k < tied.size; k++) {
+            found.add(tied.values[k]);
+        }
+    }
+
+    /** Forms the islands anew that changes concern. */
+    public void regroup() {
+        if (of.length < state.size()) {
+            of = Arrays.copyOf(of, Math.max(2 * of.length, state.size()));
+        }
+        LinkedHashSet<Constraint> open = new LinkedHashSet<>();
+        for (Constraint c : changed) {
+            dissolve(c.getBodyA(), open);
+            dissolve(c.getBodyB(), open);
+            if (constraints.contains(c)) {
+                open.add(c);
+            }
+        }
+        changed.clear();
+        islands.removeIf(island -> island.isDissolved);
+        for (Island island : Grouping.islands(new ArrayList<>(open), state.size())) {
+            islands.add(island);
+            for (int k = 0; k < island.bodies.size; k++) {
+                of[island.bodies.values[k]] = island;
+            }
+        }
+    }
+
+    private void dissolve(Body body, LinkedHashSet<Constraint> open) {
+        Island island = body == null || body.isFixed() || body.state() != state ? null : islandOf(body.index());
+        if (island == null) {
+            return;
+        }
+        island.isDissolved = true;
+        for (int k = 0; k < island.bodies.size; k++) {
+            of[island.bodies.values[k]] = null;
+        }
+        for (Constraint c : island.inOrder) {
+            if (constraints.contains(c)) {
+                open.add(c);
+            }
+        }
+    }
+
+    @Override
+    public boolean isTied(int body) {
+        return islandOf(body) != null;
+    }
+
+    private Island islandOf(int body) {
+        return body < of.length ? of[body] : null;
+    }
+
+    @Override
+    public IntList island(int body) {
+        return of[body].bodies;
+    }
+
+    @Override
+    public void accelerate(IntList bodies, double[] a) {
+        Island one = islandOf(bodies.values[0]);
+        if (one != null && one.bodies == bodies) {
+            accelerate(one, a);
+            return;
+        }
+        for (int k = 0; k < islands.size(); k++) {
+            accelerate(islands.get(k), a);
+        }
+    }
+
+    /** Adds W Jᵀ λ, (37) with (40), where λ keeps C″ = J a + J̇ ẋ = 0, (36). */
+    private void accelerate(Island island, double[] a) {
+        double[] w = state.w().values();
+        island.evaluate(state);
+        if (stabilization.isFeedback()) {
+            island.feedBack(state.v(), stabilization.position(), stabilization.velocity());
+        }
+        solver.prepare(island, w);
+        solver.correct(island, w, a, island.rate); // (38), (39), (41)
+    }
+
+    @Override
+    public boolean project(IntList bodies) {
+        if (stabilization.isFeedback()) {
+            return true;
+        }
+        Island one = islandOf(bodies.values[0]);
+        if (one != null && one.bodies == bodies) {
+            return projection.project(one, state, solver, true);
+        }
+        boolean well = true;
+        for (int k = 0; k < islands.size(); k++) {
+            well &= projection.project(islands.get(k), state, solver, true);
+        }
+        return well;
+    }
+
+    @Override
+    public void assemble(IntList bodies) {
+        Island one = islandOf(bodies.values[0]);
+        if (one != null && one.bodies == bodies) {
+            assemble(one);
+            return;
+        }
+        for (int k = 0; k < islands.size(); k++) {
+            assemble(islands.get(k));
+        }
+    }
+
+    private void assemble(Island one) {
+        if (!projection.project(one, state, solver, false)) {
+            throw new ConstraintException(
+                    "constraints " + one.inOrder + " cannot be satisfied",
+                    projection.corrections(),
+                    projection.error());
+        }
+    }
+
+    @Override
+    public void prepareImpact(IntList bodies) {
+        Island one = of[bodies.values[0]];
+        one.evaluate(state);
+        solver.prepare(one, state.w().values());
+    }
+
+    @Override
+    public void reply(int body, double px, double py, double turn, double[] velocities) {
+        Island one = of[body];
+        double[] w = state.w().values();
+        for (int k = 0; k < one.bodies.size; k++) {
+            int s = State.BLOCK * one.bodies.values[k];
+            Arrays.fill(velocities, s, s + State.BLOCK, 0);
+        }
+        int s = State.BLOCK * body;
+        velocities[s] = w[s] * px;
+        velocities[s + 1] = w[s + 1] * py;
+        velocities[s + 2] = w[s + 2] * turn;
+        solver.correct(one, w, velocities, null);
+    }
+
+    @Override
+    public void settle(IntList bodies) {
+        projection.settle(of[bodies.values[0]], state, solver);
+    }
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/** Takes the equations of a {@link Constraint}: C, the blocks of J for its two bodies, and J̇ ẋ. */
+public final class Equations implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Rows at most. */
+    static final int ROWS = 3;
+
+    final double[] c = new double[ROWS];
+    final double[] rate = new double[ROWS];
+    final double[] jA = new double[3 * ROWS];
+    final double[] jB = new double[3 * ROWS];
+
+    /** Makes equations that hold nothing. */
+    public Equations() {
+        // filled by a constraint
+    }
+
+    void clear() {
+        Arrays.fill(c, 0);
+        Arrays.fill(rate, 0);
+        Arrays.fill(jA, 0);
+        Arrays.fill(jB, 0);
+    }
+
+    /**
+     * Sets the value of an equation and what the bodies' motion alone does to its second derivative.
+     *
+     * @param row 0, 1, 2
+     * @param value C, which is to be 0
+     * @param curvature the row of J̇ ẋ
+     */
+    public void set(int row, double value, double curvature) {
+        c[row] = value;
+        rate[row] = curvature;
+    }
+
+    /**
+     * Sets the row of J for the first body.
+     *
+     * @param row 0, 1, 2
+     * @param x ∂C/∂x
+     * @param y ∂C/∂y
+     * @param theta ∂C/∂θ
+     */
+    public void setA(int row, double x, double y, double theta) {
+        jA[3 * row] = x;
+        jA[3 * row + 1] = y;
+        jA[3 * row + 2] = theta;
+    }
+
+    /**
+     * Sets the row of J for the second body; of no effect if that is the world.
+     *
+     * @param row 0, 1, 2
+     * @param x ∂C/∂x
+     * @param y ∂C/∂y
+     * @param theta ∂C/∂θ
+     */
+    public void setB(int row, double x, double y, double theta) {
+        jB[3 * row] = x;
+        jB[3 * row + 1] = y;
+        jB[3 * row + 2] = theta;
+    }
+
+    /**
+     * The value of an equation.
+     *
+     * @param row 0, 1, 2
+     * @return C
+     */
+    public double value(int row) {
+        return c[row];
+    }
+
+    /**
+     * A row of J̇ ẋ.
+     *
+     * @param row 0, 1, 2
+     * @return its value
+     */
+    public double curvature(int row) {
+        return rate[row];
+    }
+
+    /**
+     * An entry of J.
+     *
+     * @param row 0, 1, 2
+     * @param column 0, 1, 2 for x, y, θ of the first body, 3, 4, 5 of the second one
+     * @return its value
+     */
+    public double jacobian(int row, int column) {
+        return column < 3 ? jA[3 * row + column] : jB[3 * row + column - 3];
+    }
+}

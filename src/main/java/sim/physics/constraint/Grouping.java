@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Body;
+
+/** Sorts constraints into islands: those that are connected through movable bodies (union–find, Tarjan 1975). */
+final class Grouping {
+    private final int[] parent;
+
+    private Grouping(int bodies) {
+        parent = new int[bodies];
+        for (int k = 0; k < bodies; k++) {
+            parent[k] = k;
+        }
+    }
+
+    /** The islands, in the order of their first constraints. */
+    static List<Island> islands(List<Constraint> constraints, int bodies) {
+        if (constraints.isEmpty()) {
+            return List.of();
+        }
+        Grouping sets = new Grouping(bodies);
+        for (Constraint c : constraints) {
+            if (isMovable(c.getBodyA()) && isMovable(c.getBodyB())) {
+                sets.join(c.getBodyA().index(), c.getBodyB().index());
+            }
+        }
+        Map<Integer, List<Constraint>> groups = new LinkedHashMap<>();
+        for (Constraint c : constraints) {
+            Body body = isMovable(c.getBodyA()) ? c.getBodyA() : c.getBodyB();
+            groups.computeIfAbsent(sets.find(body.index()), k -> new ArrayList<>()).add(c);
+        }
+        List<Island> islands = new ArrayList<>();
+        for (List<Constraint> group : groups.values()) {
+            islands.add(new Island(bodies(group), group));
+        }
+        return islands;
+    }
+
+    private static boolean isMovable(Body body) {
+        return body != null && !body.isFixed();
+    }
+
+    private static IntList bodies(List<Constraint> group) {
+        TreeSet<Integer> found = new TreeSet<>();
+        for (Constraint c : group) {
+            if (isMovable(c.getBodyA())) {
+                found.add(c.getBodyA().index());
+            }
+            if (isMovable(c.getBodyB())) {
+                found.add(c.getBodyB().index());
+            }
+        }
+        IntList list = new IntList();
+        found.forEach(list::add);
+        return list;
+    }
+
+    private int find(int k) {
+        int root = k;
+        while (parent[root] != root) {
+            parent[root] = parent[parent[root]];
+            root = parent[root];
+        }
+        return root;
+    }
+
+    private void join(int a, int b) {
+        parent[find(a)] = find(b);
+    }
+}

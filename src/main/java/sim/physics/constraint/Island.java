@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import java.util.List;
+import java.util.TreeSet;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Body;
+import sim.physics.motion.State;
+
+/**
+ * Bodies that constraints tie together, and those constraints: the rows of J that concern no other body.
+ *
+ * <p>The rows lie in <i>nodes</i> of two, in the order of elimination: a pin is one node; a constraint of one row has an
+ * empty second one, and one of three rows is two nodes. By node:
+ *
+ * <pre>
+ *   j       [first body: x y θ of row 0, of row 1] [second body: the same]    12
+ *   c, rate [row 0, row 1]                                                     2 each
+ * </pre>
+ */
+final class Island implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    static final int J = 12;
+
+    /** Movable bodies, ascending. */
+    final IntList bodies;
+
+    /** In the order of elimination. */
+    final Constraint[] constraints;
+
+    final int[] firstNode;
+    final int nodes;
+
+    /** Blocks of the nodes' bodies in the state vectors, −1 for what cannot move; and their numbers in the island. */
+    final int[] blockA;
+
+    final int[] blockB;
+    final int[] a;
+    final int[] b;
+
+    final double[] j;
+    final double[] c;
+    final double[] rate;
+
+    /** Multipliers of the last solve, 2 per node. */
+    final double[] lambda;
+
+    /** In the order in which they were added. */
+    final List<Constraint> inOrder;
+
+    boolean isDissolved;
+
+    /** Whether some rows depend on others; and how many did when that was found last. */
+    boolean isRedundant;
+
+    int redundantRows;
+
+    private final BlockFactor factor;
+
+    /** Where two nodes that share a body add to A: block, nodes, sides (0 or 6), and the body's block. */
+    private final int[] shared;
+
+    private final PinRows pins;
+
+    /** The constraints of each body: those of body k are around[aroundStart[k]] … */
+    private final int[] aroundStart;
+
+    private final int[] around;
+
+    private final Equations equations = new Equations();
+    private final double[] size;
+    private double spread;
+
+    /**
+     * Makes an island.
+     *
+     * @param bodies indices, ascending
+     * @param those the constraints between them, in the order in which they were added
+     */
+    Island(IntList bodies, List<Constraint> those) {
+        this.bodies = bodies;
+        inOrder = those;
+        int n = those.size();
+        int[] first = new int[n];
+        int[] second = new int[n];
+        for (int k = 0; k < n; k++) {
+            first[k] = local(those.get(k).getBodyA());
+            second[k] = local(those.get(k).getBodyB());
+        }
+        EliminationOrder elimination = new EliminationOrder(first, second, bodies.size);
+        constraints = new Constraint[n];
+        firstNode = new int[n + 1];
+        int[] place = new int[n];
+        for (int k = 0; k < n; k++) {
+            int from = elimination.order[k];
+            constraints[k] = those.get(from);
+            place[from] = k;
+            firstNode[k + 1] = firstNode[k] + (constraints[k].getRows() + 1) / 2;
+        }
+        nodes = firstNode[n];
+        a = new int[nodes];
+        b = new int[nodes];
+        blockA = new int[nodes];
+        blockB = new int[nodes];
+        for (int k = 0; k < n; k++) {
+            for (int p = firstNode[k]; p < firstNode[k + 1]; p++) {
+                a[p] = first[elimination.order[k]];
+                b[p] = second[elimination.order[k]];
+                blockA[p] = block(a[p]);
+                blockB[p] = block(b[p]);
+            }
+        }
+        j = new double[J * nodes];
+        c = new double[2 * nodes];
+        rate = new double[2 * nodes];
+        lambda = new double[2 * nodes];
+        size = new double[n];
+        for (int k = 0; k < n; k++) {
+            size[k] = constraints[k].getSize();
+        }
+        factor = factor(elimination, place);
+        shared = shared();
+        aroundStart = new int[bodies.size + 1];
+        around = around();
+        pins = new PinRows(this);
+    }
+
+    private int[] around() {
+        for (int k = 0; k < constraints.length; k++) {
+            count(a[firstNode[k]]);
+            count(b[firstNode[k]]);
+        }
+        for (int body = 0; body < bodies.size; body++) {
+            aroundStart[body + 1] += aroundStart[body];
+        }
+        int[] found = new int[aroundStart[bodies.size]];
+        int[] next = aroundStart.clone();
+        for (int k = 0; k < constraints.length; k++) {
+            int p = firstNode[k];
+            if (a[p] >= 0) {
+                found[next[a[p]]++] = k;
+            }
+            if (b[p] >= 0) {
+                found[next[b[p]]++] = k;
+            }
+        }
+        return found;
+    }
+
+    private void count(int body) {
+        if (body >= 0) {
+            aroundStart[body + 1]++;
+        }
+    }
+
+    /** Whether a constraint has both bodies, and lets them overlap. */
+    boolean ties(Body body, Body other) {
+        int place = local(body);
+        for (int m = aroundStart[place]; m < aroundStart[place + 1]; m++) {
+            Constraint k = constraints[around[m]];
+            boolean both = k.getBodyA() == other || k.getBodyB() == other;
+            if (both && !(k instanceof Joint joint && joint.isCollideConnected())) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private int local(Body body) {
+        return body == null || body.isFixed() ? -1 : Arrays.binarySearch(bodies.values, 0, bodies.size, body.index());
+    }
+
+    private int block(int local) {
+        return local < 0 ? -1 : State.BLOCK * bodies.values[local];
+    }
+
+    private BlockFactor factor(EliminationOrder elimination, int[] place) {
+        int[] start = new int[nodes + 1];
+        IntList row = new IntList();
+        for (int k = 0; k < constraints.length; k++) {
+            TreeSet<Integer> met = new TreeSet<>();
+            for (int other : elimination.later.get(elimination.order[k])) {
+                met.add(place[other]);
+            }
+            for (int p = firstNode[k]; p < firstNode[k + 1]; p++) {
+                for (int own = p + 1; own < firstNode[k + 1]; own++) {
+                    row.add(own);
+                }
+                for (int other : met) {
+                    for (int q = firstNode[other]; q < firstNode[other + 1]; q++) {
+                        row.add(q);
+                    }
+                }
+                start[p + 1] = row.size;
+            }
+        }
+        return new BlockFactor(start, Arrays.copyOf(row.values, row.size));
+    }
+
+    private int[] shared() {
+        IntList[] at = new IntList[bodies.size];
+        for (int k = 0; k < at.length; k++) {
+            at[k] = new IntList();
+        }
+        for (int p = 0; p < nodes; p++) {
+            if (a[p] >= 0) {
+                at[a[p]].add(2 * p);
+            }
+            if (b[p] >= 0) {
+                at[b[p]].add(2 * p + 1);
+            }
+        }
+        IntList found = new IntList();
+        for (int body = 0; body < at.length; body++) {
+            for (int k = 0; k < at[body].size; k++) {
+                for (int m = k + 1; m < at[body].size; m++) {
+                    int p = at[body].values[k];
+                    int q = at[body].values[m];
+                    found.add(4 * factor.block(q >> 1, p >> 1));
+                    found.add(J * (q >> 1) + 6 * (q & 1));
+                    found.add(J * (p >> 1) + 6 * (p & 1));
+                    found.add(block(body));
+                }
+            }
+        }
+        return Arrays.copyOf(found.values, found.size);
+    }
+
+    /** Evaluates C, J and J̇ ẋ at the positions and velocities of the state vectors. */
+    void evaluate(State state) {
+        pins.evaluate(state);
+        for (int k = 0; k < constraints.length; k++) {
+            if (!pins.has(k)) {
+                equations.clear();
+                constraints[k].evaluate(equations);
+                for (int row = 0; row < constraints[k].getRows(); row++) {
+                    take(firstNode[k] + (row >> 1), row & 1, row);
+                }
+            }
+        }
+    }
+
+    /** Adds p C + v J ẋ to J̇ ẋ. */
+    void feedBack(double[] v, double position, double velocity) {
+        double[] open = new double[2 * nodes];
+        residual(v, null, open);
+        for (int k = 0; k < open.length; k++) {
+            rate[k] += position * c[k] - velocity * open[k];
+        }
+    }
+
+    private void take(int p, int half, int row) {
+        c[2 * p + half] = equations.c[row];
+        rate[2 * p + half] = equations.rate[row];
+        int o = J * p + 3 * half;
+        for (int k = 0; k < 3; k++) {
+            j[o + k] = a[p] < 0 ? 0 : equations.jA[3 * row + k];
+            j[o + 6 + k] = b[p] < 0 ? 0 : equations.jB[3 * row + k];
+        }
+    }
+
+    /** A = J W Jᵀ, (41), and its factors; rows that are zero get a 1 on the diagonal. */
+    void factor(double[] w, double relaxation) {
+        double[] d = factor.diagonal();
+        for (int p = 0; p < nodes; p++) {
+            double d00 = 0;
+            double d01 = 0;
+            double d11 = 0;
+            int o = J * p;
+            for (int block = blockA[p], side = 0; side < 2; side++, block = blockB[p], o += 6) {
+                if (block >= 0) {
+                    double m = w[block];
+                    double i = w[block + State.THETA];
+                    d00 += m * (j[o] * j[o] + j[o + 1] * j[o + 1]) + i * j[o + 2] * j[o + 2];
+                    d01 += m * (j[o] * j[o + 3] + j[o + 1] * j[o + 4]) + i * j[o + 2] * j[o + 5];
+                    d11 += m * (j[o + 3] * j[o + 3] + j[o + 4] * j[o + 4]) + i * j[o + 5] * j[o + 5];
+                }
+            }
+            d[3 * p] = d00 == 0 ? 1 : d00;
+            d[3 * p + 1] = d01;
+            d[3 * p + 2] = d11 == 0 ? 1 : d11;
+        }
+        couple(w);
+        factor.factor(relaxation);
+    }
+
+    private void couple(double[] w) {
+        factor.clear();
+        double[] below = factor.below();
+        for (int k = 0; k < shared.length; k += 4) {
+            int e = shared[k];
+            int q = shared[k + 1];
+            int p = shared[k + 2];
+            double m = w[shared[k + 3]];
+            double i = w[shared[k + 3] + State.THETA];
+            below[e] += m * (j[q] * j[p] + j[q + 1] * j[p + 1]) + i * j[q + 2] * j[p + 2];
+            below[e + 1] += m * (j[q] * j[p + 3] + j[q + 1] * j[p + 4]) + i * j[q + 2] * j[p + 5];
+            below[e + 2] += m * (j[q + 3] * j[p] + j[q + 4] * j[p + 1]) + i * j[q + 5] * j[p + 2];
+            below[e + 3] += m * (j[q + 3] * j[p + 3] + j[q + 4] * j[p + 4]) + i * j[q + 5] * j[p + 5];
+        }
+    }
+
+    void forgetMasses() {
+        spread = 0;
+    }
+
+    /** Ratio of the largest mass to the smallest one. */
+    double spread(double[] w) {
+        if (spread == 0) {
+            double least = Double.POSITIVE_INFINITY;
+            double most = 0;
+            for (int k = 0; k < bodies.size; k++) {
+                least = Math.min(least, w[State.BLOCK * bodies.values[k]]);
+                most = Math.max(most, w[State.BLOCK * bodies.values[k]]);
+            }
+            spread = most / least;
+        }
+        return spread;
+    }
+
+    /** Number of rows that depend on others, as the last factorization found. */
+    int redundant() {
+        return factor.redundant();
+    }
+
+    /** The largest |C|, in units of the rounding that its coordinates have. */
+    double error(State state, double rounding) {
+        double[] x = state.x();
+        double place = 0;
+        double angle = 1;
+        for (int k = 0; k < bodies.size; k++) {
+            int s = State.BLOCK * bodies.values[k];
+            place = Math.max(place, Math.max(Math.abs(x[s]), Math.abs(x[s + 1])));
+            angle = Math.max(angle, Math.abs(x[s + State.THETA]));
+        }
+        double most = 0;
+        double mostAngle = 0;
+        for (int k = 0; k < constraints.length; k++) {
+            for (int p = firstNode[k]; p < firstNode[k + 1]; p++) {
+                for (int row = 0; row < 2; row++) {
+                    double value = Math.abs(c[2 * p + row]);
+                    if (!(value <= Double.MAX_VALUE)) {
+                        return Double.POSITIVE_INFINITY;
+                    }
+                    if (pins.has(k) || !constraints[k].isAngle(2 * (p - firstNode[k]) + row)) {
+                        most = Math.max(most, value);
+                        place = Math.max(place, size[k]);
+                    } else {
+                        mostAngle = Math.max(mostAngle, value);
+                    }
+                }
+            }
+        }
+        return Math.max(most / (rounding * place), mostAngle / (rounding * angle));
+    }
+
+    /** The largest |J ẋ|, relative to the largest of its terms. */
+    double slip(double[] v) {
+        double most = 0;
+        for (int p = 0; p < nodes; p++) {
+            for (int o = J * p; o < J * p + 6; o += 3) {
+                double sum = 0;
+                double terms = 0;
+                for (int s = blockA[p], side = 0; side < 2; side++, s = blockB[p]) {
+                    for (int k = 0; s >= 0 && k < 3; k++) {
+                        double term = j[o + 6 * side + k] * v[s + k];
+                        sum += term;
+                        terms = Math.max(terms, Math.abs(term));
+                    }
+                }
+                if (Math.abs(sum) > 4 * 0x1p-52 * terms) {
+                    most = Math.max(most, Math.abs(sum) / terms);
+                }
+            }
+        }
+        return most;
+    }
+
+    /** The largest part of a move, in rad or relative to the size of the bodies. */
+    double roughness(double[] move) {
+        double most = 0;
+        for (int k = 0; k < constraints.length; k++) {
+            int p = firstNode[k];
+            for (int s = blockA[p], side = 0; side < 2; side++, s = blockB[p]) {
+                if (s >= 0) {
+                    double step = Math.max(Math.abs(move[s]), Math.abs(move[s + 1]));
+                    most = Math.max(most, Math.max(step / size[k], Math.abs(move[s + State.THETA])));
+                }
+            }
+        }
+        return most;
+    }
+
+    /** Solves A λ = b in place. */
+    void solve(double[] right) {
+        factor.solve(right);
+    }
+
+    /** −(J u + g) into {@code right}. */
+    void residual(double[] u, double[] g, double[] right) {
+        for (int p = 0; p < nodes; p++) {
+            double r0 = g == null ? 0 : g[2 * p];
+            double r1 = g == null ? 0 : g[2 * p + 1];
+            int o = J * p;
+            int s = blockA[p];
+            if (s >= 0) {
+                r0 += j[o] * u[s] + j[o + 1] * u[s + 1] + j[o + 2] * u[s + 2];
+                r1 += j[o + 3] * u[s] + j[o + 4] * u[s + 1] + j[o + 5] * u[s + 2];
+            }
+            s = blockB[p];
+            if (s >= 0) {
+                r0 += j[o + 6] * u[s] + j[o + 7] * u[s + 1] + j[o + 8] * u[s + 2];
+                r1 += j[o + 9] * u[s] + j[o + 10] * u[s + 1] + j[o + 11] * u[s + 2];
+            }
+            right[2 * p] = -r0;
+            right[2 * p + 1] = -r1;
+        }
+    }
+
+    /** u += W Jᵀ λ, (37) and (40). */
+    void apply(double[] w, double[] multipliers, double[] u) {
+        for (int p = 0; p < nodes; p++) {
+            double l0 = multipliers[2 * p];
+            double l1 = multipliers[2 * p + 1];
+            int o = J * p;
+            for (int s = blockA[p], side = 0; side < 2; side++, s = blockB[p], o += 6) {
+                if (s >= 0) {
+                    u[s] += w[s] * (j[o] * l0 + j[o + 3] * l1);
+                    u[s + 1] += w[s + 1] * (j[o + 1] * l0 + j[o + 4] * l1);
+                    u[s + 2] += w[s + 2] * (j[o + 2] * l0 + j[o + 5] * l1);
+                }
+            }
+        }
+    }
+}

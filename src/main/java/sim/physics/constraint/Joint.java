@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.util.Objects;
+import sim.physics.internal.Check;
+import sim.physics.internal.Trig;
+import sim.physics.motion.Body;
+
+/** What the joints of this package have in common: their bodies, and what becomes of them. */
+public abstract class Joint implements Constraint {
+    private static final long serialVersionUID = 1L;
+
+    private final Body a;
+    private final Body b;
+    private boolean collideConnected;
+    private double breakingForce = Double.POSITIVE_INFINITY;
+    private double breakingTorque = Double.POSITIVE_INFINITY;
+
+    /**
+     * Makes a joint.
+     *
+     * @param a a body
+     * @param b another body, or null for the world
+     * @throws IllegalArgumentException if both are the same
+     */
+    Joint(Body a, Body b) {
+        this.a = Objects.requireNonNull(a, "a");
+        this.b = b;
+        if (a == b) {
+            throw new IllegalArgumentException("b is " + b + ": a joint needs two different bodies");
+        }
+    }
+
+    @Override
+    public final Body getBodyA() {
+        return a;
+    }
+
+    @Override
+    public final Body getBodyB() {
+        return b;
+    }
+
+    /**
+     * Whether the two bodies collide with one another.
+     *
+     * @return false unless set
+     */
+    public final boolean isCollideConnected() {
+        return collideConnected;
+    }
+
+    /**
+     * Sets whether the two bodies collide with one another; before the joint is added to an engine.
+     *
+     * @param collide false: they may overlap
+     */
+    public final void setCollideConnected(boolean collide) {
+        collideConnected = collide;
+    }
+
+    /**
+     * The load at which the joint breaks.
+     *
+     * @return force; infinite unless set
+     */
+    public final double getBreakingForce() {
+        return breakingForce;
+    }
+
+    /**
+     * The torque at which the joint breaks.
+     *
+     * @return torque; infinite unless set
+     */
+    public final double getBreakingTorque() {
+        return breakingTorque;
+    }
+
+    /**
+     * Lets the joint break when its force or its torque is greater than a limit at the start of a step. A pin has no
+     * torque of its own.
+     *
+     * @param force greater than 0; may be infinite
+     * @param torque greater than 0; may be infinite
+     * @throws IllegalArgumentException if one is not greater than 0
+     */
+    public final void setBreakingLoad(double force, double torque) {
+        if (!(force > 0)) {
+            throw new IllegalArgumentException("breaking force is " + force + ": it must be greater than 0");
+        }
+        if (!(torque > 0)) {
+            throw new IllegalArgumentException("breaking torque is " + torque + ": it must be greater than 0");
+        }
+        breakingForce = force;
+        breakingTorque = torque;
+    }
+
+    /** A world point in the coordinates of a body; of the world for null. */
+    static double localX(Body body, double x, double y) {
+        if (body == null) {
+            return x;
+        }
+        return Trig.cos(body.getAngle()) * (x - body.getX()) + Trig.sin(body.getAngle()) * (y - body.getY());
+    }
+
+    static double localY(Body body, double x, double y) {
+        if (body == null) {
+            return y;
+        }
+        return Trig.cos(body.getAngle()) * (y - body.getY()) - Trig.sin(body.getAngle()) * (x - body.getX());
+    }
+
+    static double angle(Body body) {
+        return body == null ? 0 : body.getAngle();
+    }
+
+    static double spin(Body body) {
+        return body == null ? 0 : body.getAngularVelocity();
+    }
+
+    static void point(double x, double y) {
+        Check.finite("x", x);
+        Check.finite("y", y);
+    }
+
+    @Override
+    public String toString() {
+        return getClass().getSimpleName() + "(" + a + ", " + (b == null ? "world" : b) + ")";
+    }
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import sim.physics.internal.Trig;
+import sim.physics.motion.Body;
+
+/**
+ * A hinge: a point of one body stays on a point of another one, or of the world, (42)–(46).
+ *
+ * <pre>
+ *   C = (xA + R(θA) rA) − (xB + R(θB) rB)        J = [ 1  0  −rAy  −1  0   rBy ]     r: the arms, turned
+ *                                                    [ 0  1   rAx   0 −1  −rBx ]
+ *   J̇ ẋ = −θ̇A² rA + θ̇B² rB
+ * </pre>
+ */
+public final class PinJoint extends Joint {
+    private static final long serialVersionUID = 1L;
+
+    private final double ax;
+    private final double ay;
+    private final double bx;
+    private final double by;
+
+    /**
+     * Pins two bodies together, where they are now, at a point.
+     *
+     * @param a a body
+     * @param b another body, or null for the world
+     * @param x point, in world coordinates
+     * @param y point, in world coordinates
+     */
+    public PinJoint(Body a, Body b, double x, double y) {
+        super(a, b);
+        point(x, y);
+        ax = localX(a, x, y);
+        ay = localY(a, x, y);
+        bx = localX(b, x, y);
+        by = localY(b, x, y);
+    }
+
+    /**
+     * Pins a body, where it is now, to a point of the world.
+     *
+     * @param a a body
+     * @param x point, in world coordinates
+     * @param y point, in world coordinates
+     */
+    public PinJoint(Body a, double x, double y) {
+        this(a, null, x, y);
+    }
+
+    /**
+     * Pins a point of one body to a point of another one, wherever the two are.
+     *
+     * @param a a body
+     * @param ax point in the coordinates of the first body
+     * @param ay point in the coordinates of the first body
+     * @param b another body, or null for the world
+     * @param bx point in the coordinates of the second body
+     * @param by point in the coordinates of the second body
+     */
+    public PinJoint(Body a, double ax, double ay, Body b, double bx, double by) {
+        super(a, b);
+        point(ax, ay);
+        point(bx, by);
+        this.ax = ax;
+        this.ay = ay;
+        this.bx = bx;
+        this.by = by;
+    }
+
+    /**
+     * The hinge in the coordinates of the first body.
+     *
+     * @return length
+     */
+    public double getAnchorAX() {
+        return ax;
+    }
+
+    /**
+     * The hinge in the coordinates of the first body.
+     *
+     * @return length
+     */
+    public double getAnchorAY() {
+        return ay;
+    }
+
+    /**
+     * The hinge in the coordinates of the second body.
+     *
+     * @return length
+     */
+    public double getAnchorBX() {
+        return bx;
+    }
+
+    /**
+     * The hinge in the coordinates of the second body.
+     *
+     * @return length
+     */
+    public double getAnchorBY() {
+        return by;
+    }
+
+    @Override
+    public int getRows() {
+        return 2;
+    }
+
+    @Override
+    public void evaluate(Equations e) {
+        Body a = getBodyA();
+        Body b = getBodyB();
+        double cos = Trig.cos(a.getAngle());
+        double sin = Trig.sin(a.getAngle());
+        double rAx = cos * ax - sin * ay; // (45), (46)
+        double rAy = sin * ax + cos * ay;
+        cos = Trig.cos(angle(b));
+        sin = Trig.sin(angle(b));
+        double rBx = cos * bx - sin * by;
+        double rBy = sin * bx + cos * by;
+        double oA = a.getAngularVelocity();
+        double oB = spin(b);
+        double x = b == null ? 0 : b.getX();
+        double y = b == null ? 0 : b.getY();
+        e.set(0, (a.getX() + rAx) - (x + rBx), oB * oB * rBx - oA * oA * rAx); // (44)
+        e.set(1, (a.getY() + rAy) - (y + rBy), oB * oB * rBy - oA * oA * rAy);
+        e.setA(0, 1, 0, -rAy);
+        e.setA(1, 0, 1, rAx);
+        e.setB(0, -1, 0, rBy);
+        e.setB(1, 0, -1, -rBx);
+    }
+}

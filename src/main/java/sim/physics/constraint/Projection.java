@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.motion.State;
+
+/**
+ * Brings positions and velocities back onto C = 0 and J ẋ = 0 by the move of least mass-weighted length,
+ *
+ * <pre>
+ *   x += W Jᵀ δ,   J W Jᵀ δ = −C        (Newton's method)
+ *   ẋ += W Jᵀ μ,   J W Jᵀ μ = −J ẋ
+ * </pre>
+ *
+ * <p>What it takes away is the error of the step, so it does not cost the order of the integrator, and it needs no
+ * springs that would make the joints soft.
+ */
+final class Projection implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private static final int CORRECTIONS = 40;
+    private static final int VELOCITY_CORRECTIONS = 4;
+
+    /** Rounding of C, relative to the coordinates that it is computed from. */
+    private static final double ROUNDING = 4 * 0x1p-52;
+
+    /** Correction of a step, relative to the size of the bodies or in rad, from which the step was too long. */
+    private static final double ROUGH = 0.02;
+
+    private double[] move = {};
+    private int corrections;
+    private double error;
+
+    Projection() {
+        // grows with the state
+    }
+
+    /** Corrections that the last call made. */
+    int corrections() {
+        return corrections;
+    }
+
+    /** The largest value of C that the last call left. */
+    double error() {
+        return error;
+    }
+
+    /**
+     * Projects positions and velocities.
+     *
+     * @param island the bodies and their constraints
+     * @param state its vectors are changed
+     * @param solver for the corrections
+     * @param gentle whether to give up when the corrections are more than the error of a reasonable step
+     * @return false if it gave up, or if there is no position near enough that satisfies the constraints
+     */
+    boolean project(Island island, State state, ConstraintSolver solver, boolean gentle) {
+        double[] w = state.w().values();
+        if (move.length < state.x().length) {
+            move = new double[state.x().length];
+        }
+        island.evaluate(state);
+        error = island.error(state, ROUNDING);
+        double before = Double.POSITIVE_INFINITY;
+        solver.prepare(island, w);
+        for (corrections = 0; error > 1; corrections++) {
+            boolean stalls = !(error < 0.5 * before) && error < 1e4;
+            if (stalls) {
+                break; // rounding
+            }
+            if (!(error < Double.POSITIVE_INFINITY) || corrections == CORRECTIONS) {
+                return false;
+            }
+            if (corrections > 0) {
+                solver.prepare(island, w);
+            }
+            correct(island, state, solver, w);
+            if (gentle && corrections == 0 && island.roughness(move) > ROUGH) {
+                return false;
+            }
+            before = error;
+            island.evaluate(state);
+            error = island.error(state, ROUNDING);
+        }
+        settle(island, state, solver);
+        return true;
+    }
+
+    private void correct(Island island, State state, ConstraintSolver solver, double[] w) {
+        double[] x = state.x();
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            Arrays.fill(move, s, s + State.BLOCK, 0);
+        }
+        solver.correct(island, w, move, island.c);
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            x[s] += move[s];
+            x[s + 1] += move[s + 1];
+            x[s + 2] += move[s + 2];
+        }
+    }
+
+    /** Projects the velocities alone; the island is evaluated, and prepared at or near the same positions. */
+    void settle(Island island, State state, ConstraintSolver solver) {
+        double last = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < VELOCITY_CORRECTIONS; k++) {
+            double slip = island.slip(state.v());
+            if (slip == 0 || !(slip < 0.5 * last)) {
+                return;
+            }
+            last = slip;
+            solver.correct(island, state.w().values(), state.v(), null);
+        }
+    }
+}

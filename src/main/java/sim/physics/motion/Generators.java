@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+
+/** The force generators of an engine: uniform fields and surface friction, known in closed form, and all others. */
+final class Generators implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final List<ForceGenerator> all = new ArrayList<>();
+
+    /** Sum of the uniform fields. */
+    double gravityX;
+
+    double gravityY;
+
+    /** Null if there is none. */
+    SurfaceFriction surface;
+
+    /** Whether some generator couples bodies. */
+    boolean coupled;
+
+    /** Those that need the integrator. */
+    private ForceGenerator[] driving = {};
+
+    Generators() {
+        // none yet
+    }
+
+    List<ForceGenerator> copy() {
+        return new ArrayList<>(all);
+    }
+
+    boolean add(ForceGenerator generator) {
+        Objects.requireNonNull(generator, "generator");
+        return !all.contains(generator) && all.add(generator) && sortOut();
+    }
+
+    boolean remove(ForceGenerator generator) {
+        return all.remove(generator) && sortOut();
+    }
+
+    private boolean sortOut() {
+        gravityX = 0;
+        gravityY = 0;
+        coupled = false;
+        surface = null;
+        List<ForceGenerator> others = new ArrayList<>();
+        for (ForceGenerator g : all) {
+            if (g instanceof Gravity field) {
+                gravityX += field.getX();
+                gravityY += field.getY();
+            } else {
+                others.add(g);
+                coupled |= g.isCoupled();
+                surface = g instanceof SurfaceFriction s ? s : surface;
+            }
+        }
+        driving = others.toArray(new ForceGenerator[0]);
+        return true;
+    }
+
+    /** Whether a generator other than a uniform field acts on a body. */
+    boolean drive(Body body) {
+        return drivesOtherThan(null, body);
+    }
+
+    /** Whether something other than uniform fields and one generator acts on a body. */
+    boolean drivesOtherThan(ForceGenerator one, Body body) {
+        for (ForceGenerator g : driving) {
+            if (g != one && g.actsOn(body)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Adds the forces on a body, but for those of uniform fields. */
+    void addForces(Body body, double time, Forces forces) {
+        for (ForceGenerator g : driving) {
+            if (g.actsOn(body)) {
+                g.addForce(body, time, forces);
+            }
+        }
+    }
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import sim.physics.internal.IntList;
+
+/** What ties bodies together, as their motion sees it. Bodies that are tied to one another form an <i>island</i>. */
+public interface Ties extends Serializable {
+    /**
+     * Whether something ties a body.
+     *
+     * @param body index
+     * @return false for fixed bodies
+     */
+    boolean isTied(int body);
+
+    /**
+     * Whether two bodies are tied to each other so that they do not collide.
+     *
+     * @param a a body
+     * @param b another one
+     * @return true if a tie has both
+     */
+    boolean areTied(Body a, Body b);
+
+    /**
+     * The movable bodies that a body is tied to, directly or through others, itself included.
+     *
+     * @param body index of a tied body
+     * @return indices in ascending order; live
+     */
+    IntList island(int body);
+
+    /**
+     * Adds what the ties' forces do to the accelerations of some bodies, at the positions and velocities of the state
+     * vectors.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @param a accelerations that the bodies would have without the ties, [x″, y″, θ″] per body of the state
+     */
+    void accelerate(IntList bodies, double[] a);
+
+    /**
+     * Moves some bodies of the state vectors by the least amount, and changes their velocities by the least amount, that
+     * the ties ask for.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @return false if that is more than a reasonable step would ask for
+     */
+    boolean project(IntList bodies);
+
+    /**
+     * Brings an island to positions and velocities that its ties allow, however far they are.
+     *
+     * @param island all bodies of an island, or of all islands
+     * @throws IllegalStateException if there are none
+     */
+    void assemble(IntList island);
+
+    /**
+     * Prepares for {@link #reply} and {@link #settle} at the positions of the state vectors.
+     *
+     * @param island all bodies of an island
+     */
+    void prepareImpact(IntList island);
+
+    /**
+     * What an impulse on one body does to the velocities of its island, (47)–(54).
+     *
+     * @param body index of a tied body
+     * @param px impulse
+     * @param py impulse
+     * @param turn angular impulse
+     * @param velocities takes the changes in the blocks of the island
+     */
+    void reply(int body, double px, double py, double turn, double[] velocities);
+
+    /**
+     * Changes the velocities of the state vectors by the least amount that the ties ask for.
+     *
+     * @param island all bodies of an island, prepared
+     */
+    void settle(IntList island);
+}
