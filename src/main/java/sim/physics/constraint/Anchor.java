@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import sim.physics.internal.Trig;
+import sim.physics.motion.Body;
+
+/** A point of a body, or of the world: its arm, place and velocity at the instant of an evaluation. */
+final class Anchor implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    final Body body;
+    final double localX;
+    final double localY;
+
+    /** From the body's centre to the point; 0 for the world. */
+    double rx;
+
+    double ry;
+    double x;
+    double y;
+    double vx;
+    double vy;
+
+    /** θ̇ of the body. */
+    double omega;
+
+    double cos = 1;
+    double sin;
+
+    private Anchor(Body body, double localX, double localY) {
+        this.body = body;
+        this.localX = localX;
+        this.localY = localY;
+    }
+
+    static Anchor local(Body body, double localX, double localY) {
+        Joint.point(localX, localY);
+        return new Anchor(body, localX, localY);
+    }
+
+    static Anchor at(Body body, double x, double y) {
+        Joint.point(x, y);
+        return new Anchor(body, Joint.localX(body, x, y), Joint.localY(body, x, y));
+    }
+
+    void evaluate() {
+        if (body == null) {
+            x = localX;
+            y = localY;
+            return;
+        }
+        cos = Trig.cos(body.getAngle());
+        sin = Trig.sin(body.getAngle());
+        rx = cos * localX - sin * localY;
+        ry = sin * localX + cos * localY;
+        omega = body.getAngularVelocity();
+        x = body.getX() + rx;
+        y = body.getY() + ry;
+        vx = body.getVelocityX() - omega * ry; // (22)
+        vy = body.getVelocityY() + omega * rx;
+    }
+
+    /** r⊥ · n. */
+    double lever(double nx, double ny) {
+        return rx * ny - ry * nx;
+    }
+
+    /** What the turning alone does to the point's acceleration along n: −θ̇² r · n. */
+    double centripetal(double nx, double ny) {
+        return -omega * omega * (rx * nx + ry * ny);
+    }
+}

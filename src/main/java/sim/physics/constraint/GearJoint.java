@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import sim.physics.internal.Check;
+import sim.physics.motion.Body;
+
+/**
+ * Two bodies that turn in a fixed ratio: θA + ratio · θB keeps the value that it has now. Angles do not wrap: it holds
+ * after any number of turns.
+ */
+public final class GearJoint extends Joint {
+    private static final long serialVersionUID = 1L;
+
+    private final double ratio;
+    private final double sum;
+
+    /**
+     * Gears two bodies.
+     *
+     * @param a a body
+     * @param b another body, or null to keep the first one's angle
+     * @param ratio turns of the first body for one turn of the second, the other way round; −1 keeps their angle
+     */
+    public GearJoint(Body a, Body b, double ratio) {
+        super(a, b);
+        this.ratio = Check.finite("ratio", ratio);
+        sum = a.getAngle() + ratio * angle(b);
+    }
+
+    /**
+     * Turns of the first body for one turn of the second, the other way round.
+     *
+     * @return any number
+     */
+    public double getRatio() {
+        return ratio;
+    }
+
+    @Override
+    public int getRows() {
+        return 1;
+    }
+
+    @Override
+    public boolean isAngle(int row) {
+        return true;
+    }
+
+    @Override
+    public void evaluate(Equations e) {
+        e.set(0, getBodyA().getAngle() + ratio * angle(getBodyB()) - sum, 0);
+        e.setA(0, 0, 0, 1);
+        e.setB(0, 0, 0, ratio);
+    }
+}

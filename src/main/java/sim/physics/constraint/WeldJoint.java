@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import sim.physics.motion.Body;
+
+/** Two bodies that move as one: a {@link PinJoint} that does not turn either. */
+public final class WeldJoint extends Joint {
+    private static final long serialVersionUID = 1L;
+
+    private final PinJoint pin;
+    private final double angle;
+
+    /**
+     * Welds two bodies together, where they are now.
+     *
+     * @param a a body
+     * @param b another body, or null for the world
+     * @param x the point at which the joint's force is read, in world coordinates
+     * @param y the point at which the joint's force is read, in world coordinates
+     */
+    public WeldJoint(Body a, Body b, double x, double y) {
+        super(a, b);
+        pin = new PinJoint(a, b, x, y);
+        angle = a.getAngle() - angle(b);
+    }
+
+    @Override
+    public int getRows() {
+        return 3;
+    }
+
+    @Override
+    public boolean isAngle(int row) {
+        return row == 2;
+    }
+
+    @Override
+    public void evaluate(Equations e) {
+        pin.evaluate(e);
+        e.set(2, getBodyA().getAngle() - angle(getBodyB()) - angle, 0);
+        e.setA(2, 0, 0, 1);
+        e.setB(2, 0, 0, -1);
+    }
+}
