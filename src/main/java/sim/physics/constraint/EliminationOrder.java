@@ -35,8 +35,9 @@ final class EliminationOrder {
         for (int c = 0; c < n; c++) {
             push(byDegree, later.get(c).size(), c);
         }
+        int[] taken = new int[n + 1];
         for (int k = 0; k < n; k++) {
-            int next = pop(byDegree, gone);
+            int next = pop(byDegree, taken, gone);
             gone[next] = true;
             order[k] = next;
             TreeSet<Integer> met = later.get(next);
@@ -87,12 +88,15 @@ final class EliminationOrder {
         byDegree.get(degree).add(constraint);
     }
 
-    /** The constraint of least degree that was pushed last, so that a chain is followed along its links. */
-    private int pop(List<IntList> byDegree, boolean[] gone) {
+    /**
+     * The constraint of least degree that was pushed first: a chain is eliminated from both its ends in turn, which the
+     * processor does at the same time.
+     */
+    private int pop(List<IntList> byDegree, int[] taken, boolean[] gone) {
         for (int degree = 0; ; degree++) {
-            IntList stack = byDegree.get(degree);
-            while (stack.size > 0) {
-                int c = stack.values[--stack.size];
+            IntList queue = byDegree.get(degree);
+            while (taken[degree] < queue.size) {
+                int c = queue.values[taken[degree]++];
                 if (!gone[c] && later.get(c).size() == degree) {
                     return c;
                 }

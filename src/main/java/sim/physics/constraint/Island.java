@@ -66,13 +66,16 @@ final class Island implements Serializable {
 
     private final PinRows pins;
 
+    private final boolean onlyPins;
+
     /** The constraints of each body: those of body k are around[aroundStart[k]] … */
     private final int[] aroundStart;
 
     private final int[] around;
 
     private final Equations equations = new Equations();
-    private final double[] size;
+    private final double leastSize;
+    private final double mostSize;
     private double spread;
 
     /**
@@ -118,15 +121,20 @@ final class Island implements Serializable {
         c = new double[2 * nodes];
         rate = new double[2 * nodes];
         lambda = new double[2 * nodes];
-        size = new double[n];
+        double least = Double.POSITIVE_INFINITY;
+        double most = 0;
         for (int k = 0; k < n; k++) {
-            size[k] = constraints[k].getSize();
+            least = Math.min(least, constraints[k].getSize());
+            most = Math.max(most, constraints[k].getSize());
         }
+        leastSize = least;
+        mostSize = most;
         factor = factor(elimination, place);
         shared = shared();
         aroundStart = new int[bodies.size + 1];
         around = around();
         pins = new PinRows(this);
+        onlyPins = pins.areAll();
     }
 
     private int[] around() {
@@ -266,6 +274,13 @@ final class Island implements Serializable {
     /** A = J W Jᵀ, (41), and its factors; rows that are zero get a 1 on the diagonal. */
     void factor(double[] w, double relaxation) {
         double[] d = factor.diagonal();
+        if (onlyPins) {
+            pins.diagonal(w, d);
+            factor.clear();
+            pins.couple(w, shared, factor.below());
+            factor.factor(relaxation);
+            return;
+        }
         for (int p = 0; p < nodes; p++) {
             double d00 = 0;
             double d01 = 0;
@@ -339,6 +354,13 @@ final class Island implements Serializable {
         }
         double most = 0;
         double mostAngle = 0;
+        place = Math.max(place, mostSize);
+        if (onlyPins) {
+            for (int k = 0; k < 2 * nodes; k++) {
+                most = Math.max(most, Math.abs(c[k]));
+            }
+            return most <= Double.MAX_VALUE ? most / (rounding * place) : Double.POSITIVE_INFINITY;
+        }
         for (int k = 0; k < constraints.length; k++) {
             for (int p = firstNode[k]; p < firstNode[k + 1]; p++) {
                 for (int row = 0; row < 2; row++) {
@@ -348,7 +370,6 @@ final class Island implements Serializable {
                     }
                     if (pins.has(k) || !constraints[k].isAngle(2 * (p - firstNode[k]) + row)) {
                         most = Math.max(most, value);
-                        place = Math.max(place, size[k]);
                     } else {
                         mostAngle = Math.max(mostAngle, value);
                     }
@@ -358,41 +379,33 @@ final class Island implements Serializable {
         return Math.max(most / (rounding * place), mostAngle / (rounding * angle));
     }
 
-    /** The largest |J ẋ|, relative to the largest of its terms. */
-    double slip(double[] v) {
-        double most = 0;
-        for (int p = 0; p < nodes; p++) {
-            for (int o = J * p; o < J * p + 6; o += 3) {
-                double sum = 0;
-                double terms = 0;
-                for (int s = blockA[p], side = 0; side < 2; side++, s = blockB[p]) {
-                    for (int k = 0; s >= 0 && k < 3; k++) {
-                        double term = j[o + 6 * side + k] * v[s + k];
-                        sum += term;
-                        terms = Math.max(terms, Math.abs(term));
-                    }
-                }
-                if (Math.abs(sum) > 4 * 0x1p-52 * terms) {
-                    most = Math.max(most, Math.abs(sum) / terms);
-                }
-            }
+    /** The largest |J ẋ| of {@code right}, relative to the speed of the bodies' points; 0 for rounding. */
+    double slip(double[] v, double[] right) {
+        double speed = 0;
+        double spin = 0;
+        for (int k = 0; k < bodies.size; k++) {
+            int s = State.BLOCK * bodies.values[k];
+            speed = Math.max(speed, Math.max(Math.abs(v[s]), Math.abs(v[s + 1])));
+            spin = Math.max(spin, Math.abs(v[s + State.THETA]));
         }
-        return most;
+        double most = 0;
+        for (int k = 0; k < 2 * nodes; k++) {
+            most = Math.max(most, Math.abs(right[k]));
+        }
+        double scale = Math.max(speed, spin * leastSize);
+        return most <= 2 * 0x1p-52 * scale ? 0 : scale == 0 ? 1 : most / scale;
     }
 
     /** The largest part of a move, in rad or relative to the size of the bodies. */
     double roughness(double[] move) {
-        double most = 0;
-        for (int k = 0; k < constraints.length; k++) {
-            int p = firstNode[k];
-            for (int s = blockA[p], side = 0; side < 2; side++, s = blockB[p]) {
-                if (s >= 0) {
-                    double step = Math.max(Math.abs(move[s]), Math.abs(move[s + 1]));
-                    most = Math.max(most, Math.max(step / size[k], Math.abs(move[s + State.THETA])));
-                }
-            }
+        double step = 0;
+        double turn = 0;
+        for (int k = 0; k < bodies.size; k++) {
+            int s = State.BLOCK * bodies.values[k];
+            step = Math.max(step, Math.max(Math.abs(move[s]), Math.abs(move[s + 1])));
+            turn = Math.max(turn, Math.abs(move[s + State.THETA]));
         }
-        return most;
+        return Math.max(step / leastSize, turn);
     }
 
     /** Solves A λ = b in place. */
@@ -402,6 +415,10 @@ final class Island implements Serializable {
 
     /** −(J u + g) into {@code right}. */
     void residual(double[] u, double[] g, double[] right) {
+        if (onlyPins) {
+            pins.residual(u, g, right);
+            return;
+        }
         for (int p = 0; p < nodes; p++) {
             double r0 = g == null ? 0 : g[2 * p];
             double r1 = g == null ? 0 : g[2 * p + 1];
@@ -423,6 +440,10 @@ final class Island implements Serializable {
 
     /** u += W Jᵀ λ, (37) and (40). */
     void apply(double[] w, double[] multipliers, double[] u) {
+        if (onlyPins) {
+            pins.apply(w, multipliers, u);
+            return;
+        }
         for (int p = 0; p < nodes; p++) {
             double l0 = multipliers[2 * p];
             double l1 = multipliers[2 * p + 1];

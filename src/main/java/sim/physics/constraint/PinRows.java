@@ -43,6 +43,11 @@ final class PinRows implements Serializable {
         }
     }
 
+    /** Whether all constraints are pins, so that node k is pin k. */
+    boolean areAll() {
+        return pins.length == isPin.length;
+    }
+
     boolean has(int constraint) {
         return isPin[constraint];
     }
@@ -125,5 +130,100 @@ final class PinRows implements Serializable {
         island.c[2 * p + 1] = ay - by;
         island.rate[2 * p] = rateX;
         island.rate[2 * p + 1] = rateY;
+    }
+
+    /** The diagonal blocks of A, as {@link Island#factor} has them, where all constraints are pins. */
+    void diagonal(double[] w, double[] d) {
+        double[] j = island.j;
+        for (int p = 0; p < pins.length; p++) {
+            int o = Island.J * p;
+            double m = 0;
+            double d00 = 0;
+            double d01 = 0;
+            double d11 = 0;
+            int s = island.blockA[p];
+            if (s >= 0) {
+                double i = w[s + State.THETA];
+                double ix = i * j[o + 2];
+                m = w[s];
+                d00 = ix * j[o + 2];
+                d01 = ix * j[o + 5];
+                d11 = i * j[o + 5] * j[o + 5];
+            }
+            s = island.blockB[p];
+            if (s >= 0) {
+                double i = w[s + State.THETA];
+                double ix = i * j[o + 8];
+                m += w[s];
+                d00 += ix * j[o + 8];
+                d01 += ix * j[o + 11];
+                d11 += i * j[o + 11] * j[o + 11];
+            }
+            d[3 * p] = m + d00;
+            d[3 * p + 1] = d01;
+            d[3 * p + 2] = m + d11;
+        }
+    }
+
+    /** The blocks of A below its diagonal. */
+    void couple(double[] w, int[] shared, double[] below) {
+        double[] j = island.j;
+        for (int k = 0; k < shared.length; k += 4) {
+            int e = shared[k];
+            int q = shared[k + 1];
+            int p = shared[k + 2];
+            double m = w[shared[k + 3]] * (j[q] * j[p]);
+            double i = w[shared[k + 3] + State.THETA];
+            double ix = i * j[q + 2];
+            double iy = i * j[q + 5];
+            below[e] += m + ix * j[p + 2];
+            below[e + 1] += ix * j[p + 5];
+            below[e + 2] += iy * j[p + 2];
+            below[e + 3] += m + iy * j[p + 5];
+        }
+    }
+
+    /** −(J u + g) into {@code right}. */
+    void residual(double[] u, double[] g, double[] right) {
+        double[] j = island.j;
+        for (int p = 0; p < pins.length; p++) {
+            double r0 = g == null ? 0 : g[2 * p];
+            double r1 = g == null ? 0 : g[2 * p + 1];
+            int o = Island.J * p;
+            int s = island.blockA[p];
+            if (s >= 0) {
+                r0 += u[s] + j[o + 2] * u[s + 2];
+                r1 += u[s + 1] + j[o + 5] * u[s + 2];
+            }
+            s = island.blockB[p];
+            if (s >= 0) {
+                r0 += j[o + 8] * u[s + 2] - u[s];
+                r1 += j[o + 11] * u[s + 2] - u[s + 1];
+            }
+            right[2 * p] = -r0;
+            right[2 * p + 1] = -r1;
+        }
+    }
+
+    /** u += W Jᵀ λ. */
+    void apply(double[] w, double[] lambda, double[] u) {
+        double[] j = island.j;
+        for (int p = 0; p < pins.length; p++) {
+            double l0 = lambda[2 * p];
+            double l1 = lambda[2 * p + 1];
+            int o = Island.J * p;
+            int s = island.blockA[p];
+            if (s >= 0) {
+                u[s] += w[s] * l0;
+                u[s + 1] += w[s] * l1;
+                u[s + 2] += w[s + 2] * (j[o + 2] * l0 + j[o + 5] * l1);
+            }
+            s = island.blockB[p];
+            if (s >= 0) {
+                u[s] -= w[s] * l0;
+                u[s + 1] -= w[s] * l1;
+                u[s + 2] += w[s + 2] * (j[o + 8] * l0 + j[o + 11] * l1);
+            }
+        }
     }
 }

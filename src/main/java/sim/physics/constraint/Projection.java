@@ -29,6 +29,9 @@ final class Projection implements Serializable {
     /** Correction of a step, relative to the size of the bodies or in rad, from which the step was too long. */
     private static final double ROUGH = 0.02;
 
+    /** Size of a correction whose square is less than rounding. */
+    private static final double SMOOTH = 1e-9;
+
     private double[] move = {};
     private int corrections;
     private double error;
@@ -77,11 +80,15 @@ final class Projection implements Serializable {
                 solver.prepare(island, w);
             }
             correct(island, state, solver, w);
-            if (gentle && corrections == 0 && island.roughness(move) > ROUGH) {
+            double roughness = island.roughness(move);
+            if (gentle && corrections == 0 && roughness > ROUGH) {
                 return false;
             }
-            before = error;
             island.evaluate(state);
+            if (roughness < SMOOTH) {
+                break; // Newton's method squares it
+            }
+            before = error;
             error = island.error(state, ROUNDING);
         }
         settle(island, state, solver);
@@ -105,14 +112,19 @@ final class Projection implements Serializable {
 
     /** Projects the velocities alone; the island is evaluated, and prepared at or near the same positions. */
     void settle(Island island, State state, ConstraintSolver solver) {
+        double[] v = state.v();
         double last = Double.POSITIVE_INFINITY;
         for (int k = 0; k < VELOCITY_CORRECTIONS; k++) {
-            double slip = island.slip(state.v());
+            island.residual(v, null, island.lambda);
+            double slip = island.slip(v, island.lambda);
             if (slip == 0 || !(slip < 0.5 * last)) {
                 return;
             }
             last = slip;
-            solver.correct(island, state.w().values(), state.v(), null);
+            solver.correct(island, state.w().values(), v, null);
+            if (slip < SMOOTH) {
+                return;
+            }
         }
     }
 }

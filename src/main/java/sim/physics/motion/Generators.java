@@ -64,6 +64,11 @@ final class Generators implements Serializable {
         return true;
     }
 
+    /** Whether there is a generator other than a uniform field. */
+    boolean drive() {
+        return driving.length > 0;
+    }
+
     /** Whether a generator other than a uniform field acts on a body. */
     boolean drive(Body body) {
         return drivesOtherThan(null, body);

@@ -457,6 +457,27 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     @Override
     public void acceleration(IntList bodies, double t, double[] a) {
+        if (pushed.size == 0 && !generators.drive()) {
+            fall(bodies, a);
+        } else {
+            force(bodies, t, a);
+        }
+        if (ties != null && (generators.coupled || isTied(bodies.values[0]))) {
+            ties.accelerate(bodies, a); // (34)–(41)
+        }
+    }
+
+    /** Uniform fields alone. */
+    private void fall(IntList bodies, double[] a) {
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            a[b] = generators.gravityX;
+            a[b + 1] = generators.gravityY;
+            a[b + 2] = 0;
+        }
+    }
+
+    private void force(IntList bodies, double t, double[] a) {
         double[] f = state.f();
         double[] w = state.w().values();
         for (int k = 0; k < bodies.size; k++) {
@@ -469,9 +490,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
             a[b] = generators.gravityX + w[b] * f[b]; // (5), (7)
             a[b + 1] = generators.gravityY + w[b + 1] * f[b + 1];
             a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
-        }
-        if (ties != null && (generators.coupled || isTied(bodies.values[0]))) {
-            ties.accelerate(bodies, a); // (34)–(41)
         }
     }
 }
