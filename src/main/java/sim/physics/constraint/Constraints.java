@@ -273,6 +273,10 @@ public final class Constraints implements Ties, Serializable {
     /** Adds W Jᵀ λ, (37) with (40), where λ keeps C″ = J a + J̇ ẋ = 0, (36). */
     private void accelerate(Island island, double[] a) {
         double[] w = state.w().values();
+        if (!island.switches.isEmpty()) {
+            island.switches.accelerate(state, solver, a);
+            return;
+        }
         island.evaluate(state);
         if (stabilization.isFeedback()) {
             island.feedBack(state.v(), stabilization.position(), stabilization.velocity());
@@ -321,6 +325,7 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public void prepareImpact(IntList bodies) {
         Island one = of[bodies.values[0]];
+        one.switches.release();
         one.evaluate(state);
         solver.prepare(one, state.w().values());
     }
@@ -343,5 +348,59 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public void settle(IntList bodies) {
         projection.settle(of[bodies.values[0]], state, solver);
+    }
+
+    @Override
+    public boolean isSwitched(IntList bodies) {
+        for (int k = 0; k < islands.size(); k++) {
+            if (isOf(islands.get(k), bodies) && !islands.get(k).switches.isEmpty()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether a group of bodies is an island, or all of them. */
+    private boolean isOf(Island island, IntList bodies) {
+        Island one = islandOf(bodies.values[0]);
+        return one == null || one.bodies != bodies || one == island;
+    }
+
+    @Override
+    public boolean decide(IntList bodies) {
+        boolean hits = false;
+        for (Island island : islands) {
+            if (isOf(island, bodies) && island.switches.decide(state)) {
+                hits = true;
+                island.evaluate(state);
+                solver.prepare(island, state.w().values());
+                projection.settle(island, state, solver);
+            }
+        }
+        return hits;
+    }
+
+    @Override
+    public void confirm(IntList bodies, boolean hold) {
+        for (Island island : islands) {
+            if (isOf(island, bodies)) {
+                if (hold) {
+                    island.switches.hold(state);
+                } else {
+                    island.switches.settle();
+                }
+            }
+        }
+    }
+
+    @Override
+    public double watch(IntList bodies) {
+        double least = Double.POSITIVE_INFINITY;
+        for (Island island : islands) {
+            if (isOf(island, bodies)) {
+                least = Math.min(least, island.switches.watch(state));
+            }
+        }
+        return least;
     }
 }

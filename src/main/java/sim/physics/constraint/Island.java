@@ -67,6 +67,7 @@ final class Island implements Serializable {
     private final PinRows pins;
 
     private final boolean onlyPins;
+    final Switches switches;
 
     /** The constraints of each body: those of body k are around[aroundStart[k]] … */
     private final int[] aroundStart;
@@ -135,6 +136,7 @@ final class Island implements Serializable {
         around = around();
         pins = new PinRows(this);
         onlyPins = pins.areAll();
+        switches = new Switches(this);
     }
 
     private int[] around() {

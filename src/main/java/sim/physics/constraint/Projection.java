@@ -64,6 +64,7 @@ final class Projection implements Serializable {
         if (move.length < state.x().length) {
             move = new double[state.x().length];
         }
+        island.switches.settle();
         island.evaluate(state);
         error = island.error(state, ROUNDING);
         double before = Double.POSITIVE_INFINITY;
@@ -113,15 +114,16 @@ final class Projection implements Serializable {
     /** Projects the velocities alone; the island is evaluated, and prepared at or near the same positions. */
     void settle(Island island, State state, ConstraintSolver solver) {
         double[] v = state.v();
+        double[] bias = island.switches.bias();
         double last = Double.POSITIVE_INFINITY;
         for (int k = 0; k < VELOCITY_CORRECTIONS; k++) {
-            island.residual(v, null, island.lambda);
+            island.residual(v, bias, island.lambda);
             double slip = island.slip(v, island.lambda);
             if (slip == 0 || !(slip < 0.5 * last)) {
                 return;
             }
             last = slip;
-            solver.correct(island, state.w().values(), v, null);
+            solver.correct(island, state.w().values(), v, bias);
             if (slip < SMOOTH) {
                 return;
             }

@@ -34,7 +34,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     /** Null while nothing ties bodies together. */
     private Ties ties;
-
     private TiedMotion tied;
 
     /** Unit normals of the fixed surfaces that bodies rest on, 2n; zero for a body that rests on nothing. */
@@ -45,7 +44,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     /** Where the driven bodies are at the end of the step, 3n each. */
     private double[] endX = {};
-
     private double[] endV = {};
     private double time;
 
@@ -69,7 +67,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void setTies(Ties ties) {
         this.ties = ties;
-        tied = ties == null ? null : new TiedMotion(state, ties);
+        tied = ties == null ? null : new TiedMotion(state, trajectories, ties);
     }
 
     /**
@@ -294,7 +292,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
         IntList group = companions(body);
         double tau = trajectories.offset(body);
         restore(group);
-        double length = integrate(group, time + tau, trajectories.h() - tau);
+        double rest = trajectories.h() - tau;
+        double t = time + tau;
+        double length = isTiedGroup(group)
+                ? tied.advanceUntilSwitch(this, group, t, tau, path) : integrate(group, t, rest);
         double[] m = trajectories.data();
         if (endX.length < state.x().length) {
             endX = Arrays.copyOf(endX, state.x().length);
@@ -308,12 +309,16 @@ public final class Motion implements EquationsOfMotion, Serializable {
             System.arraycopy(state.x(), b, endX, b, State.BLOCK);
             System.arraycopy(state.v(), b, endV, b, State.BLOCK);
         }
-        return length == trajectories.h() - tau ? trajectories.h() : tau + length;
+        return length == rest ? trajectories.h() : tau + length;
+    }
+
+    private boolean isTiedGroup(IntList group) {
+        return ties != null && (generators.coupled || isTied(group.values[0]));
     }
 
     /** Integrates some bodies over a time; returns how far, which is less if a sliding body comes to rest. */
     private double integrate(IntList group, double t, double length) {
-        if (ties != null && (generators.coupled || isTied(group.values[0]))) {
+        if (isTiedGroup(group)) {
             tied.advance(this, group, t, length, path);
             return length;
         }
@@ -462,7 +467,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         } else {
             force(bodies, t, a);
         }
-        if (ties != null && (generators.coupled || isTied(bodies.values[0]))) {
+        if (isTiedGroup(bodies)) {
             ties.accelerate(bodies, a); // (34)–(41)
         }
     }

@@ -14,19 +14,108 @@ import sim.physics.internal.IntList;
 final class TiedMotion implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    private static final double HALF = 0.5;
     private static final int MOST_PARTS = 1 << 14;
 
     /** Part of a step in which the correction at its end does not matter to the path. */
     private static final double SHORT = 1e-3;
 
     private final State state;
+    private final Trajectories trajectories;
     private final Ties ties;
     private double[] startX = {};
     private double[] startV = {};
 
-    TiedMotion(State state, Ties ties) {
+    TiedMotion(State state, Trajectories trajectories, Ties ties) {
         this.state = state;
+        this.trajectories = trajectories;
         this.ties = ties;
+    }
+
+    /**
+     * Advances a group from an offset until a motor reaches its speed or a joint its stop, or to the end of the step.
+     *
+     * @return how long
+     */
+    double advanceUntilSwitch(Motion motion, IntList group, double t, double tau, Path path) {
+        double length = motion.step() - tau;
+        if (!ties.isSwitched(group)) {
+            advance(motion, group, t, length, path);
+            return length;
+        }
+        if (ties.decide(group)) {
+            for (int k = 0; k < group.size; k++) {
+                trajectories.anchor(group.values[k], tau, state);
+            }
+        }
+        path.ensure(state.x().length);
+        motion.acceleration(group, t, path.stage);
+        ties.confirm(group, false);
+        double first = ties.watch(group);
+        advance(motion, group, t, length, path);
+        double last = ties.watch(group);
+        if (last > -HALF) {
+            return length;
+        }
+        double from = 0;
+        if (first < 1) {
+            from = leave(motion, group, t, length, path);
+            if (from == 0) {
+                again(group);
+                ties.confirm(group, true); // it is pressed against its stop
+                advance(motion, group, t, length, path);
+                return length;
+            }
+            first = 1;
+        }
+        return find(motion, group, t, from, length, first, last, path);
+    }
+
+    /** A time at which the group has left its stop; 0 if there is none. */
+    private double leave(Motion motion, IntList group, double t, double length, Path path) {
+        for (double to = 0.5 * length; to > 1e-4 * length; to *= 0.5) {
+            again(group);
+            advance(motion, group, t, to, path);
+            if (ties.watch(group) > 1) {
+                return to;
+            }
+        }
+        again(group);
+        return 0;
+    }
+
+    /** The time at which the watched value is zero, by the Illinois method on motions made anew. */
+    private double find(
+            Motion motion, IntList group, double t, double low, double high, double atLow, double atHigh, Path path) {
+        double a = low;
+        double b = high;
+        double fa = atLow;
+        double fb = atHigh;
+        double time = high;
+        for (int k = 0; k < 60 && b - a > 0x1p-50 * high; k++) {
+            time = k % 8 == 7 || Double.isInfinite(fa) ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
+            again(group);
+            advance(motion, group, t, time, path);
+            double f = ties.watch(group);
+            if (Math.abs(f) <= HALF) {
+                break;
+            }
+            if (f > 0) {
+                a = time;
+                fa = f;
+                fb *= 0.5;
+            } else {
+                b = time;
+                fb = f;
+                fa *= 0.5;
+            }
+        }
+        return time;
+    }
+
+    private void again(IntList group) {
+        copy(group, startX, state.x());
+        copy(group, startV, state.v());
     }
 
     /** Advances a group over a time of either sign; the path is the cubic between its ends. */

@@ -82,4 +82,38 @@ public interface Ties extends Serializable {
      * @param island all bodies of an island, prepared
      */
     void settle(IntList island);
+
+    /**
+     * Whether a group has ties that act at some times only, motors and stops.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @return false if all ties act always
+     */
+    boolean isSwitched(IntList bodies);
+
+    /**
+     * Decides which of the ties of {@link #isSwitched} act from now on, and gives the bodies the velocities that those
+     * ask for.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @return whether velocities may have changed
+     */
+    boolean decide(IntList bodies);
+
+    /**
+     * Lets ties that were overloaded in the last evaluation of accelerations act no longer, or lets those act that have
+     * been reached.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @param hold true for the latter
+     */
+    void confirm(IntList bodies, boolean hold);
+
+    /**
+     * A value that turns negative when it must be decided anew which ties act, in units of what counts as reached.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @return infinite if there is nothing to watch
+     */
+    double watch(IntList bodies);
 }

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import sim.physics.internal.Check;
+import sim.physics.motion.Body;
+
+/**
+ * Stops of a joint: a coordinate stays between two bounds. It hits a bound as bodies hit one another, with a restitution,
+ * and rests there as long as it is pressed against it. Angles do not wrap: bounds may be any number of turns away.
+ */
+public final class Limit extends Switched {
+    private static final long serialVersionUID = 1L;
+
+    /** Distance within which a bound is reached, relative to the size of the coordinate. */
+    private static final double REACHED = 1e-11;
+
+    private final double lower;
+    private final double upper;
+    private final double restitution;
+
+    /** −1 or +1: at the lower or the upper bound; 0: between. */
+    private int side;
+
+    /**
+     * Makes stops on any coordinate.
+     *
+     * @param coordinate a constraint of one row: its C is bounded; it need not be in an engine
+     * @param lower bound, may be −∞
+     * @param upper bound, greater than the lower one, may be ∞
+     * @param restitution 0: it stops; 1: it bounces off elastically
+     */
+    public Limit(Constraint coordinate, double lower, double upper, double restitution) {
+        super(coordinate);
+        if (!(lower < upper)) {
+            throw new IllegalArgumentException("lower is " + lower + ": it must be less than upper, " + upper);
+        }
+        this.lower = lower;
+        this.upper = upper;
+        this.restitution = Check.between("restitution", restitution, 0, 1);
+    }
+
+    /**
+     * Makes stops for the angle of a body against another one, from where the two are now.
+     *
+     * @param a a body
+     * @param b another body, or null for the world
+     * @param lower bound of θA − θB less what it is now, rad
+     * @param upper bound
+     * @return stops that do not bounce
+     */
+    public static Limit angle(Body a, Body b, double lower, double upper) {
+        return new Limit(new GearJoint(a, b, -1), lower, upper, 0);
+    }
+
+    /**
+     * Makes a rope: two points that are not farther apart than its length.
+     *
+     * @param a a body
+     * @param ax point in the coordinates of the first body
+     * @param ay point in the coordinates of the first body
+     * @param b another body, or null for the world
+     * @param bx point in the coordinates of the second body
+     * @param by point in the coordinates of the second body
+     * @param length of the rope
+     * @return stops that do not bounce
+     */
+    public static Limit rope(Body a, double ax, double ay, Body b, double bx, double by, double length) {
+        return new Limit(new RodJoint(a, ax, ay, b, bx, by, length), Double.NEGATIVE_INFINITY, 0, 0);
+    }
+
+    private double reach(double bound) {
+        double size = isAngle(0) ? 1 : getSize();
+        return REACHED * (Double.isInfinite(bound) ? size : size + Math.abs(bound));
+    }
+
+    @Override
+    double gap(double q) {
+        return q - (side < 0 ? lower : upper);
+    }
+
+    @Override
+    double decide(double q, double now) {
+        side = 0;
+        if (q - lower <= reach(lower)) {
+            side = -1;
+        } else if (upper - q <= reach(upper)) {
+            side = 1;
+        }
+        force = 0;
+        double into = now * side; // positive: into the bound
+        isOn = side != 0 && into >= 0;
+        if (!isOn || into == 0) {
+            return Double.NaN;
+        }
+        isOn = restitution == 0;
+        return -restitution * now;
+    }
+
+    @Override
+    double least() {
+        return side < 0 ? 0 : Double.NEGATIVE_INFINITY;
+    }
+
+    @Override
+    double greatest() {
+        return side < 0 ? Double.POSITIVE_INFINITY : 0;
+    }
+
+    @Override
+    double watch(double q, double now) {
+        return Math.min((q - lower) / reach(lower), (upper - q) / reach(upper));
+    }
+
+    @Override
+    void hold(double q) {
+        isOn |= side != 0 && watch(q, 0) <= 1;
+    }
+
+    @Override
+    double target() {
+        return 0;
+    }
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import sim.physics.internal.Check;
+import sim.physics.motion.Body;
+
+/**
+ * A motor: it brings a coordinate to a speed and keeps it there, with a force or torque that is never greater than its
+ * limit. With the speed 0 it is a brake, or the dry friction of a joint.
+ */
+public final class Motor extends Switched {
+    private static final long serialVersionUID = 1L;
+
+    /** Speed within which the target is reached, relative to the speeds of the bodies. */
+    private static final double REACHED = 1e-12;
+
+    private double speed;
+    private double limit;
+
+    /** Speeds when the motor was last found off its target. */
+    private double scale;
+
+    /**
+     * Makes a motor on any coordinate.
+     *
+     * @param coordinate a constraint of one row: its C is driven; it need not be in an engine
+     * @param speed of C
+     * @param limit the greatest force or torque along C, greater than 0
+     */
+    public Motor(Constraint coordinate, double speed, double limit) {
+        super(coordinate);
+        setSpeed(speed);
+        setLimit(limit);
+    }
+
+    /**
+     * Makes a motor that turns a body against another one.
+     *
+     * @param a a body
+     * @param b another body, or null for the world
+     * @param speed θ̇A − θ̇B, rad/time
+     * @param torque the greatest one, greater than 0
+     * @return a motor
+     */
+    public static Motor turning(Body a, Body b, double speed, double torque) {
+        return new Motor(new GearJoint(a, b, -1), speed, torque);
+    }
+
+    /**
+     * The speed that the motor aims at.
+     *
+     * @return rate of the coordinate
+     */
+    public double getSpeed() {
+        return speed;
+    }
+
+    /**
+     * Sets the speed that the motor aims at; at any time.
+     *
+     * @param speed rate of the coordinate
+     */
+    public void setSpeed(double speed) {
+        this.speed = Check.finite("speed", speed);
+    }
+
+    /**
+     * The greatest force or torque.
+     *
+     * @return greater than 0
+     */
+    public double getLimit() {
+        return limit;
+    }
+
+    /**
+     * Sets the greatest force or torque; at any time.
+     *
+     * @param limit greater than 0
+     */
+    public void setLimit(double limit) {
+        this.limit = Check.positive("limit", limit);
+    }
+
+    @Override
+    double gap(double q) {
+        return 0;
+    }
+
+    @Override
+    double decide(double q, double now) {
+        double missing = speed - now;
+        isOn = Math.abs(missing) <= REACHED * Math.max(scale, Math.abs(speed));
+        force = isOn ? 0 : missing > 0 ? limit : -limit;
+        if (!isOn) {
+            scale = Math.abs(speed) + Math.abs(now);
+        }
+        return Double.NaN;
+    }
+
+    @Override
+    double least() {
+        return -limit;
+    }
+
+    @Override
+    double greatest() {
+        return limit;
+    }
+
+    @Override
+    double watch(double q, double now) {
+        return (speed - now) * Math.signum(force) / (REACHED * scale);
+    }
+
+    @Override
+    void hold(double q) {
+        // a motor that is off has not reached its speed
+    }
+
+    @Override
+    double target() {
+        return speed;
+    }
+}

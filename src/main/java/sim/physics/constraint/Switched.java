@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.util.Objects;
+import sim.physics.motion.Body;
+
+/**
+ * A constraint of one row, on a coordinate q of two bodies, that acts at some times only: its force is bounded, or it
+ * pushes and does not pull. The coordinate is the C of another constraint of one row, and need not be 0.
+ */
+abstract class Switched implements Constraint {
+    private static final long serialVersionUID = 1L;
+
+    private final Constraint coordinate;
+
+    /** Whether the row acts; and if it does not, the force along the coordinate. */
+    boolean isOn;
+
+    double force;
+
+    /** The same for one evaluation of the accelerations only. */
+    boolean isOnNow;
+
+    double forceNow;
+
+    private double value;
+    private final double[] row = new double[6];
+
+    Switched(Constraint coordinate) {
+        this.coordinate = Objects.requireNonNull(coordinate, "coordinate");
+        if (coordinate.getRows() != 1 || coordinate instanceof Switched) {
+            throw new IllegalArgumentException("coordinate is " + coordinate + ": it must have one row");
+        }
+    }
+
+    @Override
+    public final Body getBodyA() {
+        return coordinate.getBodyA();
+    }
+
+    @Override
+    public final Body getBodyB() {
+        return coordinate.getBodyB();
+    }
+
+    @Override
+    public final int getRows() {
+        return 1;
+    }
+
+    @Override
+    public final boolean isAngle(int row) {
+        return coordinate.isAngle(row);
+    }
+
+    @Override
+    public final double getSize() {
+        return coordinate.getSize();
+    }
+
+    @Override
+    public final void evaluate(Equations equations) {
+        coordinate.evaluate(equations);
+        value = equations.c[0];
+        System.arraycopy(equations.jA, 0, row, 0, 3);
+        System.arraycopy(equations.jB, 0, row, 3, 3);
+        equations.c[0] = isOnNow ? gap(value) : 0;
+        if (!isOnNow) {
+            equations.rate[0] = 0;
+            equations.setA(0, 0, 0, 0);
+            equations.setB(0, 0, 0, 0);
+        }
+    }
+
+    /** The coordinate at the last evaluation. */
+    final double value() {
+        return value;
+    }
+
+    /** The coordinate's rate, from the last evaluation's J; blocks of its bodies, −1 for what cannot move. */
+    final double speed(double[] v, int blockA, int blockB) {
+        double sum = 0;
+        for (int k = 0; k < 3; k++) {
+            sum += (blockA < 0 ? 0 : row[k] * v[blockA + k]) + (blockB < 0 ? 0 : row[3 + k] * v[blockB + k]);
+        }
+        return sum;
+    }
+
+    /** u += W rowᵀ force. */
+    final void push(double f, double[] w, double[] u, int blockA, int blockB) {
+        for (int k = 0; k < 3; k++) {
+            if (blockA >= 0) {
+                u[blockA + k] += w[blockA + k] * (row[k] * f);
+            }
+            if (blockB >= 0) {
+                u[blockB + k] += w[blockB + k] * (row[3 + k] * f);
+            }
+        }
+    }
+
+    /** The value that the row keeps at 0 when it is on; 0 if it keeps a speed only. */
+    abstract double gap(double q);
+
+    /**
+     * Decides whether the row is on from now on.
+     *
+     * @param q the coordinate
+     * @param speed its rate
+     * @return the speed that it must have at once, or NaN if it may have any
+     */
+    abstract double decide(double q, double speed);
+
+    /** The least and the greatest force that the row can have when it is on. */
+    abstract double least();
+
+    abstract double greatest();
+
+    /**
+     * A value that turns negative when the row must be decided anew, in units of what counts as reached; the row is off.
+     */
+    abstract double watch(double q, double speed);
+
+    /** Turns the row on if its coordinate is where it may be held. */
+    abstract void hold(double q);
+
+    /** The speed that the row keeps when it is on. */
+    abstract double target();
+
+    @Override
+    public String toString() {
+        return getClass().getSimpleName() + "(" + coordinate + ")";
+    }
+}

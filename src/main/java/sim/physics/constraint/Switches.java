@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.List;
+import sim.physics.motion.State;
+
+/** The motors and stops of an island: which of their rows act, and when that must be decided anew. */
+final class Switches implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final Island island;
+    private final Switched[] rows;
+    private final int[] nodes;
+    private double[] free = {};
+
+    /** −(the speed that a row keeps), 2 per node of the island. */
+    private final double[] bias;
+
+    Switches(Island island) {
+        this.island = island;
+        List<Switched> found = new ArrayList<>();
+        List<Integer> at = new ArrayList<>();
+        for (int k = 0; k < island.constraints.length; k++) {
+            if (island.constraints[k] instanceof Switched s) {
+                found.add(s);
+                at.add(island.firstNode[k]);
+            }
+        }
+        rows = found.toArray(new Switched[0]);
+        nodes = at.stream().mapToInt(Integer::intValue).toArray();
+        bias = new double[2 * island.nodes];
+    }
+
+    boolean isEmpty() {
+        return rows.length == 0;
+    }
+
+    /** The right side of the velocity equations; null: 0. */
+    double[] bias() {
+        return rows.length == 0 ? null : bias;
+    }
+
+    /** Lets no row act: an impact's forces are greater than any motor's, and stops have impacts of their own. */
+    void release() {
+        for (Switched s : rows) {
+            s.isOnNow = false;
+        }
+        setBias();
+    }
+
+    /** Lets the rows act that have been decided to; a motor that was overloaded within the step is off from now on. */
+    void settle() {
+        for (Switched s : rows) {
+            if (s.isOn && !s.isOnNow) {
+                s.isOn = false;
+                s.force = s.forceNow;
+            }
+            s.isOnNow = s.isOn;
+        }
+        setBias();
+    }
+
+    private void setBias() {
+        for (int k = 0; k < rows.length; k++) {
+            bias[2 * nodes[k]] = rows[k].isOnNow ? -rows[k].target() : 0;
+        }
+    }
+
+    /** Accelerations at a stage: rows whose force would be out of its bounds do not act, and push with that bound. */
+    void accelerate(State state, ConstraintSolver solver, double[] a) {
+        double[] w = state.w().values();
+        keep(a);
+        for (Switched s : rows) {
+            s.isOnNow = s.isOn;
+            s.forceNow = s.force;
+        }
+        boolean changed = true;
+        while (changed) {
+            changed = false;
+            restore(a);
+            island.evaluate(state);
+            for (int k = 0; k < rows.length; k++) {
+                if (!rows[k].isOnNow && rows[k].forceNow != 0) {
+                    rows[k].push(rows[k].forceNow, w, a, island.blockA[nodes[k]], island.blockB[nodes[k]]);
+                }
+            }
+            solver.prepare(island, w);
+            solver.correct(island, w, a, island.rate);
+            for (int k = 0; k < rows.length; k++) {
+                changed |= rows[k].isOnNow && limit(rows[k], island.lambda[2 * nodes[k]]);
+            }
+        }
+    }
+
+    private static boolean limit(Switched s, double force) {
+        if (force >= s.least() && force <= s.greatest()) {
+            return false;
+        }
+        s.isOnNow = false;
+        s.forceNow = force < s.least() ? s.least() : s.greatest();
+        return true;
+    }
+
+    private void keep(double[] a) {
+        int n = State.BLOCK * island.bodies.size;
+        if (free.length < n) {
+            free = new double[n];
+        }
+        for (int k = 0; k < n; k++) {
+            free[k] = a[State.BLOCK * island.bodies.values[k / 3] + k % 3];
+        }
+    }
+
+    private void restore(double[] a) {
+        for (int k = 0; k < State.BLOCK * island.bodies.size; k++) {
+            a[State.BLOCK * island.bodies.values[k / 3] + k % 3] = free[k];
+        }
+    }
+
+    /** Decides which rows act; returns whether some row asks for another speed than there is. */
+    boolean decide(State state) {
+        island.evaluate(state);
+        boolean hits = false;
+        for (int k = 0; k < rows.length; k++) {
+            double must = rows[k].decide(rows[k].value(), speed(k, state));
+            rows[k].isOnNow = rows[k].isOn || !Double.isNaN(must);
+            bias[2 * nodes[k]] = Double.isNaN(must) ? rows[k].isOn ? -rows[k].target() : 0 : -must;
+            hits |= rows[k].isOnNow;
+        }
+        return hits;
+    }
+
+    private double speed(int k, State state) {
+        return rows[k].speed(state.v(), island.blockA[nodes[k]], island.blockB[nodes[k]]);
+    }
+
+    /** Turns the rows on that are where they may be held. */
+    void hold(State state) {
+        island.evaluate(state);
+        for (Switched s : rows) {
+            if (!s.isOn) {
+                s.hold(s.value());
+            }
+        }
+    }
+
+    /** The least of the values that turn negative when a row must be decided anew. */
+    double watch(State state) {
+        island.evaluate(state);
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < rows.length; k++) {
+            if (!rows[k].isOn) {
+                least = Math.min(least, rows[k].watch(rows[k].value(), speed(k, state)));
+            }
+        }
+        return least;
+    }
+}
