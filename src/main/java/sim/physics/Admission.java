@@ -9,6 +9,7 @@ import sim.physics.collision.CollisionDetection;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
+import sim.physics.constraint.Reaction;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.Motion;
@@ -189,6 +190,32 @@ final class Admission implements Serializable {
                 constraints.remove(c);
             }
         }
+    }
+
+    /** Cuts the joints that break under the load that they have at the start of a step; true if one did. */
+    boolean breakJoints(double time) {
+        if (constraints == null || !constraints.isBreakable()) {
+            return false;
+        }
+        boolean broken = false;
+        double[] a = new double[state.x().length];
+        for (IntList island : constraints.breakable()) {
+            motion.acceleration(island, time, a);
+            for (Constraint c : constraints.overloaded(island)) {
+                broken |= constraints.remove(c);
+            }
+        }
+        return broken;
+    }
+
+    /** What a constraint does now, between steps. */
+    Reaction reaction(Constraint constraint, double time) {
+        if (constraints.isChanged()) {
+            regroup();
+        }
+        Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
+        motion.acceleration(constraints.island(body.index()), time, new double[state.x().length]);
+        return constraints.reaction(constraint);
     }
 
     /** Forms islands anew between steps, when the vectors hold where all bodies are. */

@@ -19,6 +19,7 @@ import sim.physics.constraint.ConstraintSolver;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.DirectSolver;
 import sim.physics.constraint.Joint;
+import sim.physics.constraint.Reaction;
 import sim.physics.constraint.Stabilization;
 import sim.physics.internal.Check;
 import sim.physics.internal.IntList;
@@ -119,6 +120,9 @@ public final class PhysicsEngine implements Steppable {
         motion.anchorDriven();
         motion.endApplied(changed);
         admit(0);
+        while (admission.breakJoints(getTime())) {
+            admit(0);
+        }
         groups.clear();
         for (int k = 0; k < changed.size; k++) {
             detection.moved(changed.values[k], 0, false, -1);
@@ -422,6 +426,31 @@ public final class PhysicsEngine implements Steppable {
      */
     public List<Constraint> allConstraints() {
         return constraints == null ? new ArrayList<>() : constraints.all();
+    }
+
+    /**
+     * The force of a constraint where the bodies are now, between steps.
+     *
+     * @param constraint one of this engine
+     * @return what it does to its first body
+     * @throws IllegalStateException if it is not in this engine, or within a step
+     */
+    public Reaction getReaction(Constraint constraint) {
+        requireBetweenSteps("a reaction was asked for");
+        if (!contains(constraint)) {
+            throw new IllegalStateException("constraint is " + constraint + ": it is not in this engine");
+        }
+        return admission.reaction(constraint, getTime());
+    }
+
+    /**
+     * Number of equations of constraints that say what others say already, as a door's second hinge does. They do no harm:
+     * of all forces that do the same the smallest are taken.
+     *
+     * @return rows, as the last step found them
+     */
+    public int getRedundantEquations() {
+        return constraints == null ? 0 : constraints.redundant();
     }
 
     /**

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.TreeSet;
 import sim.physics.internal.IntList;
+import sim.physics.matrix.BlockSparseMatrix;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
@@ -148,7 +149,11 @@ public final class Constraints implements Ties, Serializable {
      * @return false if it was not there
      */
     public boolean remove(Constraint constraint) {
-        return constraints.remove(constraint) && changed.add(constraint);
+        boolean was = constraints.remove(constraint);
+        if (was) {
+            changed.add(constraint);
+        }
+        return was;
     }
 
     /**
@@ -331,6 +336,11 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
+    public BlockSparseMatrix jacobian(IntList bodies) {
+        return GlobalSolver.jacobian(of[bodies.values[0]], state.x().length);
+    }
+
+    @Override
     public void reply(int body, double px, double py, double turn, double[] velocities) {
         Island one = of[body];
         double[] w = state.w().values();
@@ -348,6 +358,80 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public void settle(IntList bodies) {
         projection.settle(of[bodies.values[0]], state, solver);
+    }
+
+    /**
+     * What a constraint does, as the last evaluation of the accelerations found it.
+     *
+     * @param constraint one that was added and regrouped
+     * @return its force
+     */
+    public Reaction reaction(Constraint constraint) {
+        Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
+        return islandOf(body.index()).reaction(constraint);
+    }
+
+    /**
+     * The joints whose load is greater than they bear, as the last evaluation of the accelerations found it.
+     *
+     * @param bodies an island
+     * @return those that break; empty if none does
+     */
+    public List<Constraint> overloaded(IntList bodies) {
+        Island island = islandOf(bodies.values[0]);
+        List<Constraint> breaking = new ArrayList<>();
+        for (Constraint c : island.inOrder) {
+            if (c instanceof Joint joint && joint.isBreakable()) {
+                Reaction load = island.reaction(c);
+                double torque = c instanceof PinJoint ? 0 : Math.abs(load.torque());
+                if (load.force() > joint.getBreakingForce() || torque > joint.getBreakingTorque()) {
+                    breaking.add(c);
+                }
+            }
+        }
+        return breaking;
+    }
+
+    /**
+     * Number of rows that depend on others.
+     *
+     * @return as the last solves found them
+     */
+    public int redundant() {
+        int sum = 0;
+        for (Island island : islands) {
+            sum += island.isRedundant ? island.redundantRows : 0;
+        }
+        return sum;
+    }
+
+    /**
+     * The islands that have joints which can break.
+     *
+     * @return their bodies
+     */
+    public List<IntList> breakable() {
+        List<IntList> found = new ArrayList<>();
+        for (Island island : islands) {
+            if (island.isBreakable) {
+                found.add(island.bodies);
+            }
+        }
+        return found;
+    }
+
+    /**
+     * Whether some joint can break.
+     *
+     * @return false if all bear any load
+     */
+    public boolean isBreakable() {
+        for (int k = 0; k < islands.size(); k++) {
+            if (islands.get(k).isBreakable) {
+                return true;
+            }
+        }
+        return false;
     }
 
     @Override

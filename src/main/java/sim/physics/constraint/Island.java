@@ -53,6 +53,7 @@ final class Island implements Serializable {
     final List<Constraint> inOrder;
 
     boolean isDissolved;
+    final boolean isBreakable;
 
     /** Whether some rows depend on others; and how many did when that was found last. */
     boolean isRedundant;
@@ -137,6 +138,7 @@ final class Island implements Serializable {
         pins = new PinRows(this);
         onlyPins = pins.areAll();
         switches = new Switches(this);
+        isBreakable = those.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());
     }
 
     private int[] around() {
@@ -319,6 +321,27 @@ final class Island implements Serializable {
             below[e + 2] += m * (j[q + 3] * j[p] + j[q + 4] * j[p + 1]) + i * j[q + 5] * j[p + 2];
             below[e + 3] += m * (j[q + 3] * j[p + 3] + j[q + 4] * j[p + 4]) + i * j[q + 5] * j[p + 5];
         }
+    }
+
+    /** Jᵀ λ of one constraint on its first body, as the last solve left it. */
+    Reaction reaction(Constraint constraint) {
+        int k = 0;
+        while (constraints[k] != constraint) {
+            k++;
+        }
+        if (constraint instanceof Switched s && !s.isOnNow) {
+            return s.reaction(s.forceNow);
+        }
+        equations.clear();
+        constraint.evaluate(equations);
+        double[] f = new double[3];
+        for (int row = 0; row < constraint.getRows(); row++) {
+            double l = lambda[2 * firstNode[k] + row];
+            for (int m = 0; m < 3; m++) {
+                f[m] += equations.jA[3 * row + m] * l;
+            }
+        }
+        return new Reaction(f[0], f[1], f[2]);
     }
 
     void forgetMasses() {

@@ -79,8 +79,8 @@ public abstract class Joint implements Constraint {
     }
 
     /**
-     * Lets the joint break when its force or its torque is greater than a limit at the start of a step. A pin has no
-     * torque of its own.
+     * Lets the joint break when its force or its torque (see {@link Reaction}) is greater than a limit at the start of a
+     * step. A pin has no torque of its own. To be called before the joint is added to an engine.
      *
      * @param force greater than 0; may be infinite
      * @param torque greater than 0; may be infinite
@@ -95,6 +95,10 @@ public abstract class Joint implements Constraint {
         }
         breakingForce = force;
         breakingTorque = torque;
+    }
+
+    final boolean isBreakable() {
+        return breakingForce < Double.POSITIVE_INFINITY || breakingTorque < Double.POSITIVE_INFINITY;
     }
 
     /** A world point in the coordinates of a body; of the world for null. */

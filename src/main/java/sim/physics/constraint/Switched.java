@@ -99,6 +99,10 @@ abstract class Switched implements Constraint {
         }
     }
 
+    final Reaction reaction(double f) {
+        return new Reaction(row[0] * f, row[1] * f, row[2] * f);
+    }
+
     /** The value that the row keeps at 0 when it is on; 0 if it keeps a speed only. */
     abstract double gap(double q);
 

@@ -4,6 +4,7 @@ package sim.physics.motion;
 
 import java.io.Serializable;
 import sim.physics.internal.IntList;
+import sim.physics.matrix.BlockSparseMatrix;
 
 /** What ties bodies together, as their motion sees it. Bodies that are tied to one another form an <i>island</i>. */
 public interface Ties extends Serializable {
@@ -64,6 +65,14 @@ public interface Ties extends Serializable {
      * @param island all bodies of an island
      */
     void prepareImpact(IntList island);
+
+    /**
+     * The rows of J of an island.
+     *
+     * @param island all bodies of an island, prepared
+     * @return with columns for all bodies of the state; some rows may be empty
+     */
+    BlockSparseMatrix jacobian(IntList island);
 
     /**
      * What an impulse on one body does to the velocities of its island, (47)–(54).

@@ -295,6 +295,7 @@ public final class CollisionResponse implements Serializable {
      */
     public void setSolver(ImpulseSolver solver) {
         this.solver = Objects.requireNonNull(solver, "solver");
+        simultaneous.setBordered(solver instanceof BorderedImpulse);
     }
 
     /**

@@ -55,6 +55,7 @@ final class SimultaneousImpact implements Serializable {
     private Ties ties;
 
     private boolean tied;
+    private BorderedJoints bordered;
 
     /** What a unit of each point's impulse does to the velocities of all bodies: by points, then by bodies. */
     private final Replies replies = new Replies();
@@ -173,8 +174,19 @@ final class SimultaneousImpact implements Serializable {
         return -1;
     }
 
+    /** Chooses the write-up's bordered system for impacts of one point without friction on jointed bodies. */
+    void setBordered(boolean yes) {
+        bordered = yes ? new BorderedJoints() : null;
+    }
+
     /** Solves for the impulses and gives the bodies their new velocities. */
     void solve() {
+        Impact only = impacts[0];
+        if (bordered != null && tied && points == 1 && only.friction == 0 && !only.sticky) {
+            rhs[0] = only.normalVelocity();
+            bordered.solve(only, bodyA[0], bodyB[0], body, velocity, bodies, state, ties);
+            return;
+        }
         assemble();
         activeSet();
         double least = 1;

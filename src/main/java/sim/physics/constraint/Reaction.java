@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+
+/**
+ * What a constraint does to its first body at one instant: Jᵀ λ, (40). The second body gets the opposite force at the same
+ * place.
+ *
+ * @param forceX force
+ * @param forceY force
+ * @param torque about the first body's centre of mass
+ */
+public record Reaction(double forceX, double forceY, double torque) implements Serializable {
+    /**
+     * Size of the force.
+     *
+     * @return not negative
+     */
+    public double force() {
+        return Math.sqrt(forceX * forceX + forceY * forceY);
+    }
+}

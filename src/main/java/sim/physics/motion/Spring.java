@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.util.Objects;
+import sim.physics.internal.Check;
+import sim.physics.internal.Trig;
+
+/**
+ * A spring with a damper between points of two bodies, or of a body and the world:
+ *
+ * <pre>
+ *   F = −(k (|d| − L) + c n·ḋ) n   on the first body,   d = pA − pB,   n = d / |d|
+ * </pre>
+ *
+ * <p>It gives no force where both points are the same. All bodies that an integrator drives move together while there is
+ * a spring between two movable ones.
+ */
+public final class Spring implements ForceGenerator {
+    private static final long serialVersionUID = 1L;
+
+    private final Body a;
+    private final Body b;
+    private final double ax;
+    private final double ay;
+    private final double bx;
+    private final double by;
+    private final double length;
+    private final double stiffness;
+    private final double damping;
+
+    /**
+     * Makes a spring.
+     *
+     * @param a a body
+     * @param ax point in the coordinates of the first body
+     * @param ay point in the coordinates of the first body
+     * @param b another body, or null for the world
+     * @param bx point in the coordinates of the second body
+     * @param by point in the coordinates of the second body
+     * @param length L at which it gives no force, not negative
+     * @param stiffness k, force/length, not negative
+     * @param damping c, force·time/length, not negative
+     * @throws IllegalArgumentException if a number is out of its range, or both bodies are the same
+     */
+    public Spring(
+            Body a, double ax, double ay, Body b, double bx, double by, double length, double stiffness, double damping) {
+        this.a = Objects.requireNonNull(a, "a");
+        if (a == b) {
+            throw new IllegalArgumentException("b is " + b + ": a spring needs two different bodies");
+        }
+        this.b = b;
+        this.ax = Check.finite("ax", ax);
+        this.ay = Check.finite("ay", ay);
+        this.bx = Check.finite("bx", bx);
+        this.by = Check.finite("by", by);
+        this.length = Check.notNegative("length", length);
+        this.stiffness = Check.notNegative("stiffness", stiffness);
+        this.damping = Check.notNegative("damping", damping);
+    }
+
+    @Override
+    public boolean actsOn(Body body) {
+        return body == a || body == b;
+    }
+
+    @Override
+    public boolean isCoupled() {
+        return b != null && !b.isFixed() && !a.isFixed();
+    }
+
+    @Override
+    public void addForce(Body body, double time, Forces forces) {
+        double cosA = Trig.cos(a.getAngle());
+        double sinA = Trig.sin(a.getAngle());
+        double rax = cosA * ax - sinA * ay;
+        double ray = sinA * ax + cosA * ay;
+        double rbx = bx;
+        double rby = by;
+        if (b != null) {
+            double cosB = Trig.cos(b.getAngle());
+            double sinB = Trig.sin(b.getAngle());
+            rbx = cosB * bx - sinB * by;
+            rby = sinB * bx + cosB * by;
+        }
+        double dx = a.getX() + rax - rbx - (b == null ? 0 : b.getX());
+        double dy = a.getY() + ray - rby - (b == null ? 0 : b.getY());
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        if (distance == 0) {
+            return;
+        }
+        double nx = dx / distance;
+        double ny = dy / distance;
+        double ux = a.getVelocityX() - a.getAngularVelocity() * ray;
+        double uy = a.getVelocityY() + a.getAngularVelocity() * rax;
+        if (b != null) {
+            ux -= b.getVelocityX() - b.getAngularVelocity() * rby;
+            uy -= b.getVelocityY() + b.getAngularVelocity() * rbx;
+        }
+        double f = -(stiffness * (distance - length) + damping * (nx * ux + ny * uy));
+        boolean first = body == a;
+        double fx = first ? f * nx : -f * nx;
+        double fy = first ? f * ny : -f * ny;
+        forces.add(body, fx, fy);
+        forces.addTorque(body, first ? rax * fy - ray * fx : rbx * fy - rby * fx);
+    }
+
+    /**
+     * The energy that is stored in the spring now.
+     *
+     * @return k (|d| − L)² / 2
+     */
+    public double energy() {
+        double cosA = Trig.cos(a.getAngle());
+        double sinA = Trig.sin(a.getAngle());
+        double dx = a.getX() + (cosA * ax - sinA * ay);
+        double dy = a.getY() + (sinA * ax + cosA * ay);
+        double cosB = b == null ? 1 : Trig.cos(b.getAngle());
+        double sinB = b == null ? 0 : Trig.sin(b.getAngle());
+        dx -= cosB * bx - sinB * by + (b == null ? 0 : b.getX());
+        dy -= sinB * bx + cosB * by + (b == null ? 0 : b.getY());
+        double stretch = Math.sqrt(dx * dx + dy * dy) - length;
+        return 0.5 * stiffness * stretch * stretch;
+    }
+}
