@@ -41,7 +41,7 @@ public final class PhysicsEngine implements Steppable {
     public static final int ORDERING = 10;
 
     /** Number of bodies from which the broad phase of a new engine is a {@link CellGrid}. */
-    private static final int CROWD = 200;
+    private static final int CROWD = 50;
 
     private final State state = new State();
     private final Trajectories trajectories = new Trajectories();
@@ -200,6 +200,9 @@ public final class PhysicsEngine implements Steppable {
 
     /** Lets the bodies that were added or written since the last look start from where they were put. */
     private void admitTouched(double tau) {
+        if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
+            setBroadPhase(new CellGrid());
+        }
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
             Body body = state.body(index);
@@ -216,9 +219,6 @@ public final class PhysicsEngine implements Steppable {
             }
         }
         state.clearTouched();
-        if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
-            setBroadPhase(new CellGrid());
-        }
     }
 
     private void removeLeaving() {
