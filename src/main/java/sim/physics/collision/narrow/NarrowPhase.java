@@ -27,6 +27,7 @@ public final class NarrowPhase implements Serializable {
 
     private transient Pose pose;
     private transient ClosestFeatures features;
+    private transient SeparatingLine separatingLine;
     private transient TimeOfImpact timeOfImpact;
     private transient Manifold bearing;
     private transient Bisection bisection;
@@ -86,10 +87,15 @@ public final class NarrowPhase implements Serializable {
             return start;
         }
         wake();
-        pose.load(i, j);
-        double found = timeOfImpact.search(start, end, codes[pair]);
-        codes[pair] = timeOfImpact.code;
-        touching = timeOfImpact.touching;
+        double found = separatingLine.search(i, j, start, end, codes[pair]);
+        codes[pair] = separatingLine.code;
+        touching = separatingLine.touching;
+        if (separatingLine.undecided) {
+            pose.load(i, j);
+            found = timeOfImpact.search(found, end, codes[pair]);
+            codes[pair] = timeOfImpact.code;
+            touching = timeOfImpact.touching;
+        }
         return found;
     }
 
@@ -324,7 +330,7 @@ public final class NarrowPhase implements Serializable {
      * @return since the engine was made or restored
      */
     public long evaluations() {
-        return timeOfImpact == null ? 0 : timeOfImpact.evaluations;
+        return timeOfImpact == null ? 0 : timeOfImpact.evaluations + separatingLine.evaluations;
     }
 
     private void wake() {
@@ -332,6 +338,7 @@ public final class NarrowPhase implements Serializable {
             bearing = new Manifold();
             pose = new Pose(shapes, trajectories);
             features = new ClosestFeatures(pose);
+            separatingLine = new SeparatingLine(shapes, trajectories, pose, features);
             timeOfImpact = new TimeOfImpact(pose, features);
             bisection = new Bisection(pose, features);
         }
