@@ -127,11 +127,18 @@ public final class CellGrid implements BroadPhase {
             collectAll(body, boxes, pairs);
             return;
         }
+        int o = Boxes.STRIDE * body;
+        double minX = boxes.data()[o];
+        double minY = boxes.data()[o + 1];
+        double maxX = boxes.data()[o + 2];
+        double maxY = boxes.data()[o + 3];
         for (int row = -1; row <= 1; row++) {
             int first = centre + row * rowStep - 1;
             for (int c = first; c <= first + 2; c++) {
                 for (int other = head[c & mask]; other != NONE; other = next[other]) {
-                    beginIfOverlapping(body, other, boxes, pairs);
+                    if (boxes.meets(other, minX, minY, maxX, maxY)) {
+                        beginIfOverlapping(body, other, boxes, pairs);
+                    }
                 }
             }
         }
@@ -146,7 +153,7 @@ public final class CellGrid implements BroadPhase {
     }
 
     private void beginIfOverlapping(int body, int other, Boxes boxes, Pairs pairs) {
-        if (boxes.overlap(body, other) && mark[other] != marking) {
+        if (mark[other] != marking && boxes.overlap(body, other)) {
             pairs.beginNew(body, other);
         }
     }

@@ -35,7 +35,7 @@ final class GapRoot {
                 s -= f / (c1 + s * (2 * c2 + s * (3 * c3 - 4 * s * fourth)));
                 f = g + s * (c1 + s * (c2 + s * (c3 - s * fourth)));
             }
-            boolean falls = c1 + s * (2 * Math.max(c2, 0) + 3 * s * Math.max(c3, 0)) < 0;
+            boolean falls = c1 + s * (2 * (c2 - fall(c2)) + 3 * s * (c3 - fall(c3))) < 0;
             if (s > 0 && falls && Math.abs(f) <= 0.25 * tolerance) {
                 sharp = s < rest && fourth * s * s * s * s <= 0.25 * tolerance;
                 return Math.min(s, beyond);
@@ -47,13 +47,18 @@ final class GapRoot {
 
     /** The same up to a time, with one bound for all terms but the first two. */
     private double boundedRoot(double g, double c1, double c2, double c3, double until) {
-        double bound = Math.max(0, until * until * fourth - Math.min(c2, c2 + until * c3));
+        double bound = until * until * fourth - fall(c2 + until * fall(c3));
         return Math.min(until, firstRoot(g, c1, bound));
     }
 
     /** Whether g + c1 s + c2 s² + c3 s³ − fourth s⁴ is positive up to a time; false may also mean not known. */
     private boolean isPositive(double g, double c1, double c2, double c3, double s) {
-        return g + s * (Math.min(c1, 0) + s * (Math.min(c2, 0) + s * (Math.min(c3, 0) - s * fourth))) > 0;
+        return g + s * (fall(c1) + s * (fall(c2) + s * (fall(c3) - s * fourth))) > 0;
+    }
+
+    /** The smaller of a number and 0; quicker than {@code Math.min}. */
+    private static double fall(double c) {
+        return 0.5 * (c - Math.abs(c));
     }
 
     /** First root of g + c1 s − bound s² for g ≥ 0 and a bound ≥ 0. */
@@ -67,7 +72,7 @@ final class GapRoot {
 
     /** How long a vertex that is on the line and rises at a rate c1 surely stays above it. */
     double parting(double c1, double c2, double c3, double beyond) {
-        double bound = Math.max(0, beyond * beyond * fourth - Math.min(c2, c2 + beyond * c3));
+        double bound = beyond * beyond * fourth - fall(c2 + beyond * fall(c3));
         return c1 >= beyond * bound ? INFINITE : c1 / bound;
     }
 }

@@ -175,7 +175,7 @@ public final class NarrowPhase implements Serializable {
         double approach = px * ux + py * uy;
         if (c > 0) {
             double d = approach * approach - (ux * ux + uy * uy) * c;
-            if (Math.max(approach, -d) >= 0) {
+            if ((Double.doubleToRawLongBits(approach) & Double.doubleToRawLongBits(-d)) >= 0) {
                 return Double.POSITIVE_INFINITY; // they part or pass; one branch, since nobody could foretell two
             }
             touching = isCircle(i) && isCircle(j);
