@@ -48,7 +48,7 @@ public final class PhysicsEngine implements Steppable {
     public static final int ORDERING = 10;
 
     /** Number of bodies from which the broad phase of a new engine is a {@link CellGrid}. */
-    private static final int CROWD = 200;
+    private static final int CROWD = 50;
 
     private final State state = new State();
     private final Trajectories trajectories = new Trajectories();
@@ -237,12 +237,12 @@ public final class PhysicsEngine implements Steppable {
 
     /** Lets in what authors have changed since the last look. */
     private void admit(double tau) {
+        if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
+            setBroadPhase(new CellGrid());
+        }
         IntList driven = admission.admit(tau);
         for (int k = 0; k < driven.size; k++) {
             noteGroup(driven.values[k]);
-        }
-        if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
-            setBroadPhase(new CellGrid());
         }
     }
 

@@ -29,9 +29,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Room to move in a box around a body, relative to its radius; and the part of it put ahead of the body. */
-    private static final double ROOM = 1.8;
+    private static final double ROOM = 0.9;
 
-    private static final double AHEAD = 0.2;
+    private static final double AHEAD = 0.5;
 
     private final State state;
     private final Trajectories trajectories;
@@ -272,6 +272,10 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             return;
         }
         double t = narrowPhase.firstContact(pair, tau, h);
+        if (narrowPhase.isApart()) {
+            pairAgenda.schedule(pair, t == Double.POSITIVE_INFINITY ? Agenda.NEVER : stepOf(t));
+            return;
+        }
         if (narrowPhase.isTouching() && t < h) {
             impactTime[pair] = t;
             queue.add(t, pair);

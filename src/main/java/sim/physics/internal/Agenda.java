@@ -10,7 +10,7 @@ import java.util.Arrays;
  * earlier date. Both operations take constant time, and an item that is not due costs nothing.
  */
 public final class Agenda implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     /** The date of an item that is never due. */
     public static final long NEVER = Long.MAX_VALUE;
@@ -19,10 +19,9 @@ public final class Agenda implements Serializable {
 
     private final IntList[] wheel = new IntList[BUCKETS];
 
-    /** The step an item is wanted in, and the bucket's step it really waits in (at most BUCKETS − 1 ahead). */
-    private long[] wanted = new long[8];
+    /** Per item: the step it is wanted in, and the bucket's step it really waits in (at most BUCKETS − 1 ahead). */
+    private long[] dates = new long[16];
 
-    private long[] waiting = new long[8];
     private long now;
 
     private final IntList due = new IntList();
@@ -32,8 +31,7 @@ public final class Agenda implements Serializable {
         for (int k = 0; k < BUCKETS; k++) {
             wheel[k] = new IntList();
         }
-        Arrays.fill(wanted, NEVER);
-        Arrays.fill(waiting, NEVER);
+        Arrays.fill(dates, NEVER);
     }
 
     /**
@@ -42,12 +40,10 @@ public final class Agenda implements Serializable {
      * @param count number of items
      */
     public void ensure(int count) {
-        int old = wanted.length;
-        if (old < count) {
-            wanted = Arrays.copyOf(wanted, Math.max(2 * old, count));
-            waiting = Arrays.copyOf(waiting, wanted.length);
-            Arrays.fill(wanted, old, wanted.length, NEVER);
-            Arrays.fill(waiting, old, waiting.length, NEVER);
+        int old = dates.length;
+        if (old < 2 * count) {
+            dates = Arrays.copyOf(dates, Math.max(2 * old, 2 * count));
+            Arrays.fill(dates, old, dates.length, NEVER);
         }
     }
 
@@ -58,14 +54,14 @@ public final class Agenda implements Serializable {
      * @param step a step after the present one, or {@link #NEVER}
      */
     public void schedule(int item, long step) {
-        wanted[item] = step;
+        dates[2 * item] = step;
         if (step == NEVER) {
-            waiting[item] = NEVER;
+            dates[2 * item + 1] = NEVER;
             return;
         }
         long bucket = Math.min(step, now + BUCKETS - 1);
-        if (waiting[item] != bucket) {
-            waiting[item] = bucket;
+        if (dates[2 * item + 1] != bucket) {
+            dates[2 * item + 1] = bucket;
             wheel[(int) (bucket % BUCKETS)].add(item);
         }
     }
@@ -77,7 +73,7 @@ public final class Agenda implements Serializable {
      * @return a step, or {@link #NEVER}
      */
     public long date(int item) {
-        return wanted[item];
+        return dates[2 * item];
     }
 
     /**
@@ -94,14 +90,14 @@ public final class Agenda implements Serializable {
         bucket.clear();
         for (int k = 0; k < count; k++) {
             int item = bucket.values[k];
-            if (waiting[item] != step) {
+            if (dates[2 * item + 1] != step) {
                 continue;
             }
-            waiting[item] = NEVER;
-            if (wanted[item] > step) {
-                schedule(item, wanted[item]);
+            dates[2 * item + 1] = NEVER;
+            if (dates[2 * item] > step) {
+                schedule(item, dates[2 * item]);
             } else {
-                wanted[item] = NEVER;
+                dates[2 * item] = NEVER;
                 due.add(item);
             }
         }

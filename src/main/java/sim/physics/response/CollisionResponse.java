@@ -84,9 +84,7 @@ public final class CollisionResponse implements Serializable {
      * @return the bodies whose velocities have changed, each once; valid until the next call
      */
     public IntList respond(IntList touching, double tau, double time) {
-        if (manifold == null) {
-            manifold = new Manifold();
-        }
+        manifold = manifold == null ? new Manifold() : manifold;
         changed.clear();
         restingNow = -1;
         now = time;
@@ -294,8 +292,8 @@ public final class CollisionResponse implements Serializable {
      * @param solver not null
      */
     public void setSolver(ImpulseSolver solver) {
-        this.solver = Objects.requireNonNull(solver, "solver");
-        simultaneous.setBordered(solver instanceof BorderedImpulse);
+        simultaneous.setBordered(Objects.requireNonNull(solver, "solver") instanceof BorderedImpulse);
+        this.solver = solver;
     }
 
     /**

@@ -11,11 +11,13 @@ import sim.physics.internal.IntList;
  * cell (walls) are kept in a list of their own that everybody looks at. The cost of a change does not grow with the
  * number of bodies.
  *
- * <p>The cells are found by hashing their coordinates, so the world needs no bounds. The cell size follows the boxes:
- * when too many of them do not fit, the grid is laid anew with larger cells.
+ * <p>The cells lie one after the other along a row, and the rows are wound round one ring of buckets with an odd step
+ * near the golden section, so the world needs no bounds and its shape does not matter. Cells far apart may share a
+ * bucket, which costs a look and nothing else. The cell size follows the boxes: when the crowd has grown, or too many
+ * boxes do not fit, the grid is laid anew.
  */
 public final class CellGrid implements BroadPhase {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     private static final int NONE = -1;
 
@@ -23,20 +25,23 @@ public final class CellGrid implements BroadPhase {
     private static final int OUTSIDE = -2;
 
     private static final int LARGE = -3;
-    private static final int COLUMN_STEP = 0x9E3779B1;
-    private static final int ROW_STEP = 0x85EBCA77;
+
+    private static final int SMALLEST = 256;
+
+    /** A box counts as fitting only with a margin for the rounding of cell numbers. */
+    private static final double MARGIN = 0.999;
 
     private double cell;
-    private int mask = 255;
-    private int[] head = filled(256);
+    private double perCell;
+    private int mask = SMALLEST - 1;
+
+    /** From a cell's bucket to that of the cell above. */
+    private int rowStep = stepFor(SMALLEST);
+
+    private int[] head = filled(SMALLEST, NONE);
     private int[] next = new int[8];
     private int[] previous = new int[8];
-    private int[] bucket = filledOutside(8);
-    private int[] column = new int[8];
-    private int[] row = new int[8];
-
-    /** The cell of each body, mixed into one number; two cells may share one, which costs a look and nothing else. */
-    private int[] key = new int[8];
+    private int[] bucket = filled(8, OUTSIDE);
 
     /** Which bodies are pairs already of the body that is looked at: those marked with the present number. */
     private int[] mark = new int[8];
@@ -46,6 +51,7 @@ public final class CellGrid implements BroadPhase {
     private int count;
     private int largeMovable;
     private int changesSinceLayout;
+    private int countAtLayout = 8;
 
     /** Makes an empty grid; the first boxes decide the size of its cells. */
     public CellGrid() {
@@ -56,50 +62,22 @@ public final class CellGrid implements BroadPhase {
     public void add(int body, Boxes boxes, Pairs pairs) {
         ensure(body + 1);
         count++;
-        marking++;
-        file(body, boxes);
+        endAndMark(body, boxes, pairs);
+        file(body, place(body, boxes), boxes);
         layAnewIfNeeded(boxes);
         collect(body, boxes, pairs);
-    }
-
-    /** Lays the grid anew when it is crowded or too many movable bodies do not fit; seldom enough to cost little. */
-    private void layAnewIfNeeded(Boxes boxes) {
-        changesSinceLayout++;
-        boolean tooFine = largeMovable > 8 + count / 8;
-        if (changesSinceLayout > count && (tooFine || count > 2 * (mask + 1))) {
-            layAnew(boxes);
-        }
     }
 
     @Override
     public void update(int body, Boxes boxes, Pairs pairs) {
-        IntList of = pairs.of(body);
-        marking++;
-        if (of != null) {
-            for (int k = of.size - 1; k >= 0; k--) {
-                int p = of.values[k];
-                int other = pairs.first(p) == body ? pairs.second(p) : pairs.first(p);
-                mark[other] = marking;
-                if (!boxes.overlap(body, other)) {
-                    pairs.end(p);
-                }
-            }
-        }
-        if (bucket[body] == LARGE || !fits(body, boxes)) {
+        endAndMark(body, boxes, pairs);
+        int b = place(body, boxes);
+        if (b != bucket[body]) {
             unfile(body, boxes);
-            file(body, boxes);
+            file(body, b, boxes);
         }
         layAnewIfNeeded(boxes);
         collect(body, boxes, pairs);
-    }
-
-    /** Whether a body's box still belongs to the cell where the body is filed. */
-    private boolean fits(int body, Boxes boxes) {
-        double[] d = boxes.data();
-        int o = Boxes.STRIDE * body;
-        return Math.max(d[o + 2] - d[o], d[o + 3] - d[o + 1]) <= cell
-                && coordinate(0.5 * (d[o] + d[o + 2])) == column[body]
-                && coordinate(0.5 * (d[o + 1] + d[o + 3])) == row[body];
     }
 
     @Override
@@ -111,21 +89,54 @@ public final class CellGrid implements BroadPhase {
         count--;
     }
 
+    /** Lays the grid anew when it is crowded or too many movable bodies do not fit; seldom enough to cost little. */
+    private void layAnewIfNeeded(Boxes boxes) {
+        changesSinceLayout++;
+        boolean tooFine = largeMovable > 8 + count / 8 && changesSinceLayout > count;
+        if (tooFine || count > 2 * countAtLayout) {
+            layAnew(boxes);
+        }
+    }
+
+    /** Ends the pairs of a body whose boxes are apart now, and marks the partners in the others. */
+    private void endAndMark(int body, Boxes boxes, Pairs pairs) {
+        IntList of = pairs.of(body);
+        marking++;
+        if (of == null) {
+            return;
+        }
+        for (int k = of.size - 1; k >= 0; k--) {
+            int p = of.values[k];
+            int other = pairs.other(p, body);
+            if (boxes.overlap(body, other)) {
+                mark[other] = marking;
+            } else {
+                pairs.end(p);
+            }
+        }
+    }
+
     /** Begins the pairs of a body with all whose boxes overlap its box, but for those that are marked. */
     private void collect(int body, Boxes boxes, Pairs pairs) {
+        mark[body] = marking;
         for (int k = 0; k < large.size; k++) {
             beginIfOverlapping(body, large.values[k], boxes, pairs);
         }
-        if (bucket[body] == LARGE) {
+        int centre = bucket[body];
+        if (centre == LARGE) {
             collectAll(body, boxes, pairs);
             return;
         }
-        int centre = mix(column[body], row[body]);
-        for (int dy = -1; dy <= 1; dy++) {
-            for (int dx = -1; dx <= 1; dx++) {
-                int wanted = centre + dx * COLUMN_STEP + dy * ROW_STEP;
-                for (int other = head[hash(wanted)]; other != NONE; other = next[other]) {
-                    if (key[other] == wanted) {
+        int o = Boxes.STRIDE * body;
+        double minX = boxes.data()[o];
+        double minY = boxes.data()[o + 1];
+        double maxX = boxes.data()[o + 2];
+        double maxY = boxes.data()[o + 3];
+        for (int row = -1; row <= 1; row++) {
+            int first = centre + row * rowStep - 1;
+            for (int c = first; c <= first + 2; c++) {
+                for (int other = head[c & mask]; other != NONE; other = next[other]) {
+                    if (boxes.meets(other, minX, minY, maxX, maxY)) {
                         beginIfOverlapping(body, other, boxes, pairs);
                     }
                 }
@@ -142,30 +153,43 @@ public final class CellGrid implements BroadPhase {
     }
 
     private void beginIfOverlapping(int body, int other, Boxes boxes, Pairs pairs) {
-        if (other != body && mark[other] != marking && boxes.overlap(body, other)) {
-            pairs.begin(body, other);
+        if (mark[other] != marking && boxes.overlap(body, other)) {
+            pairs.beginNew(body, other);
         }
     }
 
-    private void file(int body, Boxes boxes) {
+    /** The bucket where a body belongs by its box, or {@link #LARGE}. */
+    private int place(int body, Boxes boxes) {
         double[] d = boxes.data();
         int o = Boxes.STRIDE * body;
         double extent = Math.max(d[o + 2] - d[o], d[o + 3] - d[o + 1]);
         if (cell == 0 && !boxes.isFixed(body)) {
-            cell = 1.25 * extent;
+            setCell(1.25 * extent);
         }
-        if (!(extent <= cell)) {
-            bucket[body] = LARGE;
+        if (!(extent <= MARGIN * cell)) {
+            return LARGE;
+        }
+        return coordinate(d[o] + d[o + 2]) + coordinate(d[o + 1] + d[o + 3]) * rowStep & mask;
+    }
+
+    private void setCell(double size) {
+        cell = size;
+        perCell = 0.5 / size;
+    }
+
+    /** Number of a row or column from the sum of a box's bounds; beyond ±2³¹ all are one. */
+    private int coordinate(double sum) {
+        return (int) Math.floor(sum * perCell);
+    }
+
+    private void file(int body, int b, Boxes boxes) {
+        bucket[body] = b;
+        if (b == LARGE) {
             previous[body] = large.size;
             large.add(body);
             largeMovable += boxes.isFixed(body) ? 0 : 1;
             return;
         }
-        column[body] = coordinate(0.5 * (d[o] + d[o + 2]));
-        row[body] = coordinate(0.5 * (d[o + 1] + d[o + 3]));
-        key[body] = mix(column[body], row[body]);
-        int b = hash(key[body]);
-        bucket[body] = b;
         previous[body] = NONE;
         next[body] = head[b];
         if (head[b] != NONE) {
@@ -207,33 +231,28 @@ public final class CellGrid implements BroadPhase {
         }
         if (n > 0) {
             Arrays.sort(extents, 0, n);
-            cell = 1.25 * extents[(n - 1) * 15 / 16];
+            setCell(Math.min(1.25 * extents[(n - 1) * 15 / 16], 1.05 * extents[n - 1]));
         }
-        while (count > mask + 1) {
-            mask = 2 * mask + 1;
+        int size = mask + 1;
+        while (size < 2 * count) {
+            size *= 2;
         }
-        head = filled(mask + 1);
+        mask = size - 1;
+        rowStep = stepFor(size);
+        head = filled(size, NONE);
         large.clear();
         largeMovable = 0;
         changesSinceLayout = 0;
+        countAtLayout = count;
         for (int body = 0; body < bucket.length; body++) {
             if (bucket[body] != OUTSIDE) {
-                file(body, boxes);
+                file(body, place(body, boxes), boxes);
             }
         }
     }
 
-    private int coordinate(double position) {
-        double c = Math.floor(position / cell);
-        return (int) Math.max(-1e9, Math.min(1e9, c));
-    }
-
-    private static int mix(int c, int r) {
-        return c * COLUMN_STEP + r * ROW_STEP;
-    }
-
-    private int hash(int mixed) {
-        return (mixed ^ mixed >>> 15) & mask;
+    private static int stepFor(int buckets) {
+        return (int) (0.6180339887498949 * buckets) | 1;
     }
 
     private void ensure(int bodies) {
@@ -242,24 +261,15 @@ public final class CellGrid implements BroadPhase {
             int length = Math.max(2 * old, bodies);
             next = Arrays.copyOf(next, length);
             previous = Arrays.copyOf(previous, length);
-            column = Arrays.copyOf(column, length);
-            row = Arrays.copyOf(row, length);
-            key = Arrays.copyOf(key, length);
             mark = Arrays.copyOf(mark, length);
             bucket = Arrays.copyOf(bucket, length);
             Arrays.fill(bucket, old, length, OUTSIDE);
         }
     }
 
-    private static int[] filled(int length) {
+    private static int[] filled(int length, int value) {
         int[] a = new int[length];
-        Arrays.fill(a, NONE);
-        return a;
-    }
-
-    private static int[] filledOutside(int length) {
-        int[] a = new int[length];
-        Arrays.fill(a, OUTSIDE);
+        Arrays.fill(a, value);
         return a;
     }
 }

@@ -11,7 +11,11 @@ import sim.physics.internal.IntList;
  * long as the pair does, and each body knows its pairs.
  */
 public final class Pairs implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
+
+    private static final int STRIDE = 4;
+    private static final int SECOND = 1;
+    private static final int PLACE = 2;
 
     /** What a caller of {@link BroadPhase#update} wants to know of. */
     public interface Listener {
@@ -30,10 +34,9 @@ public final class Pairs implements Serializable {
         void pairEnded(int pair);
     }
 
-    private int[] first = new int[16];
-    private int[] second = new int[16];
-    private int[] placeInFirst = new int[16];
-    private int[] placeInSecond = new int[16];
+    /** Per pair: its two bodies, and its places in their lists; together, since they are wanted together. */
+    private int[] data = new int[STRIDE * 16];
+
     private int used;
     private final IntList free = new IntList();
     private IntList[] ofBody = new IntList[8];
@@ -71,7 +74,7 @@ public final class Pairs implements Serializable {
      * @return index of a body
      */
     public int first(int pair) {
-        return first[pair];
+        return data[STRIDE * pair];
     }
 
     /**
@@ -81,7 +84,18 @@ public final class Pairs implements Serializable {
      * @return index of a body
      */
     public int second(int pair) {
-        return second[pair];
+        return data[STRIDE * pair + SECOND];
+    }
+
+    /**
+     * The partner of a body in a pair.
+     *
+     * @param pair number
+     * @param body one of its bodies
+     * @return index of the other one
+     */
+    public int other(int pair, int body) {
+        return data[STRIDE * pair] ^ data[STRIDE * pair + SECOND] ^ body;
     }
 
     /**
@@ -130,7 +144,7 @@ public final class Pairs implements Serializable {
         int other = fewerInA ? b : a;
         for (int k = 0; k < list.size; k++) {
             int p = list.values[k];
-            if (first[p] == other || second[p] == other) {
+            if (data[STRIDE * p] == other || data[STRIDE * p + SECOND] == other) {
                 return p;
             }
         }
@@ -149,19 +163,24 @@ public final class Pairs implements Serializable {
         }
     }
 
-    private void beginNew(int a, int b) {
+    /**
+     * Begins a pair that has not begun.
+     *
+     * @param a a body
+     * @param b another body
+     */
+    void beginNew(int a, int b) {
         int p = free.size > 0 ? free.values[--free.size] : used++;
-        if (p >= first.length) {
-            int length = 2 * first.length;
-            first = Arrays.copyOf(first, length);
-            second = Arrays.copyOf(second, length);
-            placeInFirst = Arrays.copyOf(placeInFirst, length);
-            placeInSecond = Arrays.copyOf(placeInSecond, length);
+        int o = STRIDE * p;
+        if (o >= data.length) {
+            data = Arrays.copyOf(data, 2 * data.length);
         }
-        first[p] = Math.min(a, b);
-        second[p] = Math.max(a, b);
-        placeInFirst[p] = append(first[p], p);
-        placeInSecond[p] = append(second[p], p);
+        int first = Math.min(a, b);
+        int second = Math.max(a, b);
+        data[o] = first;
+        data[o + SECOND] = second;
+        data[o + PLACE] = append(first, p);
+        data[o + PLACE + SECOND] = append(second, p);
         if (listener != null) {
             listener.pairBegan(p);
         }
@@ -176,10 +195,11 @@ public final class Pairs implements Serializable {
         if (listener != null) {
             listener.pairEnded(pair);
         }
-        drop(first[pair], placeInFirst[pair]);
-        drop(second[pair], placeInSecond[pair]);
-        first[pair] = -1;
-        second[pair] = -1;
+        int o = STRIDE * pair;
+        drop(data[o], data[o + PLACE]);
+        drop(data[o + SECOND], data[o + PLACE + SECOND]);
+        data[o] = -1;
+        data[o + SECOND] = -1;
         free.add(pair);
     }
 
@@ -196,10 +216,7 @@ public final class Pairs implements Serializable {
         IntList list = ofBody[body];
         int last = list.values[--list.size];
         list.values[place] = last;
-        if (first[last] == body) {
-            placeInFirst[last] = place;
-        } else {
-            placeInSecond[last] = place;
-        }
+        int o = STRIDE * last;
+        data[data[o] == body ? o + PLACE : o + PLACE + SECOND] = place;
     }
 }

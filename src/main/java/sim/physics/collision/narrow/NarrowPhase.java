@@ -27,10 +27,12 @@ public final class NarrowPhase implements Serializable {
 
     private transient Pose pose;
     private transient ClosestFeatures features;
+    private transient SeparatingLine separatingLine;
     private transient TimeOfImpact timeOfImpact;
     private transient Manifold bearing;
     private transient Bisection bisection;
     private boolean touching;
+    private boolean apart;
     private boolean continuous = true;
 
     /**
@@ -71,6 +73,7 @@ public final class NarrowPhase implements Serializable {
         int i = pairs.first(pair);
         int j = pairs.second(pair);
         touching = false;
+        apart = false;
         if (!continuous) {
             wake();
             pose.load(i, j);
@@ -80,13 +83,19 @@ public final class NarrowPhase implements Serializable {
         }
         double start = boundingCircles(i, j, tau);
         if (touching || start >= end) {
+            apart = start >= end;
             return start;
         }
         wake();
-        pose.load(i, j);
-        double found = timeOfImpact.search(start, end, codes[pair]);
-        codes[pair] = timeOfImpact.code;
-        touching = timeOfImpact.touching;
+        double found = separatingLine.search(i, j, start, end, codes[pair]);
+        codes[pair] = separatingLine.code;
+        touching = separatingLine.touching;
+        if (separatingLine.undecided) {
+            pose.load(i, j);
+            found = timeOfImpact.search(found, end, codes[pair]);
+            codes[pair] = timeOfImpact.code;
+            touching = timeOfImpact.touching;
+        }
         return found;
     }
 
@@ -115,6 +124,16 @@ public final class NarrowPhase implements Serializable {
      */
     public boolean isTouching() {
         return touching;
+    }
+
+    /**
+     * Whether the last call of {@link #firstContact} found that not even the bounding circles touch before the end, on
+     * paths that hold for longer than the step.
+     *
+     * @return true if the offset it returned holds whatever the shapes are
+     */
+    public boolean isApart() {
+        return apart;
     }
 
     /**
@@ -155,7 +174,12 @@ public final class NarrowPhase implements Serializable {
         double c = px * px + py * py - radius * radius;
         double approach = px * ux + py * uy;
         if (c > 0) {
-            return approach >= 0 ? Double.POSITIVE_INFINITY : firstRoot(i, j, tau, c, approach, ux * ux + uy * uy);
+            double d = approach * approach - (ux * ux + uy * uy) * c;
+            if ((Double.doubleToRawLongBits(approach) & Double.doubleToRawLongBits(-d)) >= 0) {
+                return Double.POSITIVE_INFINITY; // they part or pass; one branch, since nobody could foretell two
+            }
+            touching = isCircle(i) && isCircle(j);
+            return tau + c / (Math.sqrt(d) - approach);
         }
         if (isCircle(i) && isCircle(j)) {
             double noise = Tolerances.APPROACH * radius * Math.sqrt(vax * vax + vay * vay + vbx * vbx + vby * vby);
@@ -163,15 +187,6 @@ public final class NarrowPhase implements Serializable {
             return touching ? tau : Double.POSITIVE_INFINITY;
         }
         return tau;
-    }
-
-    private double firstRoot(int i, int j, double tau, double c, double approach, double speed2) {
-        double d = approach * approach - speed2 * c;
-        if (d < 0) {
-            return Double.POSITIVE_INFINITY;
-        }
-        touching = isCircle(i) && isCircle(j);
-        return tau + c / (Math.sqrt(d) - approach);
     }
 
     private boolean isCircle(int body) {
@@ -315,7 +330,7 @@ public final class NarrowPhase implements Serializable {
      * @return since the engine was made or restored
      */
     public long evaluations() {
-        return timeOfImpact == null ? 0 : timeOfImpact.evaluations;
+        return timeOfImpact == null ? 0 : timeOfImpact.evaluations + separatingLine.evaluations;
     }
 
     private void wake() {
@@ -323,6 +338,7 @@ public final class NarrowPhase implements Serializable {
             bearing = new Manifold();
             pose = new Pose(shapes, trajectories);
             features = new ClosestFeatures(pose);
+            separatingLine = new SeparatingLine(shapes, trajectories, pose, features);
             timeOfImpact = new TimeOfImpact(pose, features);
             bisection = new Bisection(pose, features);
         }

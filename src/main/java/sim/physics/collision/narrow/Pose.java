@@ -29,6 +29,8 @@ final class Pose {
 
         double sin;
 
+        private final double[] turn = new double[2];
+
         /** Centre, relative to the centre of A. */
         double cx;
 
@@ -104,8 +106,14 @@ final class Pose {
                 vy[0] = cy;
                 return;
             }
-            cos = theta == 0 ? 1 : Trig.cos(theta);
-            sin = theta == 0 ? 0 : Trig.sin(theta);
+            if (theta == 0) {
+                cos = 1;
+                sin = 0;
+            } else {
+                Trig.sinCos(theta, turn, 0);
+                cos = turn[0];
+                sin = turn[1];
+            }
             for (int k = 0, o = base + ShapeTable.FIRST; k < n; k++, o += ShapeTable.VERTEX) {
                 vx[k] = cx + (cos * shape[o] - sin * shape[o + 1]);
                 vy[k] = cy + (sin * shape[o] + cos * shape[o + 1]);

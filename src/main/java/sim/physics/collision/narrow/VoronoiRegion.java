@@ -30,4 +30,22 @@ final class VoronoiRegion {
         double before = dy * shape.normalX(vertex) - dx * shape.normalY(vertex);
         return beyond >= -tolerance && before <= tolerance;
     }
+
+    /**
+     * The same in the frame of the shape.
+     *
+     * @param shapes the data of a {@link ShapeTable}
+     * @param base where the shape begins there
+     */
+    static boolean ofVertexContains(double[] shapes, int base, int vertex, double dx, double dy, double tolerance) {
+        int n = (int) shapes[base + ShapeTable.COUNT];
+        if (n == 1) {
+            return true;
+        }
+        int o = base + ShapeTable.FIRST + ShapeTable.VERTEX * vertex;
+        int i = base + ShapeTable.FIRST + ShapeTable.VERTEX * (vertex == 0 ? n - 1 : vertex - 1);
+        double beyond = dy * shapes[i + ShapeTable.NX] - dx * shapes[i + ShapeTable.NY];
+        double before = dy * shapes[o + ShapeTable.NX] - dx * shapes[o + ShapeTable.NY];
+        return beyond >= -tolerance && before <= tolerance;
+    }
 }

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision.narrow;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import sim.physics.motion.Trajectories;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Polygon;
+import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
+
+/** Two ways to the time of impact, which share no arithmetic, agree; and nothing overlaps before it. */
+class SeparatingLineTest {
+    private static final double END = 1;
+
+    private final Random random = new Random(77);
+    private final ShapeTable shapes = new ShapeTable();
+    private final Trajectories trajectories = new Trajectories();
+    private final Pose pose = new Pose(shapes, trajectories);
+    private final ClosestFeatures features = new ClosestFeatures(pose);
+    private final TimeOfImpact reference = new TimeOfImpact(pose, features);
+    private final SeparatingLine line = new SeparatingLine(shapes, trajectories, pose, features);
+
+    private double between(double low, double high) {
+        return low + (high - low) * random.nextDouble();
+    }
+
+    private Shape shape(int kind) {
+        double size = between(0.2, 2);
+        return switch (kind) {
+            case 0 -> new Circle(size);
+            case 1 -> new Rectangle(size, between(0.05, 3));
+            default -> new Polygon(new double[] {-size, -0.3, size, -0.5, 0.2, size});
+        };
+    }
+
+    private void place(int body, Shape shape, double x, double y, double spin) {
+        shapes.set(body, shape);
+        double[] m = trajectories.data();
+        int o = body * Trajectories.STRIDE;
+        m[o] = x;
+        m[o + 1] = y;
+        m[o + Trajectories.THETA0] = between(-3, 3);
+        m[o + Trajectories.VX] = between(-4, 4);
+        m[o + Trajectories.VY] = between(-4, 4);
+        m[o + Trajectories.OMEGA] = spin * between(-1, 1);
+    }
+
+    private double gap(double tau) {
+        pose.load(0, 1);
+        pose.moveTo(tau);
+        pose.turn();
+        features.find(ClosestFeatures.NO_FEATURES);
+        return features.gap;
+    }
+
+    @Test
+    void agreesWithConservativeAdvancement() {
+        trajectories.begin(0, END);
+        trajectories.ensure(2);
+        int contacts = 0;
+        int decided = 0;
+        for (int k = 0; k < 6000; k++) {
+            int kind = k % 5;
+            double spin = k % 7 == 0 ? 0 : k % 3 == 0 ? 30 : 3;
+            place(0, shape(kind % 3), 0, 0, spin);
+            place(1, shape(kind < 3 ? 1 : 2), between(-5, 5), between(-5, 5), spin);
+            if (gap(0) <= 0) {
+                continue;
+            }
+            double found = line.search(0, 1, 0, END, ClosestFeatures.NO_FEATURES);
+            boolean touching = line.touching;
+            decided += line.undecided ? 0 : 1;
+            double until = Math.min(END, found);
+            for (int i = 0; i < 200; i++) {
+                assertThat(gap(until * i / 200)).as("pair %d at %d", k, i).isGreaterThan(-1e-13);
+            }
+            pose.load(0, 1);
+            double expected = reference.search(0, END, ClosestFeatures.NO_FEATURES);
+            if (line.undecided) {
+                continue;
+            }
+            assertThat(touching).as("pair %d", k).isEqualTo(reference.touching);
+            if (touching) {
+                contacts++;
+                assertThat(found).as("pair %d", k).isCloseTo(expected, within(1e-11));
+                assertThat(gap(found)).as("pair %d", k).isCloseTo(0, within(1e-13));
+            }
+        }
+        assertThat(contacts).isGreaterThan(500);
+        assertThat(decided).isGreaterThan(4000);
+    }
+}
