@@ -5,6 +5,7 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
@@ -33,6 +34,7 @@ public final class Constraints implements Ties, Serializable {
     /** The island of each body. */
     private Island[] of = {};
 
+    private final List<Island> single = new ArrayList<>(Collections.nCopies(1, null));
     private ConstraintSolver solver = new DirectSolver();
     private final Projection projection = new Projection();
     private Stabilization stabilization = Stabilization.projection();
@@ -265,19 +267,26 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void accelerate(IntList bodies, double[] a) {
+        List<Island> those = of(bodies);
+        for (int k = 0; k < those.size(); k++) {
+            accelerate(those.get(k), a);
+        }
+    }
+
+    /** The islands of a group: one, or all of them. */
+    private List<Island> of(IntList bodies) {
         Island one = islandOf(bodies.values[0]);
-        if (one != null && one.bodies == bodies) {
-            accelerate(one, a);
-            return;
+        if (one == null || one.bodies != bodies) {
+            return islands;
         }
-        for (int k = 0; k < islands.size(); k++) {
-            accelerate(islands.get(k), a);
-        }
+        single.set(0, one);
+        return single;
     }
 
     /** Adds W Jᵀ λ, (37) with (40), where λ keeps C″ = J a + J̇ ẋ = 0, (36). */
     private void accelerate(Island island, double[] a) {
         double[] w = state.w().values();
+        island.invariants.note(a);
         if (!island.switches.isEmpty()) {
             island.switches.accelerate(state, solver, a);
             return;
@@ -291,34 +300,36 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
+    public void begin(IntList bodies) {
+        List<Island> those = of(bodies);
+        for (int k = 0; k < those.size(); k++) {
+            those.get(k).invariants.begin(state);
+        }
+    }
+
+    @Override
     public boolean project(IntList bodies) {
         if (stabilization.isFeedback()) {
             return true;
         }
-        Island one = islandOf(bodies.values[0]);
-        if (one != null && one.bodies == bodies) {
-            return projection.project(one, state, solver, true);
-        }
+        List<Island> those = of(bodies);
         boolean well = true;
-        for (int k = 0; k < islands.size(); k++) {
-            well &= projection.project(islands.get(k), state, solver, true);
+        for (int k = 0; k < those.size(); k++) {
+            well &= projection.project(those.get(k), state, solver, true);
         }
         return well;
     }
 
     @Override
     public void assemble(IntList bodies) {
-        Island one = islandOf(bodies.values[0]);
-        if (one != null && one.bodies == bodies) {
-            assemble(one);
-            return;
-        }
-        for (int k = 0; k < islands.size(); k++) {
-            assemble(islands.get(k));
+        List<Island> those = of(bodies);
+        for (int k = 0; k < those.size(); k++) {
+            assemble(those.get(k));
         }
     }
 
     private void assemble(Island one) {
+        one.invariants.end();
         if (!projection.project(one, state, solver, false)) {
             throw new ConstraintException(
                     "constraints " + one.inOrder + " cannot be satisfied",
@@ -436,25 +447,20 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean isSwitched(IntList bodies) {
-        for (int k = 0; k < islands.size(); k++) {
-            if (isOf(islands.get(k), bodies) && !islands.get(k).switches.isEmpty()) {
+        List<Island> those = of(bodies);
+        for (int k = 0; k < those.size(); k++) {
+            if (!those.get(k).switches.isEmpty()) {
                 return true;
             }
         }
         return false;
     }
 
-    /** Whether a group of bodies is an island, or all of them. */
-    private boolean isOf(Island island, IntList bodies) {
-        Island one = islandOf(bodies.values[0]);
-        return one == null || one.bodies != bodies || one == island;
-    }
-
     @Override
     public boolean decide(IntList bodies) {
         boolean hits = false;
-        for (Island island : islands) {
-            if (isOf(island, bodies) && island.switches.decide(state)) {
+        for (Island island : of(bodies)) {
+            if (island.switches.decide(state)) {
                 hits = true;
                 island.evaluate(state);
                 solver.prepare(island, state.w().values());
@@ -466,13 +472,11 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void confirm(IntList bodies, boolean hold) {
-        for (Island island : islands) {
-            if (isOf(island, bodies)) {
-                if (hold) {
-                    island.switches.hold(state);
-                } else {
-                    island.switches.settle();
-                }
+        for (Island island : of(bodies)) {
+            if (hold) {
+                island.switches.hold(state);
+            } else {
+                island.switches.settle();
             }
         }
     }
@@ -480,10 +484,8 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public double watch(IntList bodies) {
         double least = Double.POSITIVE_INFINITY;
-        for (Island island : islands) {
-            if (isOf(island, bodies)) {
-                least = Math.min(least, island.switches.watch(state));
-            }
+        for (Island island : of(bodies)) {
+            least = Math.min(least, island.switches.watch(state));
         }
         return least;
     }

@@ -69,6 +69,7 @@ final class Island implements Serializable {
 
     private final boolean onlyPins;
     final Switches switches;
+    final Invariants invariants;
 
     /** The constraints of each body: those of body k are around[aroundStart[k]] … */
     private final int[] aroundStart;
@@ -138,6 +139,7 @@ final class Island implements Serializable {
         pins = new PinRows(this);
         onlyPins = pins.areAll();
         switches = new Switches(this);
+        invariants = new Invariants(this);
         isBreakable = those.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());
     }
 

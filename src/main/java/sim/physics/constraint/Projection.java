@@ -27,7 +27,7 @@ final class Projection implements Serializable {
     private static final double ROUNDING = 4 * 0x1p-52;
 
     /** Correction of a step, relative to the size of the bodies or in rad, from which the step was too long. */
-    private static final double ROUGH = 0.02;
+    private static final double ROUGH = 1e-3;
 
     /** Size of a correction whose square is less than rounding. */
     private static final double SMOOTH = 1e-9;
@@ -93,6 +93,7 @@ final class Projection implements Serializable {
             error = island.error(state, ROUNDING);
         }
         settle(island, state, solver);
+        island.invariants.restore(state);
         return true;
     }
 

@@ -43,6 +43,13 @@ public interface Ties extends Serializable {
     void accelerate(IntList bodies, double[] a);
 
     /**
+     * Takes note of the positions and velocities of the state vectors at the start of a step.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     */
+    void begin(IntList bodies);
+
+    /**
      * Moves some bodies of the state vectors by the least amount, and changes their velocities by the least amount, that
      * the ties ask for.
      *

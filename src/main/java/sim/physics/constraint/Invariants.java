@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import sim.physics.motion.State;
+
+/**
+ * What an island keeps as long as no force but that of its own constraints acts on it: kinetic energy, and momentum and
+ * angular momentum if nothing holds it in the world. They are known, so a step need not lose them.
+ *
+ * <p>In the metric of the masses the velocities are a sum of a motion of the whole and an internal one, which are
+ * orthogonal and both satisfy the constraints. The first gets the momenta back, the second the energy that is left.
+ */
+final class Invariants implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final Island island;
+    private final boolean isFloating;
+    private final double[] before = new double[4];
+    private final double[] after = new double[4];
+    private double[] whole = {};
+    private double[] slip = {};
+    private boolean isFree;
+
+    Invariants(Island island) {
+        this.island = island;
+        boolean floating = true;
+        for (int p = 0; p < island.nodes; p++) {
+            floating &= island.blockA[p] >= 0 && island.blockB[p] >= 0;
+        }
+        isFloating = floating;
+    }
+
+    /** Notes the values at the start of a step. */
+    void begin(State state) {
+        isFree = island.switches.isEmpty();
+        if (isFree) {
+            measure(state, before);
+        }
+    }
+
+    /** There is no step whose values are to be kept. */
+    void end() {
+        isFree = false;
+    }
+
+    /** Takes note of the accelerations at a stage, without those of the constraints. */
+    void note(double[] a) {
+        for (int k = 0; isFree && k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            isFree = a[s] == 0 && a[s + 1] == 0 && a[s + 2] == 0;
+        }
+    }
+
+    /** [energy, momentum x, y, angular momentum about the origin]. */
+    private void measure(State state, double[] sum) {
+        double[] w = state.w().values();
+        double[] x = state.x();
+        double[] v = state.v();
+        sum[0] = 0;
+        sum[1] = 0;
+        sum[2] = 0;
+        sum[3] = 0;
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            double px = v[s] / w[s];
+            double py = v[s + 1] / w[s];
+            double turn = v[s + 2] / w[s + 2];
+            sum[0] += 0.5 * (px * v[s] + py * v[s + 1] + turn * v[s + 2]);
+            sum[1] += px;
+            sum[2] += py;
+            sum[3] += x[s] * py - x[s + 1] * px + turn;
+        }
+    }
+
+    /** Gives the velocities at the end of a step the values back that they had at its start. */
+    void restore(State state) {
+        if (!isFree || before[0] == 0) {
+            return;
+        }
+        measure(state, after);
+        double keep = 0;
+        double internal = after[0];
+        if (isFloating && wholeMotion(state)) {
+            keep = dot(state, whole, whole);
+            internal = 0;
+            for (int k = 0; k < island.bodies.size; k++) {
+                int s = State.BLOCK * island.bodies.values[k];
+                for (int c = 0; c < State.BLOCK; c++) {
+                    state.v()[s + c] -= slip[s + c];
+                }
+            }
+            internal = dot(state, state.v(), state.v());
+        }
+        double scale = Math.sqrt((before[0] - keep) / internal);
+        boolean sound = scale > 0.5 && scale < 2 && internal > 1e-12 * before[0];
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            for (int c = 0; c < State.BLOCK; c++) {
+                double moved = sound ? scale * state.v()[s + c] : state.v()[s + c];
+                state.v()[s + c] = moved + (keep > 0 ? whole[s + c] : 0);
+            }
+        }
+    }
+
+    private double dot(State state, double[] u, double[] v) {
+        double[] w = state.w().values();
+        double sum = 0;
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            sum += 0.5 * ((u[s] * v[s] + u[s + 1] * v[s + 1]) / w[s] + u[s + 2] * v[s + 2] / w[s + 2]);
+        }
+        return sum;
+    }
+
+    /**
+     * The motion of the whole that has the momenta of the start, in {@code whole}, and the one that has those of now, in
+     * {@code slip}; false if the constraints do not let the whole turn.
+     */
+    private boolean wholeMotion(State state) {
+        if (whole.length < state.x().length) {
+            whole = new double[state.x().length];
+            slip = new double[state.x().length];
+        }
+        double[] w = state.w().values();
+        double[] x = state.x();
+        double mass = 0;
+        double cx = 0;
+        double cy = 0;
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            mass += 1 / w[s];
+            cx += x[s] / w[s];
+            cy += x[s + 1] / w[s];
+        }
+        cx /= mass;
+        cy /= mass;
+        double inertia = 0;
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            double dx = x[s] - cx;
+            double dy = x[s + 1] - cy;
+            inertia += (dx * dx + dy * dy) / w[s] + 1 / w[s + 2];
+        }
+        turn(x, cx, cy, before[1] / mass, before[2] / mass, (before[3] - cx * before[2] + cy * before[1]) / inertia, whole);
+        turn(x, cx, cy, after[1] / mass, after[2] / mass, (after[3] - cx * after[2] + cy * after[1]) / inertia, slip);
+        island.residual(whole, null, island.lambda);
+        return island.slip(whole, island.lambda) < 1e-12;
+    }
+
+    private void turn(double[] x, double cx, double cy, double vx, double vy, double omega, double[] v) {
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            v[s] = vx - omega * (x[s + 1] - cy);
+            v[s + 1] = vy + omega * (x[s] - cx);
+            v[s + 2] = omega;
+        }
+    }
+}
