@@ -102,11 +102,13 @@ final class BlockFactor implements Serializable {
      */
     void factor(double relaxation) {
         double[] d = diagonal;
-        double most = 0;
         for (int p = 0; p < n; p++) {
             size[2 * p] = d[3 * p];
             size[2 * p + 1] = d[3 * p + 2];
-            most = Math.max(most, Math.max(d[3 * p], d[3 * p + 2]));
+        }
+        double most = 0;
+        for (int k = 0; relaxation > 0 && k < size.length; k++) {
+            most = Math.max(most, size[k]);
         }
         redundant = 0;
         int u = 0;

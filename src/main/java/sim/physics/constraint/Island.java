@@ -258,6 +258,12 @@ final class Island implements Serializable {
         }
     }
 
+    /** Evaluates again after a move whose square is less than rounding. */
+    void nudge(State state, double[] move) {
+        pins.nudge(state.x(), move);
+        evaluate(state);
+    }
+
     /** Adds p C + v J ẋ to J̇ ẋ. */
     void feedBack(double[] v, double position, double velocity) {
         double[] open = new double[2 * nodes];

@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -20,7 +21,9 @@ final class PinRows implements Serializable {
     /** By node: the arms in the coordinates of the bodies, or of the world where a body cannot move. */
     private final double[] arms;
 
-    /** Cosine and sine of each body's orientation. */
+    /** Each body's orientation at the last evaluation, and its cosine and sine. */
+    private final double[] angle;
+
     private final double[] turn;
 
     PinRows(Island island) {
@@ -35,6 +38,8 @@ final class PinRows implements Serializable {
         pins = new int[count];
         arms = new double[4 * island.nodes];
         turn = new double[2 * island.bodies.size];
+        angle = new double[island.bodies.size];
+        Arrays.fill(angle, Double.NaN);
         for (int k = 0, at = 0; k < n; k++) {
             if (isPin[k]) {
                 pins[at++] = island.firstNode[k];
@@ -84,10 +89,30 @@ final class PinRows implements Serializable {
         }
         double[] x = state.x();
         for (int k = 0; k < island.bodies.size; k++) {
-            Trig.sinCos(x[State.BLOCK * island.bodies.values[k] + State.THETA], turn, 2 * k);
+            double theta = x[State.BLOCK * island.bodies.values[k] + State.THETA];
+            if (theta != angle[k]) {
+                angle[k] = theta;
+                Trig.sinCos(theta, turn, 2 * k);
+            }
         }
         for (int k = 0; k < pins.length; k++) {
             evaluate(pins[k], x, state.v());
+        }
+    }
+
+    /** Takes note of a tiny move of the bodies: turns the cosines and sines by its angles instead of finding them anew. */
+    void nudge(double[] x, double[] move) {
+        if (pins.length == 0) {
+            return;
+        }
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k] + State.THETA;
+            double d = move[s];
+            double cos = turn[2 * k];
+            double sin = turn[2 * k + 1];
+            angle[k] = x[s];
+            turn[2 * k] = cos - d * (sin + 0.5 * d * cos);
+            turn[2 * k + 1] = sin + d * (cos - 0.5 * d * sin);
         }
     }
 

@@ -85,10 +85,11 @@ final class Projection implements Serializable {
             if (gentle && corrections == 0 && roughness > ROUGH) {
                 return false;
             }
-            island.evaluate(state);
             if (roughness < SMOOTH) {
+                island.nudge(state, move);
                 break; // Newton's method squares it
             }
+            island.evaluate(state);
             before = error;
             error = island.error(state, ROUNDING);
         }
