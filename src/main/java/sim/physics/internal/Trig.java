@@ -82,7 +82,12 @@ public final class Trig {
      * @throws IndexOutOfBoundsException if {@code out} has no such places
      */
     public static void sinCos(double x, double[] out, int at) {
-        if (!(Math.abs(x) < LARGE) || x == 0) {
+        if (x == 0) {
+            out[at] = 1;
+            out[at + 1] = x;
+            return;
+        }
+        if (!(Math.abs(x) < LARGE)) {
             out[at] = StrictMath.cos(x);
             out[at + 1] = StrictMath.sin(x);
             return;

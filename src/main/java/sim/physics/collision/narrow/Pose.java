@@ -106,14 +106,9 @@ final class Pose {
                 vy[0] = cy;
                 return;
             }
-            if (theta == 0) {
-                cos = 1;
-                sin = 0;
-            } else {
-                Trig.sinCos(theta, turn, 0);
-                cos = turn[0];
-                sin = turn[1];
-            }
+            Trig.sinCos(theta, turn, 0);
+            cos = turn[0];
+            sin = turn[1];
             for (int k = 0, o = base + ShapeTable.FIRST; k < n; k++, o += ShapeTable.VERTEX) {
                 vx[k] = cx + (cos * shape[o] - sin * shape[o + 1]);
                 vy[k] = cy + (sin * shape[o] + cos * shape[o + 1]);

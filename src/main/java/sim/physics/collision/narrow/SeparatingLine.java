@@ -30,6 +30,9 @@ final class SeparatingLine {
     private static final double BEYOND = 8;
 
 
+    /** Gap, relative to the sizes of the bodies, from which any edge will do that has all of the other body beyond it. */
+    private static final double LOOSE = 0.1;
+
     /** How far outside a region a point may lie and still count as inside, relative to the sizes of the bodies. */
     private static final double REGION_TOLERANCE = 1e-13;
 
@@ -224,19 +227,10 @@ final class SeparatingLine {
         tolerance = Tolerances.GAP * (Math.abs(xa) + Math.abs(ya) + Math.abs(xb) + Math.abs(yb) + bounding);
         root.tolerance = tolerance;
         if (countA > 1 && (first || spinA != 0)) {
-            turnTo(m[oa + 2] + da * spinA, 0);
+            Trig.sinCos(m[oa + 2] + da * spinA, turn, 0);
         }
         if (countB > 1 && (first || spinB != 0)) {
-            turnTo(m[ob + 2] + db * spinB, 2);
-        }
-    }
-
-    private void turnTo(double theta, int at) {
-        if (theta == 0) {
-            turn[at] = 1;
-            turn[at + 1] = 0;
-        } else {
-            Trig.sinCos(theta, turn, at);
+            Trig.sinCos(m[ob + 2] + db * spinB, turn, 2);
         }
     }
 
@@ -323,8 +317,8 @@ final class SeparatingLine {
         gap = nx * qx + ny * qy + a - height - rounding;
         along = nx * (qy - shape[e + 1]) - ny * (qx - shape[e]) - b;
         double limit = REGION_TOLERANCE * bounding;
-        return along >= -limit
-                && along <= shape[e + ShapeTable.LENGTH] + limit
+        boolean above = along >= -limit && along <= shape[e + ShapeTable.LENGTH] + limit;
+        return (above || count > 1 && gap > LOOSE * bounding)
                 && gap + rounding >= -Tolerances.CORNERS * bounding
                 && isClosest(a - limit);
     }
