@@ -28,15 +28,11 @@ import sim.physics.motion.Trajectories;
 public final class CollisionDetection implements Pairs.Listener, Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Room to move in a box around a body, relative to its radius; and the part of it put ahead of the body. */
-    private static final double ROOM = 0.9;
-
-    private static final double AHEAD = 0.5;
-
     private final State state;
     private final Trajectories trajectories;
     private final ShapeTable shapes = new ShapeTable();
     private final Boxes boxes = new Boxes();
+    private final Room room;
     private final Pairs pairs = new Pairs();
     private final NarrowPhase narrowPhase;
     private BroadPhase broadPhase;
@@ -72,6 +68,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         this.state = state;
         this.trajectories = trajectories;
         this.broadPhase = broadPhase;
+        this.room = new Room(trajectories, boxes);
         this.narrowPhase = new NarrowPhase(pairs, trajectories, shapes);
         pairs.setListener(this);
     }
@@ -194,8 +191,10 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param except a pair that need not be looked at, or −1
      */
     public void moved(int body, double tau, boolean teleported, int except) {
-        if (!boxes.isFixed(body) || teleported) {
-            long date = teleported ? step : leavingDate(body, tau);
+        if (!teleported && trajectories.isDriven(body) && room.holds(body, tau, h)) {
+            bodyAgenda.schedule(body, Agenda.NEVER); // it is looked at again in the next step anyway
+        } else if (!boxes.isFixed(body) || teleported) {
+            long date = teleported ? step : room.leavingDate(body, tau, step, h);
             if (date <= step) {
                 enclose(body, tau);
                 broadPhase.update(body, boxes, pairs);
@@ -293,85 +292,14 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         return steps < 1e15 ? step + Math.max(1, (long) steps) : Agenda.NEVER;
     }
 
-    /** The step in which a body's centre leaves the room that its box has. */
-    private long leavingDate(int body, double tau) {
-        if (boxes.isFixed(body)) {
-            return Agenda.NEVER;
-        }
-        double[] m = trajectories.data();
-        int o = body * Trajectories.STRIDE;
-        double[] d = boxes.data();
-        int b = body * Boxes.STRIDE;
-        double radius = m[o + Trajectories.RADIUS];
-        double time = trajectories.duration(body, tau);
-        double t = leavingTime(o, time, d[b] + radius, d[b + 2] - radius);
-        t = Math.min(t, leavingTime(o + 1, time, d[b + 1] + radius, d[b + 3] - radius));
-        double steps = Math.floor((tau + t) / h);
-        return steps < 1e15 ? step + (long) steps : Agenda.NEVER;
-    }
-
-    /** How long a coordinate surely stays between two bounds. */
-    private double leavingTime(int o, double time, double low, double high) {
-        double[] m = trajectories.data();
-        double a = m[o + Trajectories.AX];
-        double j = m[o + Trajectories.JX];
-        double x = m[o] + time * (m[o + Trajectories.VX] + time * (a + time * j));
-        double v = m[o + Trajectories.VX] + time * (2 * a + 3 * time * j);
-        if (a == 0 && j == 0) {
-            return v == 0 ? (x >= low && x <= high ? Double.POSITIVE_INFINITY : 0) : v > 0 ? (high - x) / v : (low - x) / v;
-        }
-        double bound = Math.abs(a) + 3 * Math.abs(j) * h;
-        double room = Math.min(high - x, x - low);
-        double speed = Math.abs(v);
-        return room <= 0 ? 0 : 2 * room / (speed + Math.sqrt(speed * speed + 4 * bound * room));
-    }
-
     /** Puts a body into a new box that holds its path to the end of the step, with room to go on. */
     private void enclose(int body, double tau) {
-        double[] m = trajectories.data();
-        int o = body * Trajectories.STRIDE;
-        double time = trajectories.duration(body, tau);
         if (boxes.isFixed(body)) {
             encloseFixed(body);
             return;
         }
-        double radius = m[o + Trajectories.RADIUS];
-        double rest = h - tau;
-        double room = ROOM * radius;
-        double vx = speed(o, time);
-        double vy = speed(o + 1, time);
-        double v = Math.abs(vx) + Math.abs(vy);
-        double ahead = v == 0 ? 0 : AHEAD * room / v;
-        double pathX = pathBound(o, time, rest);
-        double pathY = pathBound(o + 1, time, rest);
-        double x = place(o, time) + ahead * vx;
-        double y = place(o + 1, time) + ahead * vy;
-        double halfX = radius + room;
-        double halfY = radius + room;
-        boxes.set(
-                body,
-                x - halfX + Math.min(0, rest * vx) - pathX,
-                y - halfY + Math.min(0, rest * vy) - pathY,
-                x + halfX + Math.max(0, rest * vx) + pathX,
-                y + halfY + Math.max(0, rest * vy) + pathY);
-        bodyAgenda.schedule(body, Math.max(step + 1, leavingDate(body, tau)));
-    }
-
-    private double place(int o, double d) {
-        double[] m = trajectories.data();
-        return m[o] + d * (m[o + Trajectories.VX] + d * (m[o + Trajectories.AX] + d * m[o + Trajectories.JX]));
-    }
-
-    private double speed(int o, double d) {
-        double[] m = trajectories.data();
-        return m[o + Trajectories.VX] + d * (2 * m[o + Trajectories.AX] + 3 * d * m[o + Trajectories.JX]);
-    }
-
-    /** How far the accelerations can carry a coordinate off its straight path in a time. */
-    private double pathBound(int o, double d, double rest) {
-        double[] m = trajectories.data();
-        double a = Math.abs(m[o + Trajectories.AX]) + 3 * Math.abs(m[o + Trajectories.JX]) * (Math.abs(d) + rest);
-        return a * rest * rest;
+        room.enclose(body, tau, h);
+        bodyAgenda.schedule(body, Math.max(step + 1, room.leavingDate(body, tau, step, h)));
     }
 
     /** A fixed body's box fits its vertices. */

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision;
+
+import java.io.Serializable;
+import sim.physics.collision.broad.Boxes;
+import sim.physics.internal.Agenda;
+import sim.physics.motion.Trajectories;
+
+/** The boxes of moving bodies, with room to move on: how large they are made, and until when a body stays in its own. */
+final class Room implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Room to move in a box around a body, relative to its radius; and the part of it put ahead of the body. */
+    private static final double ROOM = 0.9;
+
+    private static final double AHEAD = 0.5;
+
+    private final Trajectories trajectories;
+    private final Boxes boxes;
+
+    Room(Trajectories trajectories, Boxes boxes) {
+        this.trajectories = trajectories;
+        this.boxes = boxes;
+    }
+
+    /** The step in which a body's centre leaves the room that its box has. */
+    long leavingDate(int body, double tau, long step, double h) {
+        if (boxes.isFixed(body)) {
+            return Agenda.NEVER;
+        }
+        double[] m = trajectories.data();
+        int o = body * Trajectories.STRIDE;
+        double[] d = boxes.data();
+        int b = body * Boxes.STRIDE;
+        double radius = m[o + Trajectories.RADIUS];
+        double time = trajectories.duration(body, tau);
+        double t = leavingTime(o, time, h, d[b] + radius, d[b + 2] - radius);
+        t = Math.min(t, leavingTime(o + 1, time, h, d[b + 1] + radius, d[b + 3] - radius));
+        double steps = Math.floor((tau + t) / h);
+        return steps < 1e15 ? step + (long) steps : Agenda.NEVER;
+    }
+
+    /** How long a coordinate surely stays between two bounds. */
+    private double leavingTime(int o, double time, double h, double low, double high) {
+        double[] m = trajectories.data();
+        double a = m[o + Trajectories.AX];
+        double j = m[o + Trajectories.JX];
+        double x = m[o] + time * (m[o + Trajectories.VX] + time * (a + time * j));
+        double v = m[o + Trajectories.VX] + time * (2 * a + 3 * time * j);
+        if (a == 0 && j == 0) {
+            return v == 0 ? (x >= low && x <= high ? Double.POSITIVE_INFINITY : 0) : v > 0 ? (high - x) / v : (low - x) / v;
+        }
+        double bound = Math.abs(a) + 3 * Math.abs(j) * h;
+        double room = Math.min(high - x, x - low);
+        double speed = Math.abs(v);
+        return room <= 0 ? 0 : 2 * room / (speed + Math.sqrt(speed * speed + 4 * bound * room));
+    }
+
+    /** Gives a body a box that holds its path to the end of the step, with room to go on. */
+    void enclose(int body, double tau, double h) {
+        double[] m = trajectories.data();
+        int o = body * Trajectories.STRIDE;
+        double time = trajectories.duration(body, tau);
+        double radius = m[o + Trajectories.RADIUS];
+        double rest = h - tau;
+        double room = ROOM * radius;
+        double vx = speed(o, time);
+        double vy = speed(o + 1, time);
+        double v = Math.abs(vx) + Math.abs(vy);
+        double ahead = v == 0 ? 0 : AHEAD * room / v;
+        double pathX = pathBound(o, time, rest);
+        double pathY = pathBound(o + 1, time, rest);
+        double x = place(o, time) + ahead * vx;
+        double y = place(o + 1, time) + ahead * vy;
+        double halfX = radius + room;
+        double halfY = radius + room;
+        boxes.set(
+                body,
+                x - halfX + Math.min(0, rest * vx) - pathX,
+                y - halfY + Math.min(0, rest * vy) - pathY,
+                x + halfX + Math.max(0, rest * vx) + pathX,
+                y + halfY + Math.max(0, rest * vy) + pathY);
+    }
+
+    private double place(int o, double d) {
+        double[] m = trajectories.data();
+        return m[o] + d * (m[o + Trajectories.VX] + d * (m[o + Trajectories.AX] + d * m[o + Trajectories.JX]));
+    }
+
+    private double speed(int o, double d) {
+        double[] m = trajectories.data();
+        return m[o + Trajectories.VX] + d * (2 * m[o + Trajectories.AX] + 3 * d * m[o + Trajectories.JX]);
+    }
+
+    /** Whether a body surely stays in its box to the end of the step. */
+    boolean holds(int body, double tau, double h) {
+        double[] d = boxes.data();
+        int o = body * Trajectories.STRIDE;
+        int b = body * Boxes.STRIDE;
+        double time = trajectories.duration(body, tau);
+        double rest = h - tau;
+        double radius = trajectories.data()[o + Trajectories.RADIUS];
+        double x = place(o, time);
+        double y = place(o + 1, time);
+        double wayX = radius + rest * Math.abs(speed(o, time)) + pathBound(o, time, rest);
+        double wayY = radius + rest * Math.abs(speed(o + 1, time)) + pathBound(o + 1, time, rest);
+        return x - wayX >= d[b] && y - wayY >= d[b + 1] && x + wayX <= d[b + 2] && y + wayY <= d[b + 3];
+    }
+
+    /** How far the accelerations can carry a coordinate off its straight path in a time. */
+    private double pathBound(int o, double d, double rest) {
+        double[] m = trajectories.data();
+        double a = Math.abs(m[o + Trajectories.AX]) + 3 * Math.abs(m[o + Trajectories.JX]) * (Math.abs(d) + rest);
+        return a * rest * rest;
+    }
+}
