@@ -101,11 +101,7 @@ final class BlockFactor implements Serializable {
      * @param relaxation added to the diagonal, relative to its largest value
      */
     void factor(double relaxation) {
-        double[] d = diagonal;
-        for (int p = 0; p < n; p++) {
-            size[2 * p] = d[3 * p];
-            size[2 * p + 1] = d[3 * p + 2];
-        }
+        note();
         double most = 0;
         for (int k = 0; relaxation > 0 && k < size.length; k++) {
             most = Math.max(most, size[k]);
@@ -118,6 +114,39 @@ final class BlockFactor implements Serializable {
             for (int e = start[p]; e < end; e++) {
                 u = eliminate(p, e, end, u);
             }
+        }
+    }
+
+    /**
+     * Factors the matrix, and takes a right side along as far as its first half of the solution.
+     *
+     * @param x b before, L⁻¹ b afterwards
+     */
+    void factor(double[] x) {
+        note();
+        redundant = 0;
+        int u = 0;
+        double[] b = below;
+        for (int p = 0; p < n; p++) {
+            invert(p, 0);
+            int end = start[p + 1];
+            double x0 = x[2 * p];
+            double x1 = x[2 * p + 1];
+            for (int e = start[p]; e < end; e++) {
+                u = eliminate(p, e, end, u);
+                int q = 2 * row[e];
+                x[q] -= b[4 * e] * x0 + b[4 * e + 1] * x1;
+                x[q + 1] -= b[4 * e + 2] * x0 + b[4 * e + 3] * x1;
+            }
+        }
+    }
+
+    /** Keeps the diagonal values, by which small pivots are known. */
+    private void note() {
+        double[] d = diagonal;
+        for (int p = 0; p < n; p++) {
+            size[2 * p] = d[3 * p];
+            size[2 * p + 1] = d[3 * p + 2];
         }
     }
 
@@ -200,6 +229,16 @@ final class BlockFactor implements Serializable {
                 x[q + 1] -= b[4 * e + 2] * x0 + b[4 * e + 3] * x1;
             }
         }
+        back(x);
+    }
+
+    /**
+     * The second half of the solution.
+     *
+     * @param x L⁻¹ b before, x afterwards
+     */
+    void back(double[] x) {
+        double[] b = below;
         for (int p = n - 1; p >= 0; p--) {
             double x0 = diagonal[3 * p] * x[2 * p] + diagonal[3 * p + 1] * x[2 * p + 1];
             double x1 = diagonal[3 * p + 1] * x[2 * p] + diagonal[3 * p + 2] * x[2 * p + 1];

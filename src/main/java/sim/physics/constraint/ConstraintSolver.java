@@ -29,4 +29,17 @@ public abstract class ConstraintSolver implements Serializable {
      * @param g 2 per node; null: zero
      */
     abstract void correct(Island island, double[] w, double[] u, double[] g);
+
+    /**
+     * Both at once.
+     *
+     * @param island evaluated
+     * @param w the diagonal of W
+     * @param u by blocks of the state
+     * @param g 2 per node; null: zero
+     */
+    void prepareAndCorrect(Island island, double[] w, double[] u, double[] g) {
+        prepare(island, w);
+        correct(island, w, u, g);
+    }
 }

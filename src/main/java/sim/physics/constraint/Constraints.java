@@ -295,8 +295,7 @@ public final class Constraints implements Ties, Serializable {
         if (stabilization.isFeedback()) {
             island.feedBack(state.v(), stabilization.position(), stabilization.velocity());
         }
-        solver.prepare(island, w);
-        solver.correct(island, w, a, island.rate); // (38), (39), (41)
+        solver.prepareAndCorrect(island, w, a, island.rate); // (38), (39), (41)
     }
 
     @Override

@@ -54,6 +54,7 @@ public final class DirectSolver extends ConstraintSolver {
             island.apply(w, lambda, u);
             return;
         }
+        island.writeRows();
         Arrays.fill(lambda, 0);
         int passes = island.isRedundant ? PASSES_IF_REDUNDANT : PASSES;
         for (int pass = 0; pass <= passes; pass++) {
@@ -75,6 +76,22 @@ public final class DirectSolver extends ConstraintSolver {
         for (int k = 0; k < island.bodies.size; k++) {
             System.arraycopy(high, 3 * k, u, 3 * island.bodies.values[k], 3);
         }
+    }
+
+    @Override
+    void prepareAndCorrect(Island island, double[] w, double[] u, double[] g) {
+        if (!island.hasOnlyPins() || island.isRedundant || island.spread(w) > SPREAD) {
+            super.prepareAndCorrect(island, w, u, g);
+            return;
+        }
+        double[] lambda = island.lambda;
+        island.residual(u, g, lambda);
+        island.factorAndSolve(w, lambda);
+        if (island.redundant() > 0) {
+            super.prepareAndCorrect(island, w, u, g);
+            return;
+        }
+        island.apply(w, lambda, u);
     }
 
     /** high + low = u + W Jᵀ λ, by bodies of the island. */

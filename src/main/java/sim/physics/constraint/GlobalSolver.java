@@ -55,6 +55,7 @@ public final class GlobalSolver extends ConstraintSolver {
 
     /** J of an island, with columns for all bodies of the state. */
     static BlockSparseMatrix jacobian(Island island, int columns) {
+        island.writeRows();
         BlockSparseMatrix jacobian = new BlockSparseMatrix(2 * island.nodes, columns);
         for (int p = 0; p < island.nodes; p++) {
             if (island.blockA[p] >= 0) {

@@ -146,7 +146,7 @@ final class Invariants implements Serializable {
         turn(x, cx, cy, before[1] / mass, before[2] / mass, (before[3] - cx * before[2] + cy * before[1]) / inertia, whole);
         turn(x, cx, cy, after[1] / mass, after[2] / mass, (after[3] - cx * after[2] + cy * after[1]) / inertia, slip);
         island.residual(whole, null, island.lambda);
-        return island.slip(whole, island.lambda) < 1e-12;
+        return Slack.slip(island, whole, island.lambda) < 1e-12;
     }
 
     private void turn(double[] x, double cx, double cy, double vx, double vy, double omega, double[] v) {

@@ -77,8 +77,8 @@ final class Island implements Serializable {
     private final int[] around;
 
     private final Equations equations = new Equations();
-    private final double leastSize;
-    private final double mostSize;
+    final double leastSize;
+    final double mostSize;
     private double spread;
 
     /**
@@ -138,6 +138,9 @@ final class Island implements Serializable {
         around = around();
         pins = new PinRows(this);
         onlyPins = pins.areAll();
+        if (onlyPins) {
+            pins.setShared(shared);
+        }
         switches = new Switches(this);
         invariants = new Invariants(this);
         isBreakable = those.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());
@@ -247,6 +250,10 @@ final class Island implements Serializable {
     /** Evaluates C, J and J̇ ẋ at the positions and velocities of the state vectors. */
     void evaluate(State state) {
         pins.evaluate(state);
+        if (onlyPins) {
+            return;
+        }
+        pins.writeRows();
         for (int k = 0; k < constraints.length; k++) {
             if (!pins.has(k)) {
                 equations.clear();
@@ -287,9 +294,7 @@ final class Island implements Serializable {
     void factor(double[] w, double relaxation) {
         double[] d = factor.diagonal();
         if (onlyPins) {
-            pins.diagonal(w, d);
-            factor.clear();
-            pins.couple(w, shared, factor.below());
+            assemblePins(w);
             factor.factor(relaxation);
             return;
         }
@@ -313,6 +318,29 @@ final class Island implements Serializable {
         }
         couple(w);
         factor.factor(relaxation);
+    }
+
+    private void assemblePins(double[] w) {
+        pins.diagonal(w, factor.diagonal());
+        factor.clear();
+        pins.couple(factor.below());
+    }
+
+    /** Factors A and solves A λ = b at once, b and λ in {@code right}; only where all constraints are pins. */
+    void factorAndSolve(double[] w, double[] right) {
+        assemblePins(w);
+        factor.factor(right);
+        factor.back(right);
+    }
+
+    /** Whether all constraints are pins. */
+    boolean hasOnlyPins() {
+        return onlyPins;
+    }
+
+    /** Makes sure that {@code j} holds the rows of J. */
+    void writeRows() {
+        pins.writeRows();
     }
 
     private void couple(double[] w) {
@@ -354,6 +382,7 @@ final class Island implements Serializable {
 
     void forgetMasses() {
         spread = 0;
+        pins.forgetMasses();
     }
 
     /** Ratio of the largest mass to the smallest one. */
@@ -373,72 +402,6 @@ final class Island implements Serializable {
     /** Number of rows that depend on others, as the last factorization found. */
     int redundant() {
         return factor.redundant();
-    }
-
-    /** The largest |C|, in units of the rounding that its coordinates have. */
-    double error(State state, double rounding) {
-        double[] x = state.x();
-        double place = 0;
-        double angle = 1;
-        for (int k = 0; k < bodies.size; k++) {
-            int s = State.BLOCK * bodies.values[k];
-            place = Math.max(place, Math.max(Math.abs(x[s]), Math.abs(x[s + 1])));
-            angle = Math.max(angle, Math.abs(x[s + State.THETA]));
-        }
-        double most = 0;
-        double mostAngle = 0;
-        place = Math.max(place, mostSize);
-        if (onlyPins) {
-            for (int k = 0; k < 2 * nodes; k++) {
-                most = Math.max(most, Math.abs(c[k]));
-            }
-            return most <= Double.MAX_VALUE ? most / (rounding * place) : Double.POSITIVE_INFINITY;
-        }
-        for (int k = 0; k < constraints.length; k++) {
-            for (int p = firstNode[k]; p < firstNode[k + 1]; p++) {
-                for (int row = 0; row < 2; row++) {
-                    double value = Math.abs(c[2 * p + row]);
-                    if (!(value <= Double.MAX_VALUE)) {
-                        return Double.POSITIVE_INFINITY;
-                    }
-                    if (pins.has(k) || !constraints[k].isAngle(2 * (p - firstNode[k]) + row)) {
-                        most = Math.max(most, value);
-                    } else {
-                        mostAngle = Math.max(mostAngle, value);
-                    }
-                }
-            }
-        }
-        return Math.max(most / (rounding * place), mostAngle / (rounding * angle));
-    }
-
-    /** The largest |J ẋ| of {@code right}, relative to the speed of the bodies' points; 0 for rounding. */
-    double slip(double[] v, double[] right) {
-        double speed = 0;
-        double spin = 0;
-        for (int k = 0; k < bodies.size; k++) {
-            int s = State.BLOCK * bodies.values[k];
-            speed = Math.max(speed, Math.max(Math.abs(v[s]), Math.abs(v[s + 1])));
-            spin = Math.max(spin, Math.abs(v[s + State.THETA]));
-        }
-        double most = 0;
-        for (int k = 0; k < 2 * nodes; k++) {
-            most = Math.max(most, Math.abs(right[k]));
-        }
-        double scale = Math.max(speed, spin * leastSize);
-        return most <= 2 * 0x1p-52 * scale ? 0 : scale == 0 ? 1 : most / scale;
-    }
-
-    /** The largest part of a move, in rad or relative to the size of the bodies. */
-    double roughness(double[] move) {
-        double step = 0;
-        double turn = 0;
-        for (int k = 0; k < bodies.size; k++) {
-            int s = State.BLOCK * bodies.values[k];
-            step = Math.max(step, Math.max(Math.abs(move[s]), Math.abs(move[s + 1])));
-            turn = Math.max(turn, Math.abs(move[s + State.THETA]));
-        }
-        return Math.max(step / leastSize, turn);
     }
 
     /** Solves A λ = b in place. */
@@ -474,7 +437,7 @@ final class Island implements Serializable {
     /** u += W Jᵀ λ, (37) and (40). */
     void apply(double[] w, double[] multipliers, double[] u) {
         if (onlyPins) {
-            pins.apply(w, multipliers, u);
+            pins.apply(multipliers, u);
             return;
         }
         for (int p = 0; p < nodes; p++) {

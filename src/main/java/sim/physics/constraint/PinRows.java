@@ -21,6 +21,17 @@ final class PinRows implements Serializable {
     /** By node: the arms in the coordinates of the bodies, or of the world where a body cannot move. */
     private final double[] arms;
 
+    /** By node: the arms, turned; and inverse mass and moment of inertia of both bodies. */
+    private final double[] r;
+
+    private final double[] masses;
+    private boolean isWeighed;
+
+    /** Where two pins meet on a body: block of A, the arms of both; and whether they pull alike, 1, or not, −1. */
+    private int[] meetings = {};
+
+    private double[] sign = {};
+
     /** Each body's orientation at the last evaluation, and its cosine and sine. */
     private final double[] angle;
 
@@ -37,6 +48,8 @@ final class PinRows implements Serializable {
         }
         pins = new int[count];
         arms = new double[4 * island.nodes];
+        r = new double[4 * island.nodes];
+        masses = new double[4 * island.nodes];
         turn = new double[2 * island.bodies.size];
         angle = new double[island.bodies.size];
         Arrays.fill(angle, Double.NaN);
@@ -45,6 +58,20 @@ final class PinRows implements Serializable {
                 pins[at++] = island.firstNode[k];
                 prepare(island.firstNode[k], (PinJoint) island.constraints[k]);
             }
+        }
+    }
+
+    /** Takes over where nodes share a body, as {@link Island} has it, if all constraints are pins. */
+    void setShared(int[] shared) {
+        meetings = new int[3 * shared.length / 4];
+        sign = new double[shared.length / 4];
+        for (int k = 0, m = 0; k < shared.length; k += 4, m++) {
+            int q = shared[k + 1];
+            int p = shared[k + 2];
+            meetings[3 * m] = shared[k];
+            meetings[3 * m + 1] = 4 * (q / Island.J) + 2 * (q % Island.J / 6);
+            meetings[3 * m + 2] = 4 * (p / Island.J) + 2 * (p % Island.J / 6);
+            sign[m] = q % Island.J == p % Island.J ? 1 : -1;
         }
     }
 
@@ -117,39 +144,41 @@ final class PinRows implements Serializable {
     }
 
     private void evaluate(int p, double[] x, double[] v) {
-        double[] j = island.j;
         double ax = arms[4 * p];
         double ay = arms[4 * p + 1];
         double bx = arms[4 * p + 2];
         double by = arms[4 * p + 3];
         double rateX = 0;
         double rateY = 0;
-        int o = Island.J * p;
-        if (island.a[p] >= 0) {
-            double cos = turn[2 * island.a[p]];
-            double sin = turn[2 * island.a[p] + 1];
+        int a = island.a[p];
+        if (a >= 0) {
+            double cos = turn[2 * a];
+            double sin = turn[2 * a + 1];
             double rx = cos * ax - sin * ay; // (45), (46)
             double ry = sin * ax + cos * ay;
-            double omega = v[island.blockA[p] + State.THETA];
+            int s = island.blockA[p];
+            double omega = v[s + State.THETA];
             rateX = -omega * omega * rx;
             rateY = -omega * omega * ry;
-            j[o + 2] = -ry;
-            j[o + 5] = rx;
-            ax = x[island.blockA[p]] + rx; // (42)
-            ay = x[island.blockA[p] + 1] + ry;
+            r[4 * p] = rx;
+            r[4 * p + 1] = ry;
+            ax = x[s] + rx; // (42)
+            ay = x[s + 1] + ry;
         }
-        if (island.b[p] >= 0) {
-            double cos = turn[2 * island.b[p]];
-            double sin = turn[2 * island.b[p] + 1];
+        int b = island.b[p];
+        if (b >= 0) {
+            double cos = turn[2 * b];
+            double sin = turn[2 * b + 1];
             double rx = cos * bx - sin * by;
             double ry = sin * bx + cos * by;
-            double omega = v[island.blockB[p] + State.THETA];
+            int s = island.blockB[p];
+            double omega = v[s + State.THETA];
             rateX += omega * omega * rx;
             rateY += omega * omega * ry;
-            j[o + 8] = ry;
-            j[o + 11] = -rx;
-            bx = x[island.blockB[p]] + rx; // (43)
-            by = x[island.blockB[p] + 1] + ry;
+            r[4 * p + 2] = rx;
+            r[4 * p + 3] = ry;
+            bx = x[s] + rx; // (43)
+            by = x[s + 1] + ry;
         }
         island.c[2 * p] = ax - bx; // (44)
         island.c[2 * p + 1] = ay - by;
@@ -157,97 +186,120 @@ final class PinRows implements Serializable {
         island.rate[2 * p + 1] = rateY;
     }
 
+    /** Writes the rows of J that the arms make; needed where not all constraints are pins, and by the general solvers. */
+    void writeRows() {
+        double[] j = island.j;
+        for (int p : pins) {
+            int o = Island.J * p;
+            if (island.a[p] >= 0) {
+                j[o + 2] = -r[4 * p + 1];
+                j[o + 5] = r[4 * p];
+            }
+            if (island.b[p] >= 0) {
+                j[o + 8] = r[4 * p + 3];
+                j[o + 11] = -r[4 * p + 2];
+            }
+        }
+    }
+
+    /** The masses of the pins' bodies. */
+    private void weigh(double[] w) {
+        for (int p = 0; p < pins.length; p++) {
+            int s = island.blockA[p];
+            masses[4 * p] = s < 0 ? 0 : w[s];
+            masses[4 * p + 1] = s < 0 ? 0 : w[s + State.THETA];
+            s = island.blockB[p];
+            masses[4 * p + 2] = s < 0 ? 0 : w[s];
+            masses[4 * p + 3] = s < 0 ? 0 : w[s + State.THETA];
+        }
+        isWeighed = true;
+    }
+
+    /** Masses may have changed. */
+    void forgetMasses() {
+        isWeighed = false;
+    }
+
     /** The diagonal blocks of A, as {@link Island#factor} has them, where all constraints are pins. */
     void diagonal(double[] w, double[] d) {
-        double[] j = island.j;
+        if (!isWeighed) {
+            weigh(w);
+        }
         for (int p = 0; p < pins.length; p++) {
-            int o = Island.J * p;
-            double m = 0;
-            double d00 = 0;
-            double d01 = 0;
-            double d11 = 0;
-            int s = island.blockA[p];
-            if (s >= 0) {
-                double i = w[s + State.THETA];
-                double ix = i * j[o + 2];
-                m = w[s];
-                d00 = ix * j[o + 2];
-                d01 = ix * j[o + 5];
-                d11 = i * j[o + 5] * j[o + 5];
-            }
-            s = island.blockB[p];
-            if (s >= 0) {
-                double i = w[s + State.THETA];
-                double ix = i * j[o + 8];
-                m += w[s];
-                d00 += ix * j[o + 8];
-                d01 += ix * j[o + 11];
-                d11 += i * j[o + 11] * j[o + 11];
-            }
-            d[3 * p] = m + d00;
-            d[3 * p + 1] = d01;
-            d[3 * p + 2] = m + d11;
+            int o = 4 * p;
+            double ax = r[o];
+            double ay = r[o + 1];
+            double bx = r[o + 2];
+            double by = r[o + 3];
+            double iA = masses[o + 1];
+            double iB = masses[o + 3];
+            double m = masses[o] + masses[o + 2];
+            double ia = iA * ay;
+            double ib = iB * by;
+            d[3 * p] = m + (ia * ay + ib * by);
+            d[3 * p + 1] = -(ia * ax + ib * bx);
+            d[3 * p + 2] = m + (iA * ax * ax + iB * bx * bx);
         }
     }
 
     /** The blocks of A below its diagonal. */
-    void couple(double[] w, int[] shared, double[] below) {
-        double[] j = island.j;
-        for (int k = 0; k < shared.length; k += 4) {
-            int e = shared[k];
-            int q = shared[k + 1];
-            int p = shared[k + 2];
-            double m = w[shared[k + 3]] * (j[q] * j[p]);
-            double i = w[shared[k + 3] + State.THETA];
-            double ix = i * j[q + 2];
-            double iy = i * j[q + 5];
-            below[e] += m + ix * j[p + 2];
-            below[e + 1] += ix * j[p + 5];
-            below[e + 2] += iy * j[p + 2];
-            below[e + 3] += m + iy * j[p + 5];
+    void couple(double[] below) {
+        for (int k = 0, e = 0; k < meetings.length; k += 3, e++) {
+            int q = meetings[k + 1];
+            int p = meetings[k + 2];
+            int at = meetings[k];
+            double m = sign[e] * masses[p];
+            double i = sign[e] * masses[p + 1];
+            double ix = i * r[q];
+            double iy = i * r[q + 1];
+            below[at] += m + iy * r[p + 1];
+            below[at + 1] -= iy * r[p];
+            below[at + 2] -= ix * r[p + 1];
+            below[at + 3] += m + ix * r[p];
         }
     }
 
     /** −(J u + g) into {@code right}. */
     void residual(double[] u, double[] g, double[] right) {
-        double[] j = island.j;
         for (int p = 0; p < pins.length; p++) {
             double r0 = g == null ? 0 : g[2 * p];
             double r1 = g == null ? 0 : g[2 * p + 1];
-            int o = Island.J * p;
             int s = island.blockA[p];
             if (s >= 0) {
-                r0 += u[s] + j[o + 2] * u[s + 2];
-                r1 += u[s + 1] + j[o + 5] * u[s + 2];
+                double turning = u[s + 2];
+                r0 += u[s] - r[4 * p + 1] * turning;
+                r1 += u[s + 1] + r[4 * p] * turning;
             }
             s = island.blockB[p];
             if (s >= 0) {
-                r0 += j[o + 8] * u[s + 2] - u[s];
-                r1 += j[o + 11] * u[s + 2] - u[s + 1];
+                double turning = u[s + 2];
+                r0 -= u[s] - r[4 * p + 3] * turning;
+                r1 -= u[s + 1] + r[4 * p + 2] * turning;
             }
             right[2 * p] = -r0;
             right[2 * p + 1] = -r1;
         }
     }
 
-    /** u += W Jᵀ λ. */
-    void apply(double[] w, double[] lambda, double[] u) {
-        double[] j = island.j;
+    /** u += W Jᵀ λ; the masses are known from the factorization. */
+    void apply(double[] lambda, double[] u) {
         for (int p = 0; p < pins.length; p++) {
             double l0 = lambda[2 * p];
             double l1 = lambda[2 * p + 1];
-            int o = Island.J * p;
+            int o = 4 * p;
             int s = island.blockA[p];
             if (s >= 0) {
-                u[s] += w[s] * l0;
-                u[s + 1] += w[s] * l1;
-                u[s + 2] += w[s + 2] * (j[o + 2] * l0 + j[o + 5] * l1);
+                double m = masses[o];
+                u[s] += m * l0;
+                u[s + 1] += m * l1;
+                u[s + 2] += masses[o + 1] * (r[o] * l1 - r[o + 1] * l0);
             }
             s = island.blockB[p];
             if (s >= 0) {
-                u[s] -= w[s] * l0;
-                u[s + 1] -= w[s] * l1;
-                u[s + 2] += w[s + 2] * (j[o + 8] * l0 + j[o + 11] * l1);
+                double m = masses[o + 2];
+                u[s] -= m * l0;
+                u[s + 1] -= m * l1;
+                u[s + 2] -= masses[o + 3] * (r[o + 2] * l1 - r[o + 3] * l0);
             }
         }
     }

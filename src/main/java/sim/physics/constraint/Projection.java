@@ -3,7 +3,6 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import sim.physics.motion.State;
 
 /**
@@ -27,7 +26,7 @@ final class Projection implements Serializable {
     private static final double ROUNDING = 4 * 0x1p-52;
 
     /** Correction of a step, relative to the size of the bodies or in rad, from which the step was too long. */
-    private static final double ROUGH = 1e-3;
+    private static final double ROUGH = 5e-3;
 
     /** Size of a correction whose square is less than rounding. */
     private static final double SMOOTH = 1e-9;
@@ -66,9 +65,11 @@ final class Projection implements Serializable {
         }
         island.switches.settle();
         island.evaluate(state);
-        error = island.error(state, ROUNDING);
+        error = Slack.error(island, state, ROUNDING);
         double before = Double.POSITIVE_INFINITY;
-        solver.prepare(island, w);
+        if (!(error > 1)) {
+            solver.prepare(island, w); // the velocities need it
+        }
         for (corrections = 0; error > 1; corrections++) {
             boolean stalls = !(error < 0.5 * before) && error < 1e4;
             if (stalls) {
@@ -77,40 +78,46 @@ final class Projection implements Serializable {
             if (!(error < Double.POSITIVE_INFINITY) || corrections == CORRECTIONS) {
                 return false;
             }
-            if (corrections > 0) {
-                solver.prepare(island, w);
-            }
-            correct(island, state, solver, w);
-            double roughness = island.roughness(move);
+            double roughness = correct(island, state, solver, w);
             if (gentle && corrections == 0 && roughness > ROUGH) {
                 return false;
             }
             if (roughness < SMOOTH) {
                 island.nudge(state, move);
-                break; // Newton's method squares it
+                solver.correct(island, w, state.v(), island.switches.bias());
+                island.invariants.restore(state);
+                return true; // Newton's method squares what is left
             }
             island.evaluate(state);
             before = error;
-            error = island.error(state, ROUNDING);
+            error = Slack.error(island, state, ROUNDING);
         }
         settle(island, state, solver);
         island.invariants.restore(state);
         return true;
     }
 
-    private void correct(Island island, State state, ConstraintSolver solver, double[] w) {
+    /** Corrects the positions; returns by how much, in rad or relative to the size of the bodies. */
+    private double correct(Island island, State state, ConstraintSolver solver, double[] w) {
         double[] x = state.x();
         for (int k = 0; k < island.bodies.size; k++) {
             int s = State.BLOCK * island.bodies.values[k];
-            Arrays.fill(move, s, s + State.BLOCK, 0);
+            move[s] = 0;
+            move[s + 1] = 0;
+            move[s + 2] = 0;
         }
-        solver.correct(island, w, move, island.c);
+        solver.prepareAndCorrect(island, w, move, island.c);
+        double way = 0;
+        double turn = 0;
         for (int k = 0; k < island.bodies.size; k++) {
             int s = State.BLOCK * island.bodies.values[k];
+            way = Math.max(way, Math.max(Math.abs(move[s]), Math.abs(move[s + 1])));
+            turn = Math.max(turn, Math.abs(move[s + 2]));
             x[s] += move[s];
             x[s + 1] += move[s + 1];
             x[s + 2] += move[s + 2];
         }
+        return Math.max(way / island.leastSize, turn);
     }
 
     /** Projects the velocities alone; the island is evaluated, and prepared at or near the same positions. */
@@ -120,7 +127,7 @@ final class Projection implements Serializable {
         double last = Double.POSITIVE_INFINITY;
         for (int k = 0; k < VELOCITY_CORRECTIONS; k++) {
             island.residual(v, bias, island.lambda);
-            double slip = island.slip(v, island.lambda);
+            double slip = Slack.slip(island, v, island.lambda);
             if (slip == 0 || !(slip < 0.5 * last)) {
                 return;
             }

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import sim.physics.motion.State;
+
+/** How far an island is off its constraints. */
+final class Slack {
+    private Slack() {}
+
+    /** The largest |C|, in units of the rounding that its coordinates have. */
+    static double error(Island island, State state, double rounding) {
+        double[] x = state.x();
+        double place = 0;
+        double angle = 1;
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            place = Math.max(place, Math.max(Math.abs(x[s]), Math.abs(x[s + 1])));
+            angle = Math.max(angle, Math.abs(x[s + State.THETA]));
+        }
+        double most = 0;
+        double mostAngle = 0;
+        place = Math.max(place, island.mostSize);
+        if (island.hasOnlyPins()) {
+            for (int k = 0; k < 2 * island.nodes; k++) {
+                most = Math.max(most, Math.abs(island.c[k]));
+            }
+            return most <= Double.MAX_VALUE ? most / (rounding * place) : Double.POSITIVE_INFINITY;
+        }
+        for (int k = 0; k < island.constraints.length; k++) {
+            for (int p = island.firstNode[k]; p < island.firstNode[k + 1]; p++) {
+                for (int row = 0; row < 2; row++) {
+                    double value = Math.abs(island.c[2 * p + row]);
+                    if (!(value <= Double.MAX_VALUE)) {
+                        return Double.POSITIVE_INFINITY;
+                    }
+                    if (!island.constraints[k].isAngle(2 * (p - island.firstNode[k]) + row)) {
+                        most = Math.max(most, value);
+                    } else {
+                        mostAngle = Math.max(mostAngle, value);
+                    }
+                }
+            }
+        }
+        return Math.max(most / (rounding * place), mostAngle / (rounding * angle));
+    }
+
+    /** The largest |J ẋ| of {@code right}, relative to the speed of the bodies' points; 0 for rounding. */
+    static double slip(Island island, double[] v, double[] right) {
+        double speed = 0;
+        double spin = 0;
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            speed = Math.max(speed, Math.max(Math.abs(v[s]), Math.abs(v[s + 1])));
+            spin = Math.max(spin, Math.abs(v[s + State.THETA]));
+        }
+        double most = 0;
+        for (int k = 0; k < 2 * island.nodes; k++) {
+            most = Math.max(most, Math.abs(right[k]));
+        }
+        double scale = Math.max(speed, spin * island.leastSize);
+        return most <= 2 * 0x1p-52 * scale ? 0 : scale == 0 ? 1 : most / scale;
+    }
+}
