@@ -170,7 +170,7 @@ public final class PhysicsEngine implements Steppable {
             if (body < 0 || !motion.isResting(body)) {
                 continue;
             }
-            if (detection.narrowPhase().bears(pair, 0)) {
+            if (detection.narrowPhase().bears(pair, body, 0)) {
                 resting.values[kept++] = pair;
             } else {
                 trajectories.bring(body, 0);
@@ -203,10 +203,10 @@ public final class PhysicsEngine implements Steppable {
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
             Body body = state.body(index);
+            trajectories.ensure(index + 1); // also for the block of a body that was removed before its first step
             if (body == null) {
                 continue;
             }
-            trajectories.ensure(index + 1);
             motion.admit(index, tau);
             if (detection.knows(index)) {
                 detection.refilter(index);

@@ -266,7 +266,7 @@ final class TimeOfImpact {
     private void limit(double gap, double rate, double bound, double curvature) {
         double g = gap;
         if (g <= tolerance) {
-            if (rate < -slowness || rate < 0 && g < -Tolerances.DEEP * pose.size) {
+            if (rate < -slowness || rate < -0.1 * slowness && g < -Tolerances.DEEP * pose.size) {
                 touching = true;
                 return;
             }
