@@ -270,9 +270,9 @@ final class TimeOfImpact {
                 touching = true;
                 return;
             }
-            if (rate > slowness) {
-                double rise = Math.sqrt(Math.max(0, rate * rate + 2 * bound * g));
-                s = Math.min(s, bound == 0 ? INFINITE : (rate + rise) / bound); // back at gap zero
+            double rise = rate * rate + 2 * bound * g;
+            if (rate > slowness && rise > 0) {
+                s = Math.min(s, bound == 0 ? INFINITE : (rate + Math.sqrt(rise)) / bound); // back at gap zero
                 return;
             }
             g = Math.max(0, g) + tolerance; // touching and sliding: let it go as far as can do no harm
