@@ -16,6 +16,9 @@ import sim.physics.motion.Trajectories;
 final class Bounces implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** The square of a restitution is to be finite, whatever the approach. */
+    private static final double HUGE = 1e100;
+
     private final Trajectories trajectories;
 
     /** The step in which a pair was counted last; the other values hold for that step. */
@@ -128,10 +131,9 @@ final class Bounces implements Serializable {
             return true;
         }
         if (bounce < shortest && (!canBear || count > Tolerances.REST_AFTER)) {
-            double regained = Math.sqrt(1 + 2 * lost[pair] * c.normalMobility() / (approachSpeed * approachSpeed));
-            c.restitution = Math.min(
-                    0.5 * closing * shortest / approachSpeed,
-                    Math.max(regained, 0.5 * pressing * shortest / approachSpeed));
+            double regained = Math.sqrt(approachSpeed * approachSpeed + 2 * lost[pair] * c.normalMobility());
+            double most = Math.max(Math.max(approachSpeed, regained), 0.5 * pressing * shortest);
+            c.restitution = Math.min(HUGE, Math.min(0.5 * closing * shortest, most) / approachSpeed);
         }
         return false;
     }
