@@ -86,6 +86,11 @@ final class Bounces implements Serializable {
         }
     }
 
+    /** Writes off what a pair has lost: of several points none knows what the others take back. */
+    void writeOff(int pair) {
+        lost[pair] = 0;
+    }
+
     /** Notes how the two part. */
     void part(int pair, int a, Impact c) {
         lastSpeed[pair] = -c.restitution * c.normalVelocity();

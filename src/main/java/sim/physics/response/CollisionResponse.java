@@ -356,6 +356,7 @@ public final class CollisionResponse implements Serializable {
         deepest = Math.min(deepest, manifold.gap);
         boolean restsNow = true;
         bounces.count(pair);
+        bounces.writeOff(pair);
         boolean canBear = alone && canBear(pair, a, b);
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
