@@ -77,6 +77,7 @@ final class Admission implements Serializable {
         }
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
+            trajectories.ensure(index + 1); // also for the block of a body that was removed before its first step
             if (state.body(index) != null) {
                 admit(index, tau);
             }
@@ -90,7 +91,6 @@ final class Admission implements Serializable {
     }
 
     private void admit(int index, double tau) {
-        trajectories.ensure(index + 1);
         motion.admit(index, tau);
         if (detection.knows(index)) {
             detection.refilter(index);

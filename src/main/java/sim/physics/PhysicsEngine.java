@@ -207,7 +207,7 @@ public final class PhysicsEngine implements Steppable {
             if (body < 0 || !motion.isResting(body)) {
                 continue;
             }
-            if (detection.narrowPhase().bears(pair, 0)) {
+            if (detection.narrowPhase().bears(pair, body, 0)) {
                 resting.values[kept++] = pair;
             } else {
                 trajectories.bring(body, 0);

@@ -2,20 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.bench;
 
-import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
-import org.openjdk.jmh.annotations.BenchmarkMode;
-import org.openjdk.jmh.annotations.Fork;
 import org.openjdk.jmh.annotations.Level;
-import org.openjdk.jmh.annotations.Measurement;
-import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OperationsPerInvocation;
-import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Param;
-import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
-import org.openjdk.jmh.annotations.State;
-import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * Figure 1 of the write-up, at its density, with 10 to 1000 bodies, Euler, dt = 1.
@@ -34,12 +25,7 @@ import org.openjdk.jmh.annotations.Warmup;
  * <tr><td>1000</td><td>11364</td><td>400</td><td>28.4</td></tr>
  * </table>
  */
-@BenchmarkMode(Mode.AverageTime)
-@OutputTimeUnit(TimeUnit.MICROSECONDS)
-@Warmup(iterations = 3, time = 3)
-@Measurement(iterations = 5, time = 2)
-@Fork(2)
-public class Figure1Benchmark {
+public class Figure1Benchmark extends GasBenchmark {
     /** Numbers of bodies of {@link #ORIGINAL_STEPS_PER_SECOND}. */
     static final int[] ORIGINAL_BODIES = {10, 30, 100, 300, 1000};
 
@@ -49,8 +35,7 @@ public class Figure1Benchmark {
     private static final int STEPS = 1000;
 
     /** A scene that is new in each invocation; an invocation is long enough for JMH's clock around it. */
-    @State(Scope.Thread)
-    public static class Fresh {
+    public static class Fresh extends Scene {
         /** Number of bodies. */
         @Param({"10", "30", "100", "300", "1000"})
         public int n;
@@ -63,20 +48,15 @@ public class Figure1Benchmark {
         @Param("false")
         public boolean read;
 
-        private Runner runner;
-        private long seed;
-
         /** Builds the next scene. */
         @Setup(Level.Invocation)
         public void build() {
-            seed++;
-            runner = Engines.create(engine, BenchScene.FIGURE1.make(n, seed));
+            next(BenchScene.FIGURE1, engine, n);
         }
     }
 
     /** One scene that goes on. */
-    @State(Scope.Thread)
-    public static class Continued {
+    public static class Continued extends Scene {
         /** Number of bodies. */
         @Param({"10", "30", "100", "300", "1000"})
         public int n;
@@ -85,12 +65,10 @@ public class Figure1Benchmark {
         @Param("own-euler")
         public String engine;
 
-        private Runner runner;
-
         /** Builds the scene. */
         @Setup(Level.Trial)
         public void build() {
-            runner = Engines.create(engine, BenchScene.FIGURE1.make(n, 1));
+            next(BenchScene.FIGURE1, engine, n);
         }
     }
 
@@ -98,19 +76,12 @@ public class Figure1Benchmark {
     @Benchmark
     @OperationsPerInvocation(STEPS)
     public double fresh(Fresh scene) {
-        double sum = 0;
-        for (int s = 0; s < STEPS; s++) {
-            scene.runner.step();
-            if (scene.read) {
-                sum += scene.runner.readPoses();
-            }
-        }
-        return sum;
+        return scene.run(STEPS, scene.read);
     }
 
     /** Time per step of a scene that goes on; with {@code -prof gc}, the bytes of a step and of nothing else. */
     @Benchmark
     public void steady(Continued scene) {
-        scene.runner.step();
+        scene.step();
     }
 }

@@ -2,20 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.bench;
 
-import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
-import org.openjdk.jmh.annotations.BenchmarkMode;
-import org.openjdk.jmh.annotations.Fork;
 import org.openjdk.jmh.annotations.Level;
-import org.openjdk.jmh.annotations.Measurement;
-import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OperationsPerInvocation;
-import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Param;
-import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
-import org.openjdk.jmh.annotations.State;
-import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * Scene S3 of the comparison of peers: half disks, half boxes, area fraction 0.2, e = 1, no friction, dt = 1/60.
@@ -24,17 +15,11 @@ import org.openjdk.jmh.annotations.Warmup;
  * several engines lose or gain energy, and a gas that stands still is cheap. To beat: 1/8 of dyn4j's best setting, 1/15
  * of JBox2D. {@link PairedRun} gives thread CPU time, interleaved, with the energy.
  */
-@BenchmarkMode(Mode.AverageTime)
-@OutputTimeUnit(TimeUnit.MICROSECONDS)
-@Warmup(iterations = 3, time = 3)
-@Measurement(iterations = 5, time = 2)
-@Fork(2)
-public class GasS3Benchmark {
+public class GasS3Benchmark extends GasBenchmark {
     private static final int STEPS = 600;
 
     /** A scene that is new in each invocation; an invocation is long enough for JMH's clock around it. */
-    @State(Scope.Thread)
-    public static class Fresh {
+    public static class Fresh extends Scene {
         /** Number of bodies. */
         @Param({"100", "1000"})
         public int n;
@@ -47,20 +32,15 @@ public class GasS3Benchmark {
         @Param("false")
         public boolean read;
 
-        private Runner runner;
-        private long seed;
-
         /** Builds the next scene. */
         @Setup(Level.Invocation)
         public void build() {
-            seed++;
-            runner = Engines.create(engine, BenchScene.S3.make(n, seed));
+            next(BenchScene.S3, engine, n);
         }
     }
 
     /** One scene that goes on. */
-    @State(Scope.Thread)
-    public static class Continued {
+    public static class Continued extends Scene {
         /** Number of bodies. */
         @Param({"100", "1000"})
         public int n;
@@ -69,12 +49,10 @@ public class GasS3Benchmark {
         @Param("own")
         public String engine;
 
-        private Runner runner;
-
         /** Builds the scene. */
         @Setup(Level.Trial)
         public void build() {
-            runner = Engines.create(engine, BenchScene.S3.make(n, 1));
+            next(BenchScene.S3, engine, n);
         }
     }
 
@@ -82,19 +60,12 @@ public class GasS3Benchmark {
     @Benchmark
     @OperationsPerInvocation(STEPS)
     public double fresh(Fresh scene) {
-        double sum = 0;
-        for (int s = 0; s < STEPS; s++) {
-            scene.runner.step();
-            if (scene.read) {
-                sum += scene.runner.readPoses();
-            }
-        }
-        return sum;
+        return scene.run(STEPS, scene.read);
     }
 
     /** Time per step of a scene that goes on; with {@code -prof gc}, the bytes of a step and of nothing else. */
     @Benchmark
     public void steady(Continued scene) {
-        scene.runner.step();
+        scene.step();
     }
 }

@@ -12,8 +12,8 @@ import java.util.Arrays;
 final class BlockFactor implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Pivots below this part of their diagonal are noise: the constraints are redundant. */
-    private static final double PIVOT = 1e-14;
+    /** Pivots below this part of their diagonal are noise. */
+    static final double NOISE = 1e-14;
 
     private final int n;
 
@@ -34,6 +34,7 @@ final class BlockFactor implements Serializable {
     private final double[] below;
 
     private int redundant;
+    private double floor;
 
     /**
      * Makes a matrix of zeros.
@@ -99,8 +100,10 @@ final class BlockFactor implements Serializable {
      * Factors the matrix.
      *
      * @param relaxation added to the diagonal, relative to its largest value
+     * @param least pivots below this part of their diagonal are redundant
      */
-    void factor(double relaxation) {
+    void factor(double relaxation, double least) {
+        floor = least;
         note();
         double most = 0;
         for (int k = 0; relaxation > 0 && k < size.length; k++) {
@@ -121,8 +124,10 @@ final class BlockFactor implements Serializable {
      * Factors the matrix, and takes a right side along as far as its first half of the solution.
      *
      * @param x b before, L⁻¹ b afterwards
+     * @param least pivots below this part of their diagonal are redundant
      */
-    void factor(double[] x) {
+    void factor(double[] x, double least) {
+        floor = least;
         note();
         redundant = 0;
         int u = 0;
@@ -157,7 +162,7 @@ final class BlockFactor implements Serializable {
         double d01 = d[3 * p + 1];
         double d11 = d[3 * p + 2] + extra;
         double i0 = 0;
-        if (d00 > PIVOT * size[2 * p]) {
+        if (d00 > floor * size[2 * p]) {
             i0 = 1 / d00;
         } else {
             redundant++;
@@ -165,7 +170,7 @@ final class BlockFactor implements Serializable {
         double q = d01 * i0;
         double s = d11 - d01 * q;
         double i1 = 0;
-        if (s > PIVOT * size[2 * p + 1]) {
+        if (s > floor * size[2 * p + 1]) {
             i1 = 1 / s;
         } else {
             redundant++;

@@ -410,7 +410,7 @@ public final class Constraints implements Ties, Serializable {
     public int redundant() {
         int sum = 0;
         for (Island island : islands) {
-            sum += island.isRedundant ? island.redundantRows : 0;
+            sum += island.redundantRows;
         }
         return sum;
     }

@@ -19,6 +19,13 @@ public final class DirectSolver extends ConstraintSolver {
     /** Ratio of masses in an island from which λ is refined. */
     private static final double SPREAD = 100;
 
+    /**
+     * Pivots below this part of their diagonal: the pose is near a singular one, and a correction would make the rounding of
+     * C large. It is damped: what it leaves is less than the error of the step.
+     */
+    private static final double SINGULAR = 1e-7;
+
+    private static final double DAMPING = 1e-8;
     private static final double RELAXATION = 1e-9;
     private static final int PASSES = 2;
     private static final int PASSES_IF_REDUNDANT = 8;
@@ -34,12 +41,24 @@ public final class DirectSolver extends ConstraintSolver {
 
     @Override
     void prepare(Island island, double[] w) {
-        island.factor(w, 0);
-        island.isRedundant = island.redundant() > 0;
-        if (island.isRedundant) {
+        island.factor(w, 0, least(island, w));
+        boolean redundant = island.redundant() > 0;
+        boolean damped = redundant && isDamped(island, w);
+        island.isRedundant = redundant && !damped;
+        if (!island.isProjected) {
             island.redundantRows = island.redundant();
-            island.factor(w, RELAXATION);
         }
+        if (redundant) {
+            island.factor(w, damped ? DAMPING : RELAXATION, BlockFactor.NOISE);
+        }
+    }
+
+    private boolean isDamped(Island island, double[] w) {
+        return island.isProjected && !(island.spread(w) > SPREAD);
+    }
+
+    private double least(Island island, double[] w) {
+        return isDamped(island, w) ? SINGULAR : BlockFactor.NOISE;
     }
 
     @Override
@@ -86,10 +105,13 @@ public final class DirectSolver extends ConstraintSolver {
         }
         double[] lambda = island.lambda;
         island.residual(u, g, lambda);
-        island.factorAndSolve(w, lambda);
+        island.factorAndSolve(w, lambda, least(island, w));
         if (island.redundant() > 0) {
             super.prepareAndCorrect(island, w, u, g);
             return;
+        }
+        if (!island.isProjected) {
+            island.redundantRows = 0;
         }
         island.apply(w, lambda, u);
     }

@@ -55,6 +55,9 @@ final class Island implements Serializable {
     boolean isDissolved;
     final boolean isBreakable;
 
+    /** Whether the solves are those of a projection after a step. */
+    boolean isProjected;
+
     /** Whether some rows depend on others; and how many did when that was found last. */
     boolean isRedundant;
 
@@ -291,11 +294,11 @@ final class Island implements Serializable {
     }
 
     /** A = J W Jᵀ, (41), and its factors; rows that are zero get a 1 on the diagonal. */
-    void factor(double[] w, double relaxation) {
+    void factor(double[] w, double relaxation, double least) {
         double[] d = factor.diagonal();
         if (onlyPins) {
             assemblePins(w);
-            factor.factor(relaxation);
+            factor.factor(relaxation, least);
             return;
         }
         for (int p = 0; p < nodes; p++) {
@@ -317,7 +320,7 @@ final class Island implements Serializable {
             d[3 * p + 2] = d11 == 0 ? 1 : d11;
         }
         couple(w);
-        factor.factor(relaxation);
+        factor.factor(relaxation, least);
     }
 
     private void assemblePins(double[] w) {
@@ -327,9 +330,9 @@ final class Island implements Serializable {
     }
 
     /** Factors A and solves A λ = b at once, b and λ in {@code right}; only where all constraints are pins. */
-    void factorAndSolve(double[] w, double[] right) {
+    void factorAndSolve(double[] w, double[] right, double least) {
         assemblePins(w);
-        factor.factor(right);
+        factor.factor(right, least);
         factor.back(right);
     }
 

@@ -59,6 +59,13 @@ final class Projection implements Serializable {
      * @return false if it gave up, or if there is no position near enough that satisfies the constraints
      */
     boolean project(Island island, State state, ConstraintSolver solver, boolean gentle) {
+        island.isProjected = gentle;
+        boolean done = close(island, state, solver, gentle);
+        island.isProjected = false;
+        return done;
+    }
+
+    private boolean close(Island island, State state, ConstraintSolver solver, boolean gentle) {
         double[] w = state.w().values();
         if (move.length < state.x().length) {
             move = new double[state.x().length];

@@ -19,7 +19,7 @@ public final class Tolerances {
      */
     public static final double APPROACH = 1e-13;
 
-    /** Penetration, relative to the bodies, from which any approach counts as a contact. */
+    /** Penetration, relative to the bodies, from which any approach counts as a contact that is more than its rounding. */
     public static final double DEEP = 1e-11;
 
     /** Part of the step that a search for an impact moves on at least when it got stuck in a sustained contact. */
@@ -54,6 +54,15 @@ public final class Tolerances {
 
     /** Impacts of a pair in one step from which a body comes to rest at its next short bounce. */
     public static final int REST_AFTER = 20_000;
+
+    /** Times a body may come to rest on the same surface in one step before the surface counts as not bearing it. */
+    public static final int RESTS = 8;
+
+    /** Times that driven bodies may prove to be apart or parting in a step where a contact was expected. */
+    public static final int MISSES = 100;
+
+    /** How far the instant of an impact of driven bodies may be moved, relative to the step, to a gap of zero. */
+    public static final double POLISH = 1.0 / 16;
 
     private Tolerances() {}
 }

@@ -7,8 +7,12 @@ import java.awt.Paint;
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.util.Objects;
+import sim.display.GUIState;
 import sim.physics.motion.Body;
 import sim.portrayal.DrawInfo2D;
+import sim.portrayal.Inspector;
+import sim.portrayal.LocationWrapper;
+import sim.portrayal.SimpleInspector;
 import sim.portrayal.SimplePortrayal2D;
 
 /** Draws a {@link Body} in its shape, size and orientation, and finds it under the mouse. */
@@ -35,6 +39,16 @@ public class BodyPortrayal2D extends SimplePortrayal2D {
     @Override
     public boolean hitObject(Object object, DrawInfo2D range) {
         return outline((Body) object, range).intersects(range.clip.x, range.clip.y, range.clip.width, range.clip.height);
+    }
+
+    /** {@inheritDoc} For a plain body its properties one by one; an author's subclass shows its own. */
+    @Override
+    public Inspector getInspector(LocationWrapper wrapper, GUIState state) {
+        Object object = wrapper == null ? null : wrapper.getObject();
+        if (object == null || object.getClass() != Body.class) {
+            return super.getInspector(wrapper, state);
+        }
+        return new SimpleInspector(new InspectedBody((Body) object), state, "Body");
     }
 
     private static Shape outline(Body body, DrawInfo2D info) {

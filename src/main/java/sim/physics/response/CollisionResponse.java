@@ -4,7 +4,6 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.collision.CollisionDetection;
@@ -44,11 +43,7 @@ public final class CollisionResponse implements Serializable {
     /** Null while nothing ties bodies together. */
     private JointedBodies jointed;
     private final IntList changed = new IntList();
-    private int[] counts = {};
-    private double[] countedIn = {};
-    /** Speed at which the pair parted at its last impact, and when that was, if it was in the present step. */
-    private double[] lastSpeed = {};
-    private double[] lastTau = {};
+    private final Bounces bounces;
     private transient Manifold manifold;
     private double now;
     private long impacts;
@@ -73,6 +68,7 @@ public final class CollisionResponse implements Serializable {
         this.detection = detection;
         this.pairs = detection.pairs();
         this.simultaneous = new SimultaneousImpact(state);
+        this.bounces = new Bounces(trajectories);
     }
 
     /**
@@ -121,15 +117,23 @@ public final class CollisionResponse implements Serializable {
         int b = pairs.second(pair);
         load(a, b, 0);
         impact.sticky = false;
-        polish(pair, a, b, tau);
+        if (!polish(pair, a, b, tau)) {
+            goOn(a, b);
+            return;
+        }
         if (!listeners.isEmpty() && !ask(a, b)) {
             letPass(pair, a, b);
             return;
         }
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
-        if (impact.restitution < 1 && startsToRest(pair, a, b, canBear(a, b))) {
-            rest(pair, a);
+        if (impact.restitution < 1) {
+            bounces.count(pair);
+            if (bounces.limit(pair, a, b, impact, canBear(pair, a, b))) {
+                rest(pair, a);
+            }
+            bounces.spend(pair, impact);
+            bounces.part(pair, a, impact);
         }
         solver.solve(impact);
         impact.apply();
@@ -139,96 +143,19 @@ public final class CollisionResponse implements Serializable {
         }
     }
 
-    /**
-     * Ends the bouncing of bodies that gravity presses together. A body that a fixed surface can bear comes to rest on
-     * it when its bounces have become too short to matter; other bodies bounce on at the shortest length. Without a
-     * pressing acceleration nothing is changed, and no speed is too small to bounce.
-     *
-     * <p>The shortest bounce grows with the number of impacts that the pair has had in the step, so that their number is
-     * bounded whatever else pushes the two together.
-     *
-     * @return whether the body comes to rest
-     */
-    private boolean limitBouncing(int pair, int a, int b, boolean canBear) {
-        int count = countedIn[pair] == trajectories.step() ? counts[pair] : 0;
-        Impact c = impact;
-        double[] d = trajectories.data();
-        int oa = a * Trajectories.STRIDE;
-        int ob = b * Trajectories.STRIDE;
-        double closing = 2
-                * ((d[oa + Trajectories.AX] - d[ob + Trajectories.AX]) * c.nx
-                        + (d[oa + Trajectories.AY] - d[ob + Trajectories.AY]) * c.ny);
-        double approachSpeed = -c.normalVelocity();
-        double pressing = closing;
-        if (count > Tolerances.ELASTIC_AFTER / 2) {
-            // whatever pressed the two together since their last impact, spin for one, will do it again
-            double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * trajectories.h());
-            closing = Math.max(closing, (approachSpeed + lastSpeed[pair]) / since);
-        }
-        if (!canBear && count > Tolerances.ELASTIC_AFTER) {
-            c.restitution = 1; // bodies that collapse on one another (Luding and McNamara 1998)
-        }
-        if (c.restitution == 1 && count <= Tolerances.ELASTIC_AFTER || !(closing > 0) || !(approachSpeed > 0)) {
-            return false;
-        }
-        double bounce = 2 * c.restitution * approachSpeed / closing;
-        double h = trajectories.h();
-        double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
-        if (canBear && bounce < (count > Tolerances.REST_AFTER ? shortest : Tolerances.REST * h)) {
-            c.restitution = 0;
-            return true;
-        }
-        if (bounce < shortest && (!canBear || count > Tolerances.REST_AFTER)) {
-            // at most elastic, but for what a constant acceleration would take back
-            c.restitution = Math.min(
-                    0.5 * closing * shortest / approachSpeed, Math.max(1, 0.5 * pressing * shortest / approachSpeed));
-        }
-        return false;
-    }
-
-    /** Counts the impact, limits its bouncing, and notes how the two part. */
-    private boolean startsToRest(int pair, int a, int b, boolean canBear) {
-        countImpact(pair);
-        boolean rests = limitBouncing(pair, a, b, canBear);
-        lastSpeed[pair] = -impact.restitution * impact.normalVelocity();
-        lastTau[pair] = trajectories.offset(a);
-        return rests;
-    }
-
-    /** Counts the impacts that a pair has had in the present step, this one included. */
-    private void countImpact(int pair) {
-        if (pair >= counts.length) {
-            counts = Arrays.copyOf(counts, Math.max(2 * counts.length, pair + 1));
-            countedIn = Arrays.copyOf(countedIn, counts.length);
-            lastSpeed = Arrays.copyOf(lastSpeed, counts.length);
-            lastTau = Arrays.copyOf(lastTau, counts.length);
-        }
-        if (countedIn[pair] != trajectories.step()) {
-            countedIn[pair] = trajectories.step();
-            counts[pair] = 0;
-        }
-        counts[pair]++;
-    }
-
     /** Whether one of two bodies is fixed and can bear the other one at the points of the manifold. */
-    private boolean canBear(int a, int b) {
+    private boolean canBear(int pair, int a, int b) {
         boolean fixedA = state.body(a).isFixed();
-        if (fixedA == state.body(b).isFixed() || trajectories.isDriven(fixedA ? b : a)) {
-            return false;
-        }
-        if (manifold.count == 1) {
-            return fixedA ? manifold.roundB : manifold.roundA;
-        }
-        double[] rx = fixedA ? manifold.rBx : manifold.rAx;
-        double[] ry = fixedA ? manifold.rBy : manifold.rAy;
-        double first = ry[0] * manifold.nx - rx[0] * manifold.ny;
-        double second = ry[1] * manifold.nx - rx[1] * manifold.ny;
-        return first * second <= 0; // the centre of mass is between the points
+        return fixedA != state.body(b).isFixed()
+                && !trajectories.isDriven(fixedA ? b : a)
+                && bounces.mayRest(pair)
+                && manifold.bears(fixedA);
     }
 
     /** Lets the movable body of a pair rest on the fixed one. */
     private void rest(int pair, int a) {
         boolean fixedA = state.body(a).isFixed();
+        bounces.rest(pair);
         restingNow = pair;
         restingX = fixedA ? manifold.nx : -manifold.nx;
         restingY = fixedA ? manifold.ny : -manifold.ny;
@@ -264,26 +191,45 @@ public final class CollisionResponse implements Serializable {
     /** The listeners want the pair to pass: both go on as they came. */
     private void letPass(int pair, int a, int b) {
         detection.ignore(pair);
+        goOn(a, b);
+    }
+
+    private void goOn(int a, int b) {
         changed.add(a);
         changed.add(b);
     }
 
     /**
      * The search found the contact on the dense output of driven bodies, which is not quite where the integrator brings
-     * them: moves the instant to where the gap is zero, by Newton's method.
+     * them: moves the instant a little, to where the gap is zero, by Newton's method.
+     *
+     * @return whether they do touch and approach; if not, they go on from where they were brought
      */
-    private void polish(int pair, int a, int b, double tau) {
-        boolean driven = trajectories.isDriven(a) || trajectories.isDriven(b);
-        double t = tau;
-        for (int k = 0; driven && k < 3; k++) {
-            double approachSpeed = impact.normalVelocity();
-            if (!(approachSpeed < 0) || Math.abs(manifold.gap) <= -approachSpeed * Tolerances.SIMULTANEOUS * t) {
-                return;
-            }
-            t -= manifold.gap / approachSpeed;
-            locate(pair, t);
-            load(a, b, 0);
+    private boolean polish(int pair, int a, int b, double tau) {
+        if (!trajectories.isDriven(a) && !trajectories.isDriven(b)) {
+            return true;
         }
+        double h = trajectories.h();
+        double t = tau;
+        for (int k = 0; k < 3; k++) {
+            double speed = impact.normalVelocity();
+            double next = t - manifold.gap / speed;
+            boolean settled = Math.abs(manifold.gap) <= -speed * Tolerances.SIMULTANEOUS * t;
+            if (settled || !(speed < 0 && next <= h && Math.abs(next - tau) <= Tolerances.POLISH * h)) {
+                break; // or else events of others may lie between
+            }
+            double most = Math.max(0.5 * Math.abs(manifold.gap), -speed * Tolerances.REST * h);
+            locate(pair, next);
+            load(a, b, 0);
+            if (!(impact.normalVelocity() < 0 && Math.abs(manifold.gap) <= most)) {
+                locate(pair, t); // a graze, where Newton's method leads astray
+                load(a, b, 0);
+                break;
+            }
+            t = next;
+        }
+        boolean touch = impact.normalVelocity() < 0 && manifold.gap <= -impact.normalVelocity() * Tolerances.REST * h;
+        return touch || bounces.misses(pair);
     }
 
     /**
@@ -372,6 +318,7 @@ public final class CollisionResponse implements Serializable {
         Body bodyB = state.body(b);
         c.restitution = restitutionRule.of(bodyA.getRestitution(), bodyB.getRestitution());
         c.friction = frictionRule.of(bodyA.getFriction(), bodyB.getFriction());
+        c.allowance = 0;
     }
 
     private void store(int a, int b) {
@@ -430,16 +377,17 @@ public final class CollisionResponse implements Serializable {
         }
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
-        boolean rests = true;
-        countImpact(pair);
+        boolean restsNow = true;
+        bounces.count(pair);
+        bounces.writeOff(pair);
+        boolean canBear = alone && canBear(pair, a, b);
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
-            rests &= impact.restitution < 1 && limitBouncing(pair, a, b, alone && canBear(a, b));
+            restsNow &= impact.restitution < 1 && bounces.limit(pair, a, b, impact, canBear);
             simultaneous.add(a, b, impact);
         }
-        lastSpeed[pair] = -impact.restitution * impact.normalVelocity();
-        lastTau[pair] = trajectories.offset(a);
-        if (rests) {
+        bounces.part(pair, a, impact);
+        if (restsNow) {
             rest(pair, a);
         }
     }

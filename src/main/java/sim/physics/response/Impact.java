@@ -59,6 +59,9 @@ public final class Impact implements Serializable {
 
     double friction;
 
+    /** Energy that the impact may add; 0 but for bounces that are kept from getting too short. */
+    double allowance;
+
     /** Whether the surfaces stick: no relative velocity of the collision points afterwards, in any direction. */
     boolean sticky;
 
@@ -172,6 +175,7 @@ public final class Impact implements Serializable {
         ny = from.ny;
         restitution = from.restitution;
         friction = from.friction;
+        allowance = from.allowance;
         sticky = from.sticky;
         jn = from.jn;
         jt = from.jt;

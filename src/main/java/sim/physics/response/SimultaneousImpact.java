@@ -201,7 +201,7 @@ final class SimultaneousImpact implements Serializable {
             impacts[k].jn = (1 + e) * lambda[k];
             impacts[k].jt = 0;
         }
-        if (!uniform && energyGain() > 0) {
+        if (!uniform && energyGain() > allowance()) {
             for (int k = 0; k < points; k++) {
                 impacts[k].jn = (1 + least) * lambda[k];
             }
@@ -366,6 +366,16 @@ final class SimultaneousImpact implements Serializable {
                 lambda[k] = Math.max(0, lambda[k] - residual(k) / matrix[k * points + k]);
             }
         }
+    }
+
+    /** Energy that bounces may add which are kept from getting too short; 0 where no restitution is above 1. */
+    private double allowance() {
+        double sum = 0;
+        for (int k = 0; k < points; k++) {
+            double e = impacts[k].restitution;
+            sum += Math.max(0, e * e - 1) * rhs[k] * rhs[k] / (2 * matrix[k * points + k]);
+        }
+        return sum;
     }
 
     private double energyGain() {

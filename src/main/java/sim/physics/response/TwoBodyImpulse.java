@@ -54,15 +54,17 @@ public final class TwoBodyImpulse implements ImpulseSolver {
             c.jt = resistance > 0 ? mu * c.jn : 0;
         }
         double gain = c.energyGain();
-        if (gain > 0) {
+        if (gain > c.allowance) {
             shorten(c, gain);
         }
     }
 
-    /** Shortens an impulse that creates energy: gain(s) = s·linear + s²·square is zero at s = −linear/square. */
+    /** Shortens an impulse that creates too much energy: gain(s) = s·linear + s²·square is what is allowed. */
     private static void shorten(Impact c, double gain) {
         double linear = c.jn * c.normalVelocity() + c.jt * c.tangentVelocity();
-        double s = Math.min(1, -linear / (gain - linear));
+        double square = gain - linear;
+        double root = c.allowance == 0 ? -linear : Math.sqrt(linear * linear + 4 * square * c.allowance);
+        double s = Math.min(1, 0.5 * (root - linear) / square);
         c.jn *= s;
         c.jt *= s;
     }

@@ -58,8 +58,8 @@ class MechanismTest {
 
     @Test
     void fourBarsRevolveInTheirPeriodThroughTheirSingularPose() {
-        double coarse = Math.abs(turned(250));
-        double fine = Math.abs(turned(2000));
+        double coarse = Math.abs(turned(125));
+        double fine = Math.abs(turned(1000));
         assertThat(fine).isLessThan(1e-9);
         assertThat(StrictMath.log(coarse / fine) / StrictMath.log(8)).isBetween(3.8, 4.3);
     }

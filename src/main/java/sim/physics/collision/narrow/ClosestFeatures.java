@@ -71,10 +71,13 @@ final class ClosestFeatures {
                 || check(2 * i, 2 * j);
     }
 
-    /** Whether no edge's line has the other body beyond it; then the edge of least penetration is taken. */
+    /**
+     * Whether no edge's line has the core of the other body beyond it; then the edge of least penetration is taken. A
+     * circle that reaches over the line of an edge may still be off the corner.
+     */
     private boolean penetrates() {
         takeLeastPenetration();
-        return gap <= 0;
+        return gap <= -pose.rounding;
     }
 
     private boolean searchAll() {

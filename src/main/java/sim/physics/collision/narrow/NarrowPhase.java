@@ -206,23 +206,17 @@ public final class NarrowPhase implements Serializable {
     }
 
     /**
-     * Whether two bodies, one of them fixed, touch so that the fixed one can bear the other: a circle on an edge, or an
-     * edge on an edge with the centre of mass between its ends.
+     * Whether the fixed one of two bodies that touch can bear the other one.
      *
      * @param pair its number
+     * @param movable index of the other one
      * @param tau offset in the present step
      * @return false if the body has slid off
      */
-    public boolean bears(int pair, double tau) {
+    public boolean bears(int pair, int movable, double tau) {
         wake();
         contact(pair, tau, bearing);
-        if (bearing.count == 1) {
-            return (bearing.roundA || bearing.roundB) && ((features.featureA | features.featureB) & 1) != 0;
-        }
-        double first = bearing.rAy[0] * bearing.nx - bearing.rAx[0] * bearing.ny;
-        double second = bearing.rAy[1] * bearing.nx - bearing.rAx[1] * bearing.ny;
-        double centre = pose.py * bearing.nx - pose.px * bearing.ny;
-        return first * second <= 0 || (first - centre) * (second - centre) <= 0;
+        return bearing.bears(pairs.second(pair) == movable);
     }
 
     /**

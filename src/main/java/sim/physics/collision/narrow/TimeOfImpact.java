@@ -266,13 +266,13 @@ final class TimeOfImpact {
     private void limit(double gap, double rate, double bound, double curvature) {
         double g = gap;
         if (g <= tolerance) {
-            if (rate < -slowness || rate < 0 && g < -Tolerances.DEEP * pose.size) {
+            if (rate < -slowness || rate < -0.1 * slowness && g < -Tolerances.DEEP * pose.size) {
                 touching = true;
                 return;
             }
-            if (rate > slowness) {
-                double rise = Math.sqrt(Math.max(0, rate * rate + 2 * bound * g));
-                s = Math.min(s, bound == 0 ? INFINITE : (rate + rise) / bound); // back at gap zero
+            double rise = rate * rate + 2 * bound * g;
+            if (rate > slowness && rise > 0) {
+                s = Math.min(s, bound == 0 ? INFINITE : (rate + Math.sqrt(rise)) / bound); // back at gap zero
                 return;
             }
             g = Math.max(0, g) + tolerance; // touching and sliding: let it go as far as can do no harm

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.internal.Tolerances;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Bounds the impacts that a pair has in one step. A body that bounces ever lower on a fixed one that can bear it comes
+ * to rest; other pairs, which are pressed together but can bear no force between impacts, bounce on at lengths that
+ * grow with their number. The energy for that is what the pair itself has lost before in the step, or what a constant
+ * acceleration takes back.
+ */
+final class Bounces implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** The square of a restitution is to be finite, whatever the approach. */
+    private static final double HUGE = 1e100;
+
+    private final Trajectories trajectories;
+
+    /** The step in which a pair was counted last; the other values hold for that step. */
+    private double[] countedIn = {};
+
+    private int[] counts = {};
+
+    /** How often the pair has come to rest, and how often its bodies were not where a contact was expected. */
+    private int[] rests = {};
+
+    private int[] missed = {};
+
+    /** Speed at which the pair parted at its last impact, and when that was. */
+    private double[] lastSpeed = {};
+
+    private double[] lastTau = {};
+
+    /** Energy that the pair has lost to restitution, at impacts of one point. */
+    private double[] lost = {};
+
+    Bounces(Trajectories trajectories) {
+        this.trajectories = trajectories;
+    }
+
+    /** Counts an impact of a pair. */
+    void count(int pair) {
+        open(pair);
+        counts[pair]++;
+    }
+
+    /** Counts that a pair has come to rest. */
+    void rest(int pair) {
+        rests[pair]++;
+    }
+
+    /** Whether a pair may come to rest: not if something, a wall in a corner, ends its rest again and again. */
+    boolean mayRest(int pair) {
+        return rests[pair] < Tolerances.RESTS;
+    }
+
+    /** Counts an expected contact that was none; true if there were too many. */
+    boolean misses(int pair) {
+        open(pair);
+        missed[pair]++;
+        return missed[pair] > Tolerances.MISSES;
+    }
+
+    private void open(int pair) {
+        if (pair >= counts.length) {
+            int length = Math.max(2 * counts.length, pair + 1);
+            countedIn = Arrays.copyOf(countedIn, length);
+            counts = Arrays.copyOf(counts, length);
+            rests = Arrays.copyOf(rests, length);
+            missed = Arrays.copyOf(missed, length);
+            lastSpeed = Arrays.copyOf(lastSpeed, length);
+            lastTau = Arrays.copyOf(lastTau, length);
+            lost = Arrays.copyOf(lost, length);
+        }
+        if (countedIn[pair] != trajectories.step()) {
+            countedIn[pair] = trajectories.step();
+            counts[pair] = 0;
+            rests[pair] = 0;
+            missed[pair] = 0;
+            lost[pair] = 0;
+        }
+    }
+
+    /** Writes off what a pair has lost: of several points none knows what the others take back. */
+    void writeOff(int pair) {
+        lost[pair] = 0;
+    }
+
+    /** Notes how the two part. */
+    void part(int pair, int a, Impact c) {
+        lastSpeed[pair] = -c.restitution * c.normalVelocity();
+        lastTau[pair] = trajectories.offset(a);
+    }
+
+    /** Notes what an impact of one point loses, or takes of what was lost before. */
+    void spend(int pair, Impact c) {
+        double speed = c.normalVelocity();
+        double loss = 0.5 * (1 - c.restitution * c.restitution) * speed * speed / c.normalMobility();
+        c.allowance = Math.max(0, -loss);
+        lost[pair] = Math.max(0, lost[pair] + loss);
+    }
+
+    /**
+     * Ends the bouncing of bodies that are pressed together. A body that a fixed surface can bear comes to rest on it
+     * when its bounces have become too short to matter; other bodies bounce on at the shortest length. Without a
+     * pressing acceleration the first impacts of a step are not changed, and no speed is too small to bounce.
+     *
+     * @return whether the body comes to rest
+     */
+    boolean limit(int pair, int a, int b, Impact c, boolean canBear) {
+        int count = counts[pair];
+        double approachSpeed = -c.normalVelocity();
+        double pressing = pressing(a, b, c);
+        double closing = pressing;
+        if (count > Tolerances.ELASTIC_AFTER / 2) {
+            // whatever pressed the two together since their last impact, spin for one, will do it again
+            double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * trajectories.h());
+            closing = Math.max(closing, (approachSpeed + lastSpeed[pair]) / since);
+        }
+        if (!canBear && count > Tolerances.ELASTIC_AFTER) {
+            c.restitution = 1; // bodies that collapse on one another (Luding and McNamara 1998)
+        }
+        if (c.restitution == 1 && count <= Tolerances.ELASTIC_AFTER || !(closing > 0) || !(approachSpeed > 0)) {
+            return false;
+        }
+        double bounce = 2 * c.restitution * approachSpeed / closing;
+        double h = trajectories.h();
+        double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
+        if (canBear && bounce < (count > Tolerances.REST_AFTER ? shortest : Tolerances.REST * h)) {
+            c.restitution = 0;
+            return true;
+        }
+        if (bounce < shortest && (!canBear || count > Tolerances.REST_AFTER)) {
+            double regained = Math.sqrt(approachSpeed * approachSpeed + 2 * lost[pair] * c.normalMobility());
+            double most = Math.max(Math.max(approachSpeed, regained), 0.5 * pressing * shortest);
+            c.restitution = Math.min(HUGE, Math.min(0.5 * closing * shortest, most) / approachSpeed);
+        }
+        return false;
+    }
+
+    /** The acceleration of two bodies towards one another. */
+    private double pressing(int a, int b, Impact c) {
+        double[] d = trajectories.data();
+        int oa = a * Trajectories.STRIDE;
+        int ob = b * Trajectories.STRIDE;
+        return 2
+                * ((d[oa + Trajectories.AX] - d[ob + Trajectories.AX]) * c.nx
+                        + (d[oa + Trajectories.AY] - d[ob + Trajectories.AY]) * c.ny);
+    }
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.laws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import org.junit.jupiter.api.Test;
+import sim.physics.PhysicsEngine;
+import sim.physics.Scenes;
+import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
+import sim.physics.motion.Forces;
+import sim.physics.motion.Gravity;
+import sim.physics.motion.RungeKutta4;
+import sim.physics.motion.SurfaceFriction;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+
+/**
+ * In the steady state a step allocates nothing. Arrays still grow when a run meets its largest crowd so far, so what is
+ * measured is the least of several windows, each with many impacts; a step that allocates at all shows in every one.
+ */
+class AllocationTest {
+    private static final int WINDOWS = 25;
+
+    /** Keeps bodies near the origin. */
+    private static final class Spring implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            double k = 1e-5 * body.getMass();
+            forces.add(body, -k * body.getX(), -k * body.getY());
+        }
+    }
+
+    private static void run(PhysicsEngine engine, int steps) {
+        for (int k = 0; k < steps; k++) {
+            engine.step();
+        }
+    }
+
+    private static void assertAllocatesNothing(PhysicsEngine engine, int steps) {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        run(engine, 40 * steps);
+        long least = Long.MAX_VALUE;
+        for (int window = 0; window < WINDOWS; window++) {
+            long impacts = engine.getImpacts();
+            long before = threads.getCurrentThreadAllocatedBytes();
+            run(engine, steps);
+            long bytes = threads.getCurrentThreadAllocatedBytes() - before;
+            assertThat(engine.getImpacts()).isGreaterThan(impacts);
+            least = Math.min(least, bytes);
+        }
+        assertThat(least).as("bytes in %d steps", steps).isZero();
+    }
+
+    private static PhysicsEngine circles(int n) {
+        PhysicsEngine engine = new PhysicsEngine();
+        for (int side = -1; side <= 1; side += 2) {
+            engine.add(Body.fixed(new Rectangle(120, 6)).at(0, 53 * side));
+            engine.add(Body.fixed(new Rectangle(6, 120)).at(53 * side, 0));
+        }
+        for (int k = 0; k < n; k++) {
+            Body body = new Body(new Circle(2 + k % 3));
+            engine.add(body.at(12 * (k % 8) - 42, 12 * (k / 8) - 42).moving(1 - 0.37 * (k % 5), 0.21 * (k % 7) - 0.7));
+        }
+        return engine;
+    }
+
+    @Test
+    void aGasOfCircles() {
+        assertAllocatesNothing(circles(50), 200);
+    }
+
+    @Test
+    void aGasOfPolygons() {
+        assertAllocatesNothing(Scenes.gas(Scenes.Kind.POLYGONS, 60, 1), 200);
+    }
+
+    @Test
+    void aCrowdInCells() {
+        assertAllocatesNothing(Scenes.gas(Scenes.Kind.FIGURE_1, 250, 2), 100);
+    }
+
+    @Test
+    void bodiesThatFall() {
+        PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 30, 3);
+        engine.add(new Gravity(0, -0.01));
+        assertAllocatesNothing(engine, 200);
+    }
+
+    @Test
+    void bodiesThatSlideAndAreStruckAgain() {
+        PhysicsEngine engine = Scenes.gas(Scenes.Kind.POLYGONS, 30, 4);
+        engine.add(new SurfaceFriction(1e-4));
+        for (Body body : engine.bodies()) {
+            body.setSurfaceFriction(0.01);
+        }
+        assertAllocatesNothing(engine, 60);
+    }
+
+    @Test
+    void bodiesOnASpringWithRungeKutta() {
+        PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 30, 5);
+        engine.setIntegrator(new RungeKutta4());
+        engine.add(new Spring());
+        assertAllocatesNothing(engine, 100);
+    }
+
+    @Test
+    void bodiesThatRubAndLoseSpeed() {
+        PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 40, 6);
+        for (Body body : engine.bodies()) {
+            body.setFriction(0.1);
+            body.setRestitution(0.999);
+        }
+        assertAllocatesNothing(engine, 200);
+    }
+}
