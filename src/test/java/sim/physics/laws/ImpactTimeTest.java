@@ -135,4 +135,19 @@ class ImpactTimeTest {
         assertThat(ball.getVelocityY()).isZero();
         assertThat(engine.getImpacts()).isBetween(20L, 40L);
     }
+
+    @Test
+    void circlesThatAForceSetsInMotionAreLookedAtAFewTimesOnly() {
+        PhysicsEngine engine = new PhysicsEngine();
+        Body pushed = engine.add(new Body(new Circle(1)));
+        Body target = engine.add(new Body(new Circle(1)).at(5, 0));
+        engine.add(new sim.physics.motion.Spring(pushed, 0, 0, null, 40, 0, 0, 0.001, 0));
+        engine.add(new sim.physics.motion.Spring(target, 0, 0, null, 5, 0, 0, 0.001, 0));
+        engine.setTimeStep(0.25);
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+        }
+        assertThat(engine.getImpacts()).isPositive();
+        assertThat(engine.getNarrowPhaseEvaluations()).isLessThan(2000);
+    }
 }

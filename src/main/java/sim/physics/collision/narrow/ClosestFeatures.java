@@ -96,10 +96,10 @@ final class ClosestFeatures {
     /** Whether the closest point on each of two features lies in the Voronoi region of the other. */
     private boolean check(int fa, int fb) {
         if ((fb & 1) != 0) {
-            return checkEdge(pose.b, fb >> 1, pose.a, fa >> 1, -1) && accept(fa, fb);
+            return pose.b.n > 1 && checkEdge(pose.b, fb >> 1, pose.a, fa >> 1, -1) && accept(fa, fb);
         }
         if ((fa & 1) != 0) {
-            return checkEdge(pose.a, fa >> 1, pose.b, fb >> 1, 1) && accept(fa, fb);
+            return pose.a.n > 1 && checkEdge(pose.a, fa >> 1, pose.b, fb >> 1, 1) && accept(fa, fb);
         }
         return checkVertices(fa >> 1, fb >> 1) && accept(fa, fb);
     }

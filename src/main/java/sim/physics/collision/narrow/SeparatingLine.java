@@ -172,7 +172,7 @@ final class SeparatingLine {
         return tau;
     }
 
-    /** Turns to a pair; false if their motion is not uniform. */
+    /** Turns to a pair; false if their motion is not uniform, or both are circles. */
     private boolean load(int i, int j) {
         m = trajectories.data();
         oa = i * Trajectories.STRIDE;
@@ -190,7 +190,7 @@ final class SeparatingLine {
         countB = (int) shape[baseB + ShapeTable.COUNT];
         rounding = shape[baseA + ShapeTable.ROUNDING] + shape[baseB + ShapeTable.ROUNDING];
         bounding = shape[baseA + ShapeTable.BOUNDING] + shape[baseB + ShapeTable.BOUNDING];
-        return true;
+        return countA > 1 || countB > 1; // two circles have no line
     }
 
     private boolean isUniform(int o) {
