@@ -2,15 +2,29 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package demos;
 
+import demos.bead.Bead;
+import demos.bead.BeadWithUI;
 import demos.collisions.Collisions;
 import demos.collisions.CollisionsWithUI;
-import java.awt.Color;
+import demos.doors.Doors;
+import demos.doors.DoorsWithUI;
+import demos.pair.Pair;
+import demos.pair.PairWithUI;
+import demos.pendulum.Pendulum;
+import demos.pendulum.PendulumWithUI;
+import demos.robots.Robots;
+import demos.robots.RobotsWithUI;
 import java.io.File;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.LongFunction;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import sim.display.Console;
+import sim.display.GUIState;
 import sim.engine.MakesSimState;
 import sim.engine.SimState;
 import sim.physics.mason.Picture;
@@ -20,10 +34,12 @@ import sim.util.Properties;
  * Runs a demo by its name.
  *
  * <pre>
- *   collisions [-for STEPS] [-seed SEED] [-p name=value …] [-png FILE]    runs headless and sums up
- *   collisions -gui                                                       opens MASON's console
- *   collisions -mason [MASON's own options] [-p name=value …]             runs MASON's command-line loop
+ *   NAME [-for STEPS] [-seed SEED] [-p name=value …] [-png FILE]    runs headless and sums up
+ *   NAME -gui                                                       opens MASON's console
+ *   NAME -mason [MASON's own options] [-p name=value …]             runs MASON's command-line loop
  * </pre>
+ *
+ * <p>Names are collisions, robots, pendulum, bead, doors and pair.
  */
 public final class Demos {
     private Demos() {}
@@ -35,50 +51,67 @@ public final class Demos {
             Runtime.getRuntime().halt(1);
         });
         List<String> rest = new ArrayList<>(Arrays.asList(args.length == 0 ? new String[] {"collisions"} : args));
-        String name = rest.remove(0);
-        if (!name.equals("collisions")) {
-            throw new IllegalArgumentException("demo is " + name + ": there is only collisions");
-        }
+        Demo demo = demo(rest.remove(0));
         if (rest.remove("-gui")) {
-            CollisionsWithUI.main(new String[0]);
+            new Console(demo.display.get()).setVisible(true);
         } else if (rest.remove("-mason")) {
-            SimState.doLoop(new MakesCollisions(), rest.toArray(new String[0]));
+            SimState.doLoop(new Maker(demo), rest.toArray(new String[0]));
         } else {
-            collisions(rest);
+            run(demo, rest);
         }
     }
 
+    /** A demo: its name, its model and its display. */
+    private record Demo(String name, LongFunction<Scene> model, Supplier<GUIState> display) {}
+
+    private static final List<Demo> ALL = List.of(
+            new Demo("collisions", Collisions::new, CollisionsWithUI::new),
+            new Demo("robots", Robots::new, RobotsWithUI::new),
+            new Demo("pendulum", Pendulum::new, PendulumWithUI::new),
+            new Demo("bead", Bead::new, BeadWithUI::new),
+            new Demo("doors", Doors::new, DoorsWithUI::new),
+            new Demo("pair", Pair::new, PairWithUI::new));
+
+    private static Demo demo(String name) {
+        for (Demo demo : ALL) {
+            if (demo.name.equals(name)) {
+                return demo;
+            }
+        }
+        throw new IllegalArgumentException("demo is " + name + ": there are "
+                + ALL.stream().map(Demo::name).collect(Collectors.joining(", ")));
+    }
+
     /** Makes the model and sets what {@code -p name=value} asks for, with every version of MASON. */
-    private static final class MakesCollisions implements MakesSimState {
+    private record Maker(Demo demo) implements MakesSimState {
         @Override
         public SimState newInstance(long seed, String[] args) {
-            Collisions model = new Collisions(seed);
+            Scene model = demo.model.apply(seed);
             setParameters(model, Arrays.asList(args));
             return model;
         }
 
         @Override
         public Class<?> simulationClass() {
-            return Collisions.class;
+            return demo.model.apply(0).getClass();
         }
     }
 
-    private static void collisions(List<String> args) throws IOException {
+    private static void run(Demo demo, List<String> args) throws IOException {
         long steps = Long.parseLong(option(args, "-for", "10000"));
         long seed = Long.parseLong(option(args, "-seed", "1"));
-        File file = new File(option(args, "-png", "target/collisions.png"));
-        Collisions model = new Collisions(seed);
+        File file = new File(option(args, "-png", "target/" + demo.name + ".png"));
+        Scene model = demo.model.apply(seed);
         setParameters(model, args);
         model.start();
         double energy = model.physics.kineticEnergy();
         long begun = System.nanoTime();
-        for (long k = 0; k < steps; k++) {
-            if (!model.schedule.step(model)) {
-                break;
-            }
+        long k = 0;
+        while (k < steps && !isDone(model) && model.schedule.step(model)) {
             if (System.console() != null && k % Math.max(1, steps / 50) == 0) {
                 System.err.print("\r" + 100 * k / steps + " %");
             }
+            k++;
         }
         double seconds = 1e-9 * (System.nanoTime() - begun);
         if (System.console() != null) {
@@ -87,27 +120,36 @@ public final class Demos {
         draw(model, file);
         print("steps", model.physics.getSteps());
         print("bodies", model.physics.bodies().size());
+        print("joints", model.physics.allConstraints().size());
         print("impacts", model.physics.getImpacts());
         print("energy at start", energy);
         print("energy at end", model.physics.kineticEnergy());
-        print("change of energy", energy == 0 ? 0 : model.physics.kineticEnergy() / energy - 1);
+        if (energy != 0) {
+            print("change of energy", model.physics.kineticEnergy() / energy - 1);
+        }
+        if (model instanceof Robots robots) {
+            print("cans at home", robots.getCansAtHome() + " of " + robots.getCans());
+            print("all done", robots.isDone());
+        }
         print("deepest penetration", model.physics.getDeepestPenetration());
-        print("steps per second", Math.round(steps / seconds));
+        print("steps per second", Math.round(k / seconds));
         print("picture", file.getPath());
         model.finish();
+    }
+
+    private static boolean isDone(Scene model) {
+        return model instanceof Robots robots && robots.isDone();
     }
 
     private static void print(String name, Object value) {
         System.out.printf(Locale.ROOT, "%-20s %s%n", name, value);
     }
 
-    private static void draw(Collisions model, File file) throws IOException {
+    private static void draw(Scene model, File file) throws IOException {
         if (file.getAbsoluteFile().getParentFile() != null) {
             file.getAbsoluteFile().getParentFile().mkdirs();
         }
-        double world = Collisions.WORLD;
-        new Picture(0, 0, world, world, 4, new Color(0, 80, 0), body -> body.isFixed() ? Color.WHITE : Color.RED)
-                .write(model.physics, file);
+        new Picture(0, 0, Scene.WORLD, Scene.WORLD, 4, model.ground(), model::colour).write(model.physics, file);
     }
 
     private static String option(List<String> args, String name, String otherwise) {

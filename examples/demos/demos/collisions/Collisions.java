@@ -2,14 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package demos.collisions;
 
+import demos.Scene;
 import ec.util.MersenneTwisterFast;
+import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
-import sim.engine.SimState;
-import sim.field.continuous.Continuous2D;
-import sim.physics.PhysicsEngine;
 import sim.physics.collision.narrow.Distance;
-import sim.physics.mason.FieldMirror;
 import sim.physics.motion.Body;
 import sim.physics.motion.Euler;
 import sim.physics.motion.SurfaceFriction;
@@ -24,17 +22,11 @@ import sim.util.Interval;
  *
  * <p>Figure 1 of the write-up shows 50 circles and 50 rectangles of size 5 with the walls at 0.
  */
-public class Collisions extends SimState {
+public class Collisions extends Scene {
     private static final long serialVersionUID = 1L;
-
-    /** The world is a square of this size. */
-    public static final double WORLD = 200;
 
     private static final int MAX_TRIES = 20_000;
     private static final double WEIGHT = 0.1;
-
-    public PhysicsEngine physics;
-    public Continuous2D field;
 
     /** The bodies that move. */
     public final List<Body> movers = new ArrayList<>();
@@ -51,9 +43,7 @@ public class Collisions extends SimState {
     }
 
     @Override
-    public void start() {
-        super.start();
-        physics = new PhysicsEngine();
+    protected void build() {
         physics.setIntegrator(new Euler());
         physics.add(new SurfaceFriction(WEIGHT));
         movers.clear();
@@ -68,15 +58,16 @@ public class Collisions extends SimState {
         for (int k = 0; k < rectangles; k++) {
             place(new Rectangle(size, 2 * size), 2);
         }
-        physics.scheduleOn(schedule);
-        field = new Continuous2D(25, WORLD, WORLD);
     }
 
-    /** Shows the bodies in the field too, for a display. */
-    public void mirror() {
-        FieldMirror mirror = new FieldMirror(physics, field);
-        sim.physics.Repeating repeating = new sim.physics.Repeating(mirror, FieldMirror.ORDERING, 1);
-        schedule.scheduleOnce(schedule.getTime() < 0 ? 0 : schedule.getTime() + 1, FieldMirror.ORDERING, repeating);
+    @Override
+    public Color ground() {
+        return new Color(0, 80, 0);
+    }
+
+    @Override
+    public Color colour(Body body) {
+        return body.isFixed() ? Color.WHITE : Color.RED;
     }
 
     private void wall(double width, double height, double x, double y) {

@@ -61,6 +61,7 @@ public final class Collector extends Robot implements Steppable {
     private double lane;
 
     private boolean hasLane;
+    private boolean isParked;
 
     Collector(PhysicsEngine physics, List<Can> cans) {
         super(10, 300);
@@ -121,6 +122,7 @@ public final class Collector extends Robot implements Steppable {
         idle = 0;
         still = 0;
         hasLane = false;
+        isParked = false;
     }
 
     private void search(Robots model) {
@@ -238,13 +240,18 @@ public final class Collector extends Robot implements Steppable {
             }
         }
         double way = distance(homeX, homeY);
-        if (way <= 25) {
+        if (way <= 6 || isParked && way <= 28) {
+            isParked = true;
             face(0);
             return;
         }
         head(model, homeX, homeY);
         if (isStuck(way)) {
-            goAround(model);
+            if (way <= 28) {
+                isParked = true; // as near as it gets
+            } else {
+                goAround(model);
+            }
         }
     }
 
@@ -253,7 +260,8 @@ public final class Collector extends Robot implements Steppable {
         double way = distance(x, y);
         for (Collector other : model.robots) {
             if (other != this && isInTheWay(other, 45, 0.7, way)) {
-                aside(bearing(other.getX(), other.getY()) + 0.9);
+                double bearing = bearing(other.getX(), other.getY());
+                aside(other.speed() > 0.05 || bearing < 0 ? bearing + 0.9 : bearing - 0.9);
                 return;
             }
         }

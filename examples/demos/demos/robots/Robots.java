@@ -2,13 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package demos.robots;
 
+import demos.Scene;
+import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
-import sim.engine.SimState;
-import sim.field.continuous.Continuous2D;
-import sim.physics.PhysicsEngine;
-import sim.physics.Repeating;
-import sim.physics.mason.FieldMirror;
 import sim.physics.motion.Body;
 import sim.physics.motion.ViscousFriction;
 import sim.physics.shape.Rectangle;
@@ -17,16 +14,11 @@ import sim.physics.shape.Rectangle;
  * The write-up's <i>robots</i>: grey robots fetch blue cans and carry them to the top of the screen; when all are there they
  * return to where they were (Figure 2).
  */
-public class Robots extends SimState {
+public class Robots extends Scene {
     private static final long serialVersionUID = 1L;
-
-    /** The world is a square of this size. */
-    public static final double WORLD = 200;
 
     private static final int MAX_TRIES = 100_000;
 
-    public PhysicsEngine physics;
-    public Continuous2D field;
     public final List<Collector> robots = new ArrayList<>();
     public final List<Can> cans = new ArrayList<>();
 
@@ -38,9 +30,7 @@ public class Robots extends SimState {
     }
 
     @Override
-    public void start() {
-        super.start();
-        physics = new PhysicsEngine();
+    protected void build() {
         physics.add(new ViscousFriction(0.1));
         physics.add(new Robot.Drive());
         physics.addListener(new Collector.Grip());
@@ -55,21 +45,23 @@ public class Robots extends SimState {
             place(robot, 20, 180, 50, 180, 15);
             robot.assemble();
             robots.add(robot);
-            schedule.scheduleOnce(0, 0, new Repeating(robot, 0, 1));
+            repeat(robot, 0);
         }
         for (int k = 0; k < numberOfCans; k++) {
             Can can = new Can();
             place(can, 10, 190, 60, 190, 2);
             cans.add(physics.add(can));
         }
-        physics.scheduleOn(schedule);
-        field = new Continuous2D(25, WORLD, WORLD);
     }
 
-    /** Shows the bodies in the field too, for a display. */
-    public void mirror() {
-        Repeating repeating = new Repeating(new FieldMirror(physics, field), FieldMirror.ORDERING, 1);
-        schedule.scheduleOnce(schedule.getTime() < 0 ? 0 : schedule.getTime() + 1, FieldMirror.ORDERING, repeating);
+    @Override
+    public Color ground() {
+        return Color.BLACK;
+    }
+
+    @Override
+    public Color colour(Body body) {
+        return body.isFixed() ? Color.WHITE : body instanceof Can ? Color.BLUE : Color.GRAY;
     }
 
     private void wall(double width, double height, double x, double y) {

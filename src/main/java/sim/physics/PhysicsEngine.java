@@ -655,7 +655,7 @@ public final class PhysicsEngine implements Steppable {
      * @return length, not negative; rounding
      */
     public double getDeepestPenetration() {
-        return -response.deepest();
+        return 0 - response.deepest();
     }
 
     /**

@@ -64,5 +64,14 @@ public final class Tolerances {
     /** How far the instant of an impact of driven bodies may be moved, relative to the step, to a gap of zero. */
     public static final double POLISH = 1.0 / 16;
 
+    /** Impacts of a pair under a force in one step from which on it rattles. */
+    public static final int RATTLE_AFTER = 50;
+
+    /** Restitution of a pair that rattles, until its bounces are short. */
+    public static final double RATTLE = 0.5;
+
+    /** Length of a short bounce, relative to the smaller body: larger ones look like bounces, and give energy. */
+    public static final double RATTLE_SIZE = 4e-3;
+
     private Tolerances() {}
 }

@@ -31,6 +31,9 @@ final class Bounces implements Serializable {
 
     private int[] missed = {};
 
+    /** Impacts under a force. */
+    private int[] rattles = {};
+
     /** Speed at which the pair parted at its last impact, and when that was. */
     private double[] lastSpeed = {};
 
@@ -47,6 +50,36 @@ final class Bounces implements Serializable {
     void count(int pair) {
         open(pair);
         counts[pair]++;
+    }
+
+    /**
+     * Ends the rattling of a pair that a force presses together: two robots that push one another, or a can between a robot
+     * and a wall, would else collide ever more often. It loses speed until its bounces are short beside the bodies; from
+     * then on they last as long as the force that was seen allows, longer with each of them. Free bodies are let be.
+     *
+     * @return whether the pair rattles; its restitution is set then
+     */
+    boolean dampRattle(int pair, int a, int b, Impact c) {
+        if (!trajectories.isDriven(a) && !trajectories.isDriven(b)) {
+            return false;
+        }
+        open(pair);
+        int count = ++rattles[pair] - Tolerances.RATTLE_AFTER;
+        double h = trajectories.h();
+        double approach = -c.normalVelocity();
+        if (count > 0 && approach > 0) {
+            double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * Tolerances.REST * h);
+            double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
+            double hop = 0.5 * shortest * (approach + lastSpeed[pair]) / since;
+            double[] d = trajectories.data();
+            double size = Math.min(
+                    d[a * Trajectories.STRIDE + Trajectories.RADIUS], d[b * Trajectories.STRIDE + Trajectories.RADIUS]);
+            boolean isShort = hop * shortest < Tolerances.RATTLE_SIZE * size;
+            c.restitution = isShort ? Math.max(Tolerances.RATTLE, Math.min(HUGE, hop / approach)) : Tolerances.RATTLE;
+        }
+        lastSpeed[pair] = c.restitution * Math.max(0, approach);
+        lastTau[pair] = trajectories.offset(a);
+        return count > 0;
     }
 
     /** Counts that a pair has come to rest. */
@@ -73,6 +106,7 @@ final class Bounces implements Serializable {
             counts = Arrays.copyOf(counts, length);
             rests = Arrays.copyOf(rests, length);
             missed = Arrays.copyOf(missed, length);
+            rattles = Arrays.copyOf(rattles, length);
             lastSpeed = Arrays.copyOf(lastSpeed, length);
             lastTau = Arrays.copyOf(lastTau, length);
             lost = Arrays.copyOf(lost, length);
@@ -82,6 +116,7 @@ final class Bounces implements Serializable {
             counts[pair] = 0;
             rests[pair] = 0;
             missed[pair] = 0;
+            rattles[pair] = 0;
             lost[pair] = 0;
         }
     }

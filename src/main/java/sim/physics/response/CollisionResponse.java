@@ -127,7 +127,9 @@ public final class CollisionResponse implements Serializable {
         }
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
-        if (impact.restitution < 1) {
+        if (bounces.dampRattle(pair, a, b, impact)) {
+            bounces.spend(pair, impact);
+        } else if (impact.restitution < 1) {
             bounces.count(pair);
             if (bounces.limit(pair, a, b, impact, canBear(pair, a, b))) {
                 rest(pair, a);
@@ -377,16 +379,23 @@ public final class CollisionResponse implements Serializable {
         }
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
-        boolean restsNow = true;
+        boolean rattles = bounces.dampRattle(pair, a, b, impact);
+        double rattle = impact.restitution;
+        boolean restsNow = !rattles;
         bounces.count(pair);
         bounces.writeOff(pair);
         boolean canBear = alone && canBear(pair, a, b);
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
-            restsNow &= impact.restitution < 1 && bounces.limit(pair, a, b, impact, canBear);
+            if (rattles) {
+                impact.restitution = rattle;
+            }
+            restsNow &= !rattles && impact.restitution < 1 && bounces.limit(pair, a, b, impact, canBear);
             simultaneous.add(a, b, impact);
         }
-        bounces.part(pair, a, impact);
+        if (!rattles) {
+            bounces.part(pair, a, impact);
+        }
         if (restsNow) {
             rest(pair, a);
         }

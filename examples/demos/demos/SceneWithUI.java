@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package demos;
+
+import java.awt.Color;
+import java.util.HashMap;
+import java.util.Map;
+import javax.swing.JFrame;
+import sim.display.Controller;
+import sim.display.Display2D;
+import sim.display.GUIState;
+import sim.engine.SimState;
+import sim.physics.mason.BodyPortrayal2D;
+import sim.physics.motion.Body;
+import sim.portrayal.Inspector;
+import sim.portrayal.continuous.ContinuousPortrayal2D;
+
+/** A scene in MASON's console. */
+public abstract class SceneWithUI extends GUIState {
+    private Display2D display;
+    private JFrame frame;
+    private final ContinuousPortrayal2D portrayal = new ContinuousPortrayal2D();
+
+    protected SceneWithUI(SimState state) {
+        super(state);
+    }
+
+    @Override
+    public Object getSimulationInspectedObject() {
+        return state;
+    }
+
+    @Override
+    public Inspector getInspector() {
+        Inspector inspector = super.getInspector();
+        inspector.setVolatile(true);
+        return inspector;
+    }
+
+    @Override
+    public void start() {
+        super.start();
+        ((Scene) state).mirror();
+        setupPortrayals();
+    }
+
+    @Override
+    public void load(SimState loaded) {
+        super.load(loaded);
+        setupPortrayals();
+    }
+
+    private void setupPortrayals() {
+        Scene scene = (Scene) state;
+        Map<Color, BodyPortrayal2D> portrayals = new HashMap<>();
+        portrayal.setField(scene.field);
+        for (Body body : scene.physics.bodies()) {
+            portrayal.setPortrayalForObject(
+                    body, portrayals.computeIfAbsent(scene.colour(body), BodyPortrayal2D::new));
+        }
+        display.reset();
+        display.setBackdrop(scene.ground());
+        display.repaint();
+    }
+
+    @Override
+    public void init(Controller controller) {
+        super.init(controller);
+        display = new Display2D(800, 800, this);
+        frame = display.createFrame();
+        frame.setTitle(getName(getClass()));
+        controller.registerFrame(frame);
+        frame.setVisible(true);
+        display.attach(portrayal, "Bodies");
+    }
+
+    @Override
+    public void quit() {
+        super.quit();
+        if (frame != null) {
+            frame.dispose();
+        }
+        frame = null;
+        display = null;
+    }
+}
