@@ -5,7 +5,6 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
@@ -34,7 +33,6 @@ public final class Constraints implements Ties, Serializable {
     /** The island of each body. */
     private Island[] of = {};
 
-    private final List<Island> single = new ArrayList<>(Collections.nCopies(1, null));
     private ConstraintSolver solver = new DirectSolver();
     private final Projection projection = new Projection();
     private Stabilization stabilization = Stabilization.projection();
@@ -276,11 +274,7 @@ public final class Constraints implements Ties, Serializable {
     /** The islands of a group: one, or all of them. */
     private List<Island> of(IntList bodies) {
         Island one = islandOf(bodies.values[0]);
-        if (one == null || one.bodies != bodies) {
-            return islands;
-        }
-        single.set(0, one);
-        return single;
+        return one == null || one.bodies != bodies ? islands : one.alone;
     }
 
     /** Adds W Jᵀ λ, (37) with (40), where λ keeps C″ = J a + J̇ ẋ = 0, (36). */
@@ -299,10 +293,10 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public void begin(IntList bodies) {
+    public void begin(IntList bodies, boolean isFree) {
         List<Island> those = of(bodies);
         for (int k = 0; k < those.size(); k++) {
-            those.get(k).invariants.begin(state);
+            those.get(k).invariants.begin(state, isFree);
         }
     }
 

@@ -33,8 +33,8 @@ final class Invariants implements Serializable {
     }
 
     /** Notes the values at the start of a step. */
-    void begin(State state) {
-        isFree = island.switches.isEmpty();
+    void begin(State state, boolean free) {
+        isFree = free && island.switches.isEmpty();
         if (isFree) {
             measure(state, before);
         }

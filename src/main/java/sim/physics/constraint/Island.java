@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.TreeSet;
@@ -52,6 +53,9 @@ final class Island implements Serializable {
     /** In the order in which they were added. */
     final List<Constraint> inOrder;
 
+    /** This island as a list. */
+    final List<Island> alone = new ArrayList<>(1);
+
     boolean isDissolved;
     final boolean isBreakable;
 
@@ -93,6 +97,7 @@ final class Island implements Serializable {
     Island(IntList bodies, List<Constraint> those) {
         this.bodies = bodies;
         inOrder = those;
+        alone.add(this);
         int n = those.size();
         int[] first = new int[n];
         int[] second = new int[n];

@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import sim.physics.internal.IntList;
 
 /** The force generators of an engine: uniform fields and surface friction, known in closed form, and all others. */
 final class Generators implements Serializable {
@@ -62,6 +63,21 @@ final class Generators implements Serializable {
         }
         driving = others.toArray(new ForceGenerator[0]);
         return true;
+    }
+
+    /** The accelerations of uniform fields alone. */
+    void fall(IntList bodies, double[] a) {
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            a[b] = gravityX;
+            a[b + 1] = gravityY;
+            a[b + 2] = 0;
+        }
+    }
+
+    /** Whether there is any generator that may act. */
+    boolean isAny() {
+        return driving.length > 0 || gravityX != 0 || gravityY != 0;
     }
 
     /** Whether there is a generator other than a uniform field. */

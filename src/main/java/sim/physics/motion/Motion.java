@@ -26,7 +26,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     /** Driven bodies in ascending order; bodies with an applied force in this step. */
     private final IntList driven = new IntList();
-
     private final IntList pushed = new IntList();
     private final IntList alone = new IntList();
     private final Path path = new Path();
@@ -438,6 +437,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
         return true;
     }
 
+    /** Whether some force may act on bodies beside that of their ties. */
+    boolean hasForces() {
+        return pushed.size > 0 || generators.isAny();
+    }
+
     /** Length of the present step. */
     double step() {
         return trajectories.h();
@@ -463,22 +467,12 @@ public final class Motion implements EquationsOfMotion, Serializable {
     @Override
     public void acceleration(IntList bodies, double t, double[] a) {
         if (pushed.size == 0 && !generators.drive()) {
-            fall(bodies, a);
+            generators.fall(bodies, a);
         } else {
             force(bodies, t, a);
         }
         if (isTiedGroup(bodies)) {
             ties.accelerate(bodies, a); // (34)–(41)
-        }
-    }
-
-    /** Uniform fields alone. */
-    private void fall(IntList bodies, double[] a) {
-        for (int k = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            a[b] = generators.gravityX;
-            a[b + 1] = generators.gravityY;
-            a[b + 2] = 0;
         }
     }
 

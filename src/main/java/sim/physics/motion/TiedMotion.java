@@ -150,7 +150,7 @@ final class TiedMotion implements Serializable {
         for (int k = 0; k < parts; k++) {
             double from = length * k / parts;
             double to = length * (k + 1) / parts;
-            ties.begin(group);
+            ties.begin(group, !motion.hasForces());
             motion.getIntegrator().advance(motion, state, group, t + from, to - from, path);
             if (!ties.project(group)) {
                 if (parts < MOST_PARTS) {

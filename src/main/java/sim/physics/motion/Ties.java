@@ -46,8 +46,9 @@ public interface Ties extends Serializable {
      * Takes note of the positions and velocities of the state vectors at the start of a step.
      *
      * @param bodies all bodies of an island, or of all islands
+     * @param isFree whether no force but that of the ties may act in the step
      */
-    void begin(IntList bodies);
+    void begin(IntList bodies, boolean isFree);
 
     /**
      * Moves some bodies of the state vectors by the least amount, and changes their velocities by the least amount, that
