@@ -13,6 +13,7 @@ import sim.physics.constraint.Reaction;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.Motion;
+import sim.physics.motion.Presence;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
@@ -20,7 +21,7 @@ import sim.physics.motion.Trajectories;
  * Lets into the motion what authors have changed: bodies that were added, written or removed, and constraints that were
  * made or cut, between steps or by a listener in the middle of one.
  */
-final class Admission implements Serializable {
+final class Admission implements Presence, Serializable {
     private static final long serialVersionUID = 1L;
 
     private final State state;
@@ -35,6 +36,9 @@ final class Admission implements Serializable {
     /** Driven bodies that were admitted last: their paths are to be made. */
     private final IntList driven = new IntList();
 
+    /** Offset in the present step of the collision that is being handled. */
+    private double now;
+
     private final double[] written = new double[2 * State.BLOCK];
 
     Admission(State state, Trajectories trajectories, Motion motion, CollisionDetection detection) {
@@ -48,6 +52,18 @@ final class Admission implements Serializable {
         constraints = those;
         motion.setTies(those);
         detection.filter().setTies(those);
+    }
+
+    /** Sets the instant at which listeners are called. */
+    void setNow(double tau) {
+        now = tau;
+    }
+
+    @Override
+    public void bring(int index) {
+        if (detection.knows(index)) {
+            trajectories.publish(index, now, state);
+        }
     }
 
     boolean isNeeded() {

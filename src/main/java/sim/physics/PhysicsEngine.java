@@ -103,6 +103,7 @@ public final class PhysicsEngine implements Steppable {
             }
             finish();
         } finally {
+            state.setPresence(null);
             stepping = false;
         }
     }
@@ -173,7 +174,10 @@ public final class PhysicsEngine implements Steppable {
         IntList touching = detection.nextImpacts();
         int pair = touching.size == 1 ? touching.values[0] : -1;
         now = getTime() + tau;
+        admission.setNow(tau);
+        state.setPresence(admission);
         IntList deflected = response.respond(touching, tau, now);
+        state.setPresence(null);
         for (int k = 0; k < deflected.size; k++) {
             int body = deflected.values[k];
             motion.deflect(body);

@@ -211,9 +211,9 @@ public class Body implements Serializable {
     public final void setPosition(double x, double y) {
         Check.finite("x", x);
         Check.finite("y", y);
+        state.touch(index);
         state.x()[State.BLOCK * index + State.X] = x;
         state.x()[State.BLOCK * index + State.Y] = y;
-        state.touch(index);
     }
 
     /**
@@ -223,8 +223,9 @@ public class Body implements Serializable {
      * @throws IllegalArgumentException for NaN or infinity
      */
     public final void setAngle(double angle) {
-        state.x()[State.BLOCK * index + State.THETA] = Check.finite("angle", angle);
+        Check.finite("angle", angle);
         state.touch(index);
+        state.x()[State.BLOCK * index + State.THETA] = angle;
     }
 
     /**
@@ -238,9 +239,9 @@ public class Body implements Serializable {
         Check.finite("vx", vx);
         Check.finite("vy", vy);
         requireMovable("velocity", vx != 0 || vy != 0);
+        state.touch(index);
         state.v()[State.BLOCK * index + State.X] = vx;
         state.v()[State.BLOCK * index + State.Y] = vy;
-        state.touch(index);
     }
 
     /**
@@ -252,8 +253,8 @@ public class Body implements Serializable {
     public final void setAngularVelocity(double omega) {
         Check.finite("angular velocity", omega);
         requireMovable("angular velocity", omega != 0);
-        state.v()[State.BLOCK * index + State.THETA] = omega;
         state.touch(index);
+        state.v()[State.BLOCK * index + State.THETA] = omega;
     }
 
     /**

@@ -62,6 +62,9 @@ public final class State implements Serializable {
     private boolean[] isTouched;
     private int touchedCount;
 
+    /** Null between steps. */
+    private Presence presence;
+
     /** Whether this is the state of one body that belongs to no engine. */
     private final boolean own;
 
@@ -213,13 +216,25 @@ public final class State implements Serializable {
     }
 
     /**
-     * Notes that a body's block was written from outside a step.
+     * Sets who brings bodies to the present instant before they are written.
+     *
+     * @param presence null between steps, when the vectors hold where all bodies are
+     */
+    public void setPresence(Presence presence) {
+        this.presence = presence;
+    }
+
+    /**
+     * Notes that a body is about to be written by its setters; brings it to the present instant first.
      *
      * @param index the block
      */
     public void touch(int index) {
         if (isTouched[index]) {
             return;
+        }
+        if (presence != null) {
+            presence.bring(index);
         }
         if (touchedCount == touched.length) {
             touched = Arrays.copyOf(touched, 2 * touchedCount);
