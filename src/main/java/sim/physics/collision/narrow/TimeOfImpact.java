@@ -28,6 +28,11 @@ final class TimeOfImpact {
 
     private static final double INFINITE = Double.POSITIVE_INFINITY;
 
+    /** Parts of the step by which a search moves on that rounding has stopped; a contact is believed after them. */
+    private static final double[] NUDGE = {1e-13, 1e-12, 1e-11, 1e-10};
+
+    private static final int NUDGES = NUDGE.length;
+
     private final Pose pose;
     private final ClosestFeatures features;
 
@@ -64,6 +69,7 @@ final class TimeOfImpact {
         double tau = start;
         code = cached;
         touching = false;
+        int stuck = 0;
         for (int k = 0; ; k++) {
             pose.moveTo(tau);
             pose.turn();
@@ -80,8 +86,11 @@ final class TimeOfImpact {
                 return next;
             }
             if (next == tau) {
-                touching = true;
-                return tau;
+                if (stuck == NUDGES) {
+                    touching = true;
+                    return tau;
+                }
+                next = tau + end * NUDGE[stuck++]; // surfaces that touch and do not approach yet
             }
             tau = next;
         }
