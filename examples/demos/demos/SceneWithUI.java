@@ -17,7 +17,7 @@ import sim.portrayal.continuous.ContinuousPortrayal2D;
 
 /** A scene in MASON's console. */
 public abstract class SceneWithUI extends GUIState {
-    private Display2D display;
+    protected Display2D display;
     private JFrame frame;
     private final ContinuousPortrayal2D portrayal = new ContinuousPortrayal2D();
 

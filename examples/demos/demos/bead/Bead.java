@@ -4,6 +4,8 @@ package demos.bead;
 
 import demos.Scene;
 import java.awt.Color;
+import sim.engine.SimState;
+import sim.engine.Steppable;
 import sim.physics.constraint.Curve;
 import sim.physics.constraint.WireJoint;
 import sim.physics.motion.Body;
@@ -32,10 +34,23 @@ public class Bead extends Scene {
         }
     }
 
+    /** Ends the run when the bead leaves the picture. */
+    private static final class End implements Steppable {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public void step(SimState state) {
+            if (((Bead) state).bead.getY() > WORLD - 5) {
+                state.kill();
+            }
+        }
+    }
+
     @Override
     protected void build() {
         bead = physics.add(new Body(new Circle(3)).at(50, 50));
         physics.add(new Pull());
+        repeat(new End(), 20);
         if (isConstrained) {
             physics.add(new WireJoint(bead, Curve.line(0, 0, 1, 1)));
         }

@@ -31,7 +31,9 @@ public class Pair extends Scene {
         disc = physics.add(new Body(new Circle(3)).at(70, 50).moving(0.5, 0.5));
         left.setMass(200);
         right.setMass(200);
-        physics.add(new PinJoint(left, right, 70, 50));
+        PinJoint pin = new PinJoint(left, right, 70, 50);
+        pin.setCollideConnected(true);
+        physics.add(pin);
         physics.add(new PinJoint(left, disc, 70, 50));
         physics.setCollisions(right, disc, false);
     }

@@ -27,7 +27,9 @@ class PinnedPairTest {
         Body disc = engine.add(new Body(new Circle(3)).at(70, 50).moving(0.5, 0.5));
         left.setMass(200);
         right.setMass(200);
-        engine.add(new PinJoint(left, right, 70, 50));
+        PinJoint pin = new PinJoint(left, right, 70, 50);
+        pin.setCollideConnected(true);
+        engine.add(pin);
         engine.add(new PinJoint(left, disc, 70, 50));
         engine.setCollisions(right, disc, false);
         double energy = engine.kineticEnergy();
