@@ -30,6 +30,15 @@ public final class Path implements Serializable {
     double[] sumX = {};
     double[] sumV = {};
 
+    /** Accelerations at the start, 3n, of methods that choose their steps. */
+    double[] first = {};
+
+    /** The step that such a method would make next, by the first body of a group; 0: not known. */
+    double[] next = {};
+
+    /** Their stages. */
+    final Stages stages = new Stages();
+
     /** Makes room for no body. */
     public Path() {
         // grows with the state
@@ -44,6 +53,8 @@ public final class Path implements Serializable {
             v0 = Arrays.copyOf(v0, length);
             sumX = Arrays.copyOf(sumX, length);
             sumV = Arrays.copyOf(sumV, length);
+            first = Arrays.copyOf(first, length);
+            next = Arrays.copyOf(next, length / State.BLOCK);
         }
     }
 
