@@ -172,8 +172,18 @@ final class DrivenMotion implements Serializable {
         } else if (surface != null && length > 0) {
             sliding.advance(state.body(group.values[0]), surface, group, t, length);
         } else {
-            motion.cover(group, t, length, path);
+            cover(motion, state, group, t, length, path);
         }
+    }
+
+    /** Integrates a group over a time, in as many strides as the integrator takes. */
+    static void cover(Motion motion, State state, IntList group, double t, double length, Path path) {
+        double done = 0;
+        do {
+            double left = length - done;
+            double stride = motion.getIntegrator().advance(motion, state, group, t + done, left, path);
+            done = stride == left ? length : done + stride;
+        } while (done != length);
     }
 
     /** Puts the anchors of bodies back into the state vectors. */

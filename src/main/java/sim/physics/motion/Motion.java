@@ -335,16 +335,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
         return time + tau;
     }
 
-    /** Integrates a group over a time, in as many strides as the integrator takes. */
-    void cover(IntList group, double t, double length, Path path) {
-        double done = 0;
-        do {
-            double left = length - done;
-            double stride = integrator.advance(this, state, group, t + done, left, path);
-            done = stride == left ? length : done + stride;
-        } while (done != length);
-    }
-
     /** The friction that acts on a body which moves alone, or null. */
     SurfaceFriction surfaceUnder(IntList group) {
         SurfaceFriction surface = generators.surface;
@@ -461,6 +451,27 @@ public final class Motion implements EquationsOfMotion, Serializable {
         }
         if (isTiedGroup(bodies)) {
             ties.accelerate(bodies, a); // (34)–(41)
+        }
+    }
+
+    @Override
+    public void hold(IntList bodies) {
+        if (isTiedGroup(bodies)) {
+            ties.hold(bodies);
+        }
+    }
+
+    @Override
+    public void close(IntList bodies, double h) {
+        if (isTiedGroup(bodies)) {
+            ties.close(bodies, h);
+        }
+    }
+
+    @Override
+    public void settle(IntList bodies) {
+        if (isTiedGroup(bodies)) {
+            ties.settle(bodies);
         }
     }
 

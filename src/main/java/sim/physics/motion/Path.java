@@ -4,6 +4,7 @@ package sim.physics.motion;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 
 /**
  * The cubic paths of bodies over a step: x(d) = x0 + d (v0 + d (a + d j)). By the body's block, 3 per body; plus the
@@ -55,6 +56,25 @@ public final class Path implements Serializable {
             sumV = Arrays.copyOf(sumV, length);
             first = Arrays.copyOf(first, length);
             next = Arrays.copyOf(next, length / State.BLOCK);
+        }
+    }
+
+    /** Keeps where the bodies are at the start. */
+    void start(State state, IntList bodies) {
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            System.arraycopy(state.x(), b, x0, b, State.BLOCK);
+            System.arraycopy(state.v(), b, v0, b, State.BLOCK);
+        }
+    }
+
+    /** The cubics from there to where they are now. */
+    void join(State state, IntList bodies, double h) {
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int end = b + State.BLOCK; b < end; b++) {
+                cubic(b, (state.x()[b] - x0[b]) / h, v0[b], state.v()[b], h);
+            }
         }
     }
 
