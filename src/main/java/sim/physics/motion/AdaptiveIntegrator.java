@@ -57,6 +57,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
         double length = wanted > 0 && wanted < Math.abs(h) ? fit(wanted, Math.abs(h)) : Math.abs(h);
         int rejections = 0;
         while (true) {
+            stages.isRetry = rejections > 0;
             stages.most = Math.max(1, Math.abs(h) / length);
             boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
             double proposal = length * stages.factor;

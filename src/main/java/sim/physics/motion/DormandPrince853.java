@@ -141,6 +141,9 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
             equations.acceleration(bodies, t + NODE[stage] * h, path.stage);
             take(bodies, s, path.stage, stage);
         }
+        if (path.stiffness != null) {
+            path.stiffness.keep(state, bodies, path.stage);
+        }
         double error = error(s, h);
         double eighth = Math.sqrt(Math.sqrt(Math.sqrt(error)));
         s.factor = error == 0 ? MOST : Math.max(LEAST, Math.min(MOST, SAFETY / eighth));

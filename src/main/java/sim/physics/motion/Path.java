@@ -37,6 +37,9 @@ public final class Path implements Serializable {
     /** The step that such a method would make next, by the first body of a group; 0: not known. */
     double[] next = {};
 
+    /** Null unless a method that chooses by stiffness is used. */
+    Stiffness stiffness;
+
     /** Their stages. */
     final Stages stages = new Stages();
 

@@ -30,6 +30,9 @@ final class Stages implements Serializable {
     /** By how much the next step should be longer. */
     double factor;
 
+    /** Whether the step was tried before, longer. */
+    boolean isRetry;
+
     /** By how much it can be longer at most. */
     double most;
 
@@ -40,6 +43,9 @@ final class Stages implements Serializable {
 
     /** Rows that an extrapolation aims at, by the first body of a group; 0: not known. */
     int[] rows = {};
+
+    /** Null until an implicit method is used. */
+    private Implicit implicit;
 
     Stages() {
         // grows with the groups
@@ -66,6 +72,12 @@ final class Stages implements Serializable {
             weight[m + 1] = weight[m];
             weight[m + 2] = 1 / Math.max(tolerance / radius, rounding * Math.abs(x0[m + 2]));
         }
+    }
+
+    /** The workspace of an implicit method. */
+    Implicit implicit() {
+        implicit = implicit == null ? new Implicit() : implicit;
+        return implicit;
     }
 
     /** Makes room for some values per coordinate. */
