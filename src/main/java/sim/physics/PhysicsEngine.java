@@ -139,14 +139,23 @@ public final class PhysicsEngine implements Steppable {
 
     /** Gives a driven body, and those that move with it, new paths from their anchors on. */
     private void follow(int body) {
-        double until = motion.advance(body);
+        boolean chooses = motion.getIntegrator().isAdaptive();
+        advance(body, chooses && detection.hasNeighbours(motion.companions(body)));
+        if (motion.isCoarse() && detection.hasNeighbours(motion.companions(body))) {
+            advance(body, true); // on its way it comes near others
+        }
+        detection.endPath(body);
+    }
+
+    private void advance(int body, boolean fine) {
+        double until = motion.advance(body, fine);
         IntList group = motion.companions(body);
         double tau = trajectories.offset(body);
         for (int k = 0; k < group.size; k++) {
-            detection.moved(group.values[k], tau, false, -1);
+            detection.setPathEnd(group.values[k], until);
         }
-        if (until < timeStep) {
-            detection.endPath(body, until);
+        for (int k = 0; k < group.size; k++) {
+            detection.moved(group.values[k], tau, false, -1);
         }
     }
 

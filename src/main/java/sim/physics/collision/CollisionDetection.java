@@ -48,6 +48,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     /** When a body's path ends in the present step, or NaN. */
     private double[] endTime = new double[8];
 
+    /** Until when a driven body's path holds. */
+    private double[] holdsUntil = new double[8];
+
     private boolean[] known = new boolean[8];
     private double pathEnd;
 
@@ -117,9 +120,11 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         if (body >= endTime.length) {
             endTime = Arrays.copyOf(endTime, Math.max(2 * endTime.length, body + 1));
             known = Arrays.copyOf(known, endTime.length);
+            holdsUntil = Arrays.copyOf(holdsUntil, endTime.length);
         }
         known[body] = true;
         endTime[body] = Double.NaN;
+        holdsUntil[body] = h;
         enclose(body, tau);
         fresh.clear();
         broadPhase.add(body, boxes, pairs);
@@ -191,7 +196,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param except a pair that need not be looked at, or −1
      */
     public void moved(int body, double tau, boolean teleported, int except) {
-        if (!teleported && trajectories.isDriven(body) && room.holds(body, tau, h)) {
+        if (!teleported && trajectories.isDriven(body) && room.holds(body, tau, end(body))) {
             bodyAgenda.schedule(body, Agenda.NEVER); // it is looked at again in the next step anyway
         } else if (!boxes.isFixed(body) || teleported) {
             long date = teleported ? step : room.leavingDate(body, tau, step, h);
@@ -270,12 +275,13 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             pairAgenda.schedule(pair, Agenda.NEVER);
             return;
         }
-        double t = narrowPhase.firstContact(pair, tau, h);
+        double end = Math.min(end(pairs.first(pair)), end(pairs.second(pair)));
+        double t = narrowPhase.firstContact(pair, tau, end);
         if (narrowPhase.isApart()) {
             pairAgenda.schedule(pair, t == Double.POSITIVE_INFINITY ? Agenda.NEVER : stepOf(t));
             return;
         }
-        if (narrowPhase.isTouching() && t < h) {
+        if (narrowPhase.isTouching() && t < end) {
             impactTime[pair] = t;
             queue.add(t, pair);
             pairAgenda.schedule(pair, Agenda.NEVER);
@@ -298,7 +304,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             encloseFixed(body);
             return;
         }
-        room.enclose(body, tau, h);
+        room.enclose(body, tau, end(body));
         bodyAgenda.schedule(body, Math.max(step + 1, room.leavingDate(body, tau, step, h)));
     }
 
@@ -309,14 +315,48 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     }
 
     /**
-     * Plans an event at which the path of a body ends before the step does.
+     * Says until when the path of a driven body holds, before it is {@link #moved}.
      *
      * @param body index
      * @param tau offset in the present step
      */
-    public void endPath(int body, double tau) {
-        endTime[body] = tau;
-        queue.add(tau, ~body);
+    public void setPathEnd(int body, double tau) {
+        holdsUntil[body] = tau;
+    }
+
+    /**
+     * Plans an event at which the path of a driven body ends, if that is before the step does.
+     *
+     * @param body index
+     */
+    public void endPath(int body) {
+        endTime[body] = holdsUntil[body] < h ? holdsUntil[body] : Double.NaN;
+        if (holdsUntil[body] < h) {
+            queue.add(holdsUntil[body], ~body);
+        }
+    }
+
+    /** Until when in the step what is known of a body's path holds. */
+    private double end(int body) {
+        return trajectories.isDriven(body) ? Math.min(h, holdsUntil[body]) : h;
+    }
+
+    /**
+     * Whether some body may meet one of its neighbours.
+     *
+     * @param bodies indices
+     * @return true if a pair of one of them is looked at
+     */
+    public boolean hasNeighbours(IntList bodies) {
+        for (int k = 0; k < bodies.size; k++) {
+            IntList of = pairs.of(bodies.values[k]);
+            for (int m = 0; of != null && m < of.size; m++) {
+                if (!ignored[of.values[m]]) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /**

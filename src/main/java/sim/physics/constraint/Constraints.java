@@ -361,7 +361,20 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void settle(IntList bodies) {
-        projection.settle(of[bodies.values[0]], state, solver);
+        List<Island> those = of(bodies);
+        for (int k = 0; k < those.size(); k++) {
+            projection.settle(those.get(k), state, solver);
+        }
+    }
+
+    @Override
+    public void hold(IntList bodies) {
+        of(bodies).forEach(island -> island.shake.hold(state));
+    }
+
+    @Override
+    public void close(IntList bodies, double h) {
+        of(bodies).forEach(island -> island.shake.close(state, h));
     }
 
     /**

@@ -77,6 +77,7 @@ final class Island implements Serializable {
     private final boolean onlyPins;
     final Switches switches;
     final Invariants invariants;
+    final Shake shake;
 
     /** The constraints of each body: those of body k are around[aroundStart[k]] … */
     private final int[] aroundStart;
@@ -151,6 +152,7 @@ final class Island implements Serializable {
         }
         switches = new Switches(this);
         invariants = new Invariants(this);
+        shake = new Shake(this);
         isBreakable = those.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());
     }
 

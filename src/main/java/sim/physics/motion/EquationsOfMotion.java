@@ -14,4 +14,34 @@ public interface EquationsOfMotion {
      * @param a takes the accelerations, [x″, y″, θ″] per body of the state
      */
     void acceleration(IntList bodies, double time, double[] a);
+
+    /**
+     * Keeps the directions in which constraints act at the positions of the state vectors, for {@link #close}.
+     *
+     * @param bodies the bodies
+     */
+    default void hold(IntList bodies) {
+        // nothing ties the bodies
+    }
+
+    /**
+     * Moves the bodies along the directions that were kept to where their constraints are satisfied, and changes their
+     * velocities by the same over the step.
+     *
+     * @param bodies the bodies
+     * @param h the step
+     */
+    default void close(IntList bodies, double h) {
+        // nothing ties the bodies
+    }
+
+    /**
+     * Gives the bodies the nearest velocities that their constraints allow at their positions, where accelerations have
+     * just been evaluated.
+     *
+     * @param bodies the bodies
+     */
+    default void settle(IntList bodies) {
+        // nothing ties the bodies
+    }
 }

@@ -18,7 +18,7 @@ public final class Euler implements Integrator {
     }
 
     @Override
-    public void advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
+    public double advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
         path.ensure(State.BLOCK * state.size());
         double[] x = state.x();
         double[] v = state.v();
@@ -32,6 +32,7 @@ public final class Euler implements Integrator {
                 path.straight(b);
             }
         }
+        return h;
     }
 
     @Override

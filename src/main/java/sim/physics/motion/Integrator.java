@@ -17,13 +17,23 @@ public interface Integrator extends Serializable {
      * @param h step, of either sign
      * @param path takes the path between: per coordinate of each body of the list, in its order, half the second
      *     derivative and a sixth of the third one at t
+     * @return the time advanced: h, or less if the method chooses its steps itself
      */
-    void advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path);
+    double advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path);
 
     /**
      * Order of the global error in h.
      *
-     * @return 1 for Euler, 4 for RK4
+     * @return 1 for Euler, 4 for RK4; the highest one if the method chooses it
      */
     int order();
+
+    /**
+     * Whether the method chooses its steps itself, so that those of the engine are only when its state is published.
+     *
+     * @return false unless overridden
+     */
+    default boolean isAdaptive() {
+        return false;
+    }
 }

@@ -28,12 +28,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
     private final IntList driven = new IntList();
     private final IntList pushed = new IntList();
     private final IntList alone = new IntList();
-    private final Path path = new Path();
-    private final Sliding sliding;
+    private final DrivenMotion drivenMotion;
 
     /** Null while nothing ties bodies together. */
     private Ties ties;
-    private TiedMotion tied;
 
     /** Unit normals of the fixed surfaces that bodies rest on, 2n; zero for a body that rests on nothing. */
     private double[] support = new double[16];
@@ -41,9 +39,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
     /** Bodies at rest that static friction holds. */
     private boolean[] held = new boolean[8];
 
-    /** Where the driven bodies are at the end of the step, 3n each. */
-    private double[] endX = {};
-    private double[] endV = {};
     private double time;
 
     /**
@@ -56,7 +51,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         this.state = state;
         this.trajectories = trajectories;
         this.forces = new Forces(state);
-        this.sliding = new Sliding(this, state, path);
+        this.drivenMotion = new DrivenMotion(this, state, trajectories);
     }
 
     /**
@@ -66,7 +61,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void setTies(Ties ties) {
         this.ties = ties;
-        tied = ties == null ? null : new TiedMotion(state, trajectories, ties);
+        drivenMotion.setTies(ties);
     }
 
     /**
@@ -147,6 +142,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
             held = Arrays.copyOf(held, 2 * state.size());
         }
         trajectories.anchor(body, tau, state);
+        drivenMotion.forget(body);
         Body view = state.body(body);
         release(body);
         setDriven(body, !view.isFixed() && isDriven(view));
@@ -210,9 +206,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
     /** Ends the step: writes where the driven bodies are; the forces that were applied for the step have acted. */
     public void finish() {
         for (int k = 0; k < driven.size; k++) {
-            int b = State.BLOCK * driven.values[k];
-            System.arraycopy(endX, b, state.x(), b, State.BLOCK);
-            System.arraycopy(endV, b, state.v(), b, State.BLOCK);
+            drivenMotion.finish(driven.values[k]);
         }
         for (int k = 0; k < pushed.size; k++) {
             Body view = state.body(pushed.values[k]);
@@ -281,67 +275,35 @@ public final class Motion implements EquationsOfMotion, Serializable {
     }
 
     /**
-     * Advances a driven body, and those that move with it, from their anchors to the end of the step, and sets their
-     * paths.
+     * Advances a driven body, and those that move with it, from their anchors on, and sets their paths.
      *
      * @param body index
-     * @return offset up to which the path holds: h, or less if the body stops or must be looked at again before
+     * @param fine whether the paths must be near the motion, because others are near
+     * @return offset up to which the path holds: h, or less if the body stops, must be looked at again before, or the
+     *     integrator chooses its steps itself
      */
-    public double advance(int body) {
-        IntList group = companions(body);
-        double tau = trajectories.offset(body);
-        restore(group);
-        double rest = trajectories.h() - tau;
-        double t = time + tau;
-        double length = isTiedGroup(group)
-                ? tied.advanceUntilSwitch(this, group, t, tau, path) : integrate(group, t, rest);
-        double[] m = trajectories.data();
-        if (endX.length < state.x().length) {
-            endX = Arrays.copyOf(endX, state.x().length);
-            endV = Arrays.copyOf(endV, state.x().length);
-        }
-        for (int k = 0; k < group.size; k++) {
-            int o = Trajectories.STRIDE * group.values[k];
-            int b = State.BLOCK * group.values[k];
-            System.arraycopy(path.a, b, m, o + Trajectories.AX, State.BLOCK);
-            System.arraycopy(path.j, b, m, o + Trajectories.JX, State.BLOCK);
-            System.arraycopy(state.x(), b, endX, b, State.BLOCK);
-            System.arraycopy(state.v(), b, endV, b, State.BLOCK);
-        }
-        return length == rest ? trajectories.h() : tau + length;
-    }
-
-    private boolean isTiedGroup(IntList group) {
-        return ties != null && (generators.coupled || isTied(group.values[0]));
-    }
-
-    /** Integrates some bodies over a time; returns how far, which is less if a sliding body comes to rest. */
-    private double integrate(IntList group, double t, double length) {
-        if (isTiedGroup(group)) {
-            tied.advance(this, group, t, length, path);
-            return length;
-        }
-        SurfaceFriction surface = generators.surface;
-        if (surface == null || group.size > 1 || length <= 0 || !surface.actsOn(state.body(group.values[0]))) {
-            integrator.advance(this, state, group, t, length, path);
-            return length;
-        }
-        return sliding.advance(state.body(group.values[0]), surface, group, t, length);
+    public double advance(int body, boolean fine) {
+        return drivenMotion.advance(companions(body), fine);
     }
 
     /**
-     * Puts the anchors of bodies back into the state vectors.
+     * Whether the paths that the last call of {@link #advance} set may be farther from the motion than what is near
+     * others may be.
      *
-     * @param group driven bodies
+     * @return false after a step of fixed length
      */
-    public void restore(IntList group) {
-        double[] m = trajectories.data();
-        for (int k = 0; k < group.size; k++) {
-            int o = Trajectories.STRIDE * group.values[k];
-            int b = State.BLOCK * group.values[k];
-            System.arraycopy(m, o, state.x(), b, State.BLOCK);
-            System.arraycopy(m, o + Trajectories.VX, state.v(), b, State.BLOCK);
-        }
+    public boolean isCoarse() {
+        return drivenMotion.isCoarse();
+    }
+
+    /**
+     * The time in which a body's motion changes little: the step, or that of an integrator which chooses it.
+     *
+     * @param body index
+     * @return time, greater than 0
+     */
+    public double pace(int body) {
+        return trajectories.isDriven(body) ? drivenMotion.pace(body) : trajectories.h();
     }
 
     /**
@@ -354,18 +316,33 @@ public final class Motion implements EquationsOfMotion, Serializable {
     public void bring(int body, double tau) {
         if (!trajectories.isDriven(body)) {
             trajectories.bring(body, tau);
-            return;
+        } else if (tau != trajectories.offset(body)) {
+            drivenMotion.bring(companions(body), tau);
         }
-        double from = trajectories.offset(body);
-        if (tau == from) {
-            return;
-        }
-        IntList group = companions(body);
-        restore(group);
-        integrate(group, time + from, tau - from);
-        for (int k = 0; k < group.size; k++) {
-            trajectories.anchor(group.values[k], tau, state);
-        }
+    }
+
+    /**
+     * Puts the anchors of bodies back into the state vectors.
+     *
+     * @param group driven bodies
+     */
+    public void restore(IntList group) {
+        drivenMotion.restore(group);
+    }
+
+    /** The simulated time of an offset in the present step. */
+    double time(double tau) {
+        return time + tau;
+    }
+
+    /** The friction that acts on a body which moves alone, or null. */
+    SurfaceFriction surfaceUnder(IntList group) {
+        SurfaceFriction surface = generators.surface;
+        return surface == null || group.size > 1 || !surface.actsOn(state.body(group.values[0])) ? null : surface;
+    }
+
+    boolean isTiedGroup(IntList group) {
+        return ties != null && (generators.coupled || isTied(group.values[0]));
     }
 
     /**
@@ -405,6 +382,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @param body index
      */
     public void deflect(int body) {
+        drivenMotion.forget(body);
         if (release(body)) {
             setDriven(body, isDriven(state.body(body)));
             course(body);
@@ -473,6 +451,27 @@ public final class Motion implements EquationsOfMotion, Serializable {
         }
         if (isTiedGroup(bodies)) {
             ties.accelerate(bodies, a); // (34)–(41)
+        }
+    }
+
+    @Override
+    public void hold(IntList bodies) {
+        if (isTiedGroup(bodies)) {
+            ties.hold(bodies);
+        }
+    }
+
+    @Override
+    public void close(IntList bodies, double h) {
+        if (isTiedGroup(bodies)) {
+            ties.close(bodies, h);
+        }
+    }
+
+    @Override
+    public void settle(IntList bodies) {
+        if (isTiedGroup(bodies)) {
+            ties.settle(bodies);
         }
     }
 

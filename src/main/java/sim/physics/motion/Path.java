@@ -4,6 +4,7 @@ package sim.physics.motion;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 
 /**
  * The cubic paths of bodies over a step: x(d) = x0 + d (v0 + d (a + d j)). By the body's block, 3 per body; plus the
@@ -30,6 +31,18 @@ public final class Path implements Serializable {
     double[] sumX = {};
     double[] sumV = {};
 
+    /** Accelerations at the start, 3n, of methods that choose their steps. */
+    double[] first = {};
+
+    /** The step that such a method would make next, by the first body of a group; 0: not known. */
+    double[] next = {};
+
+    /** Null unless a method that chooses by stiffness is used. */
+    Stiffness stiffness;
+
+    /** Their stages. */
+    final Stages stages = new Stages();
+
     /** Makes room for no body. */
     public Path() {
         // grows with the state
@@ -44,6 +57,27 @@ public final class Path implements Serializable {
             v0 = Arrays.copyOf(v0, length);
             sumX = Arrays.copyOf(sumX, length);
             sumV = Arrays.copyOf(sumV, length);
+            first = Arrays.copyOf(first, length);
+            next = Arrays.copyOf(next, length / State.BLOCK);
+        }
+    }
+
+    /** Keeps where the bodies are at the start. */
+    void start(State state, IntList bodies) {
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            System.arraycopy(state.x(), b, x0, b, State.BLOCK);
+            System.arraycopy(state.v(), b, v0, b, State.BLOCK);
+        }
+    }
+
+    /** The cubics from there to where they are now. */
+    void join(State state, IntList bodies, double h) {
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int end = b + State.BLOCK; b < end; b++) {
+                cubic(b, (state.x()[b] - x0[b]) / h, v0[b], state.v()[b], h);
+            }
         }
     }
 

@@ -31,7 +31,7 @@ public final class RungeKutta4 implements Integrator {
     }
 
     @Override
-    public void advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
+    public double advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
         path.ensure(State.BLOCK * state.size());
         begin(state, bodies, path);
         for (int s = 0; s < NODE.length; s++) {
@@ -40,6 +40,7 @@ public final class RungeKutta4 implements Integrator {
             stage(state, bodies, path, WEIGHT[s], next);
         }
         finish(state, bodies, h, path);
+        return h;
     }
 
     private static void begin(State state, IntList bodies, Path path) {

@@ -56,7 +56,7 @@ final class Sliding implements Serializable {
             }
             double left = length - done;
             double part = Math.min(left, Math.max(SHARE * rest, SHARE * LAST * motion.step()));
-            motion.getIntegrator().advance(motion, state, group, t + done, part, path);
+            DrivenMotion.cover(motion, state, group, t + done, part, path);
             done = part == left ? length : done + part;
         }
         for (int c = 0; c < State.BLOCK; c++) {

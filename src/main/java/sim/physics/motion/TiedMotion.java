@@ -15,7 +15,8 @@ final class TiedMotion implements Serializable {
     private static final long serialVersionUID = 1L;
 
     private static final double HALF = 0.5;
-    private static final int MOST_PARTS = 1 << 14;
+    private static final int MOST_HALVINGS = 14;
+    private static final int MOST_PARTS = 1 << MOST_HALVINGS;
 
     /** Part of a step in which the correction at its end does not matter to the path. */
     private static final double SHORT = 1e-3;
@@ -25,6 +26,8 @@ final class TiedMotion implements Serializable {
     private final Ties ties;
     private double[] startX = {};
     private double[] startV = {};
+    private double[] strideX = {};
+    private double[] strideV = {};
 
     TiedMotion(State state, Trajectories trajectories, Ties ties) {
         this.state = state;
@@ -37,11 +40,9 @@ final class TiedMotion implements Serializable {
      *
      * @return how long
      */
-    double advanceUntilSwitch(Motion motion, IntList group, double t, double tau, Path path) {
-        double length = motion.step() - tau;
+    double advanceUntilSwitch(Motion motion, IntList group, double t, double tau, double limit, Path path) {
         if (!ties.isSwitched(group)) {
-            advance(motion, group, t, length, path);
-            return length;
+            return stride(motion, group, t, limit, path);
         }
         if (ties.decide(group)) {
             for (int k = 0; k < group.size; k++) {
@@ -52,7 +53,7 @@ final class TiedMotion implements Serializable {
         motion.acceleration(group, t, path.stage);
         ties.confirm(group, false);
         double first = ties.watch(group);
-        advance(motion, group, t, length, path);
+        double length = stride(motion, group, t, limit, path);
         double last = ties.watch(group);
         if (last > -HALF) {
             return length;
@@ -63,8 +64,7 @@ final class TiedMotion implements Serializable {
             if (from == 0) {
                 again(group);
                 ties.confirm(group, true); // it is pressed against its stop
-                advance(motion, group, t, length, path);
-                return length;
+                return stride(motion, group, t, limit, path);
             }
             first = 1;
         }
@@ -118,31 +118,82 @@ final class TiedMotion implements Serializable {
         copy(group, startV, state.v());
     }
 
+    /** Advances a group by at most a time, as far as the integrator does at once; returns how far. */
+    private double stride(Motion motion, IntList group, double t, double limit, Path path) {
+        if (!motion.getIntegrator().isAdaptive()) {
+            advance(motion, group, t, limit, path);
+            return limit;
+        }
+        begin(group);
+        double length = chosenStride(motion, group, t, limit, path);
+        join(motion, group, length, path);
+        return length;
+    }
+
     /** Advances a group over a time of either sign; the path is the cubic between its ends. */
     void advance(Motion motion, IntList group, double t, double length, Path path) {
         if (length == 0) {
             return;
         }
+        begin(group);
+        if (motion.getIntegrator().isAdaptive()) {
+            for (double done = 0; done != length; ) {
+                double left = length - done;
+                double stride = chosenStride(motion, group, t + done, left, path);
+                done = stride == left ? length : done + stride;
+            }
+        } else {
+            int parts = 1;
+            while (!advance(motion, group, t, length, parts, path)) {
+                again(group);
+                parts *= 2;
+            }
+            if (parts == 1 && Math.abs(length) < SHORT * motion.step()) {
+                return; // the integrator's own path: the ends are too near for a difference
+            }
+        }
+        join(motion, group, length, path);
+    }
+
+    private void begin(IntList group) {
         if (startX.length < state.x().length) {
             startX = Arrays.copyOf(startX, state.x().length);
             startV = Arrays.copyOf(startV, state.x().length);
+            strideX = Arrays.copyOf(strideX, state.x().length);
+            strideV = Arrays.copyOf(strideV, state.x().length);
         }
         copy(group, state.x(), startX);
         copy(group, state.v(), startV);
-        int parts = 1;
-        while (!advance(motion, group, t, length, parts, path)) {
-            copy(group, startX, state.x());
-            copy(group, startV, state.v());
-            parts *= 2;
-        }
-        if (parts == 1 && Math.abs(length) < SHORT * motion.step()) {
-            return; // the integrator's own path: the ends are too near for a difference
-        }
+    }
+
+    /** The cubics from the start to where the bodies are now. */
+    private void join(Motion motion, IntList group, double length, Path path) {
         for (int k = 0; k < group.size; k++) {
             int b = State.BLOCK * group.values[k];
             for (int end = b + State.BLOCK; b < end; b++) {
                 path.cubic(b, (state.x()[b] - startX[b]) / length, startV[b], state.v()[b], length);
             }
+        }
+    }
+
+    /** One step of a method that chooses it; a shorter one if its correction is rough. Returns how far. */
+    private double chosenStride(Motion motion, IntList group, double t, double length, Path path) {
+        copy(group, state.x(), strideX);
+        copy(group, state.v(), strideV);
+        double limit = length;
+        for (int halvings = 0; ; halvings++) {
+            ties.begin(group, !motion.hasForces());
+            double done = motion.getIntegrator().advance(motion, state, group, t, limit, path);
+            if (ties.project(group)) {
+                return done;
+            }
+            if (halvings == MOST_HALVINGS) {
+                ties.assemble(group);
+                return done;
+            }
+            copy(group, strideX, state.x());
+            copy(group, strideV, state.v());
+            limit = HALF * done;
         }
     }
 

@@ -96,9 +96,25 @@ public interface Ties extends Serializable {
     /**
      * Changes the velocities of the state vectors by the least amount that the ties ask for.
      *
-     * @param island all bodies of an island, prepared
+     * @param bodies all bodies of an island, prepared or evaluated for their accelerations, or of all islands
      */
-    void settle(IntList island);
+    void settle(IntList bodies);
+
+    /**
+     * Keeps the rows of J at the positions of the state vectors.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     */
+    void hold(IntList bodies);
+
+    /**
+     * Moves bodies by W Jᵀ δ, with the rows that were kept, to where the ties want them, and changes their velocities by
+     * W Jᵀ δ / h.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @param h step
+     */
+    void close(IntList bodies, double h);
 
     /**
      * Whether a group has ties that act at some times only, motors and stops.

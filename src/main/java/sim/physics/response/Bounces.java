@@ -5,6 +5,7 @@ package sim.physics.response;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.Tolerances;
+import sim.physics.motion.Motion;
 import sim.physics.motion.Trajectories;
 
 /**
@@ -20,6 +21,12 @@ final class Bounces implements Serializable {
     private static final double HUGE = 1e100;
 
     private final Trajectories trajectories;
+    private final Motion motion;
+
+    /** The step of the impact that is attended to: its length and number. */
+    private double h;
+
+    private double now;
 
     /** The step in which a pair was counted last; the other values hold for that step. */
     private double[] countedIn = {};
@@ -42,8 +49,15 @@ final class Bounces implements Serializable {
     /** Energy that the pair has lost to restitution, at impacts of one point. */
     private double[] lost = {};
 
-    Bounces(Trajectories trajectories) {
+    Bounces(Trajectories trajectories, Motion motion) {
         this.trajectories = trajectories;
+        this.motion = motion;
+    }
+
+    /** Takes note of two bodies and an instant; impacts are counted by the step, or by those that the integrator chooses. */
+    void attend(int a, int b, double tau) {
+        h = Math.min(motion.pace(a), motion.pace(b));
+        now = h < trajectories.h() ? trajectories.step() + Math.floor(tau / h) * (h / trajectories.h()) : trajectories.step();
     }
 
     /** Counts an impact of a pair. */
@@ -65,7 +79,6 @@ final class Bounces implements Serializable {
         }
         open(pair);
         int count = ++rattles[pair] - Tolerances.RATTLE_AFTER;
-        double h = trajectories.h();
         double approach = -c.normalVelocity();
         if (count > 0 && approach > 0) {
             double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * Tolerances.REST * h);
@@ -111,8 +124,8 @@ final class Bounces implements Serializable {
             lastTau = Arrays.copyOf(lastTau, length);
             lost = Arrays.copyOf(lost, length);
         }
-        if (countedIn[pair] != trajectories.step()) {
-            countedIn[pair] = trajectories.step();
+        if (countedIn[pair] != now) {
+            countedIn[pair] = now;
             counts[pair] = 0;
             rests[pair] = 0;
             missed[pair] = 0;
@@ -154,7 +167,7 @@ final class Bounces implements Serializable {
         double closing = pressing;
         if (count > Tolerances.ELASTIC_AFTER / 2) {
             // whatever pressed the two together since their last impact, spin for one, will do it again
-            double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * trajectories.h());
+            double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * h);
             closing = Math.max(closing, (approachSpeed + lastSpeed[pair]) / since);
         }
         if (!canBear && count > Tolerances.ELASTIC_AFTER) {
@@ -164,7 +177,6 @@ final class Bounces implements Serializable {
             return false;
         }
         double bounce = 2 * c.restitution * approachSpeed / closing;
-        double h = trajectories.h();
         double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
         if (canBear && bounce < (count > Tolerances.REST_AFTER ? shortest : Tolerances.REST * h)) {
             c.restitution = 0;

@@ -68,7 +68,7 @@ public final class CollisionResponse implements Serializable {
         this.detection = detection;
         this.pairs = detection.pairs();
         this.simultaneous = new SimultaneousImpact(state);
-        this.bounces = new Bounces(trajectories);
+        this.bounces = new Bounces(trajectories, motion);
     }
 
     /**
@@ -116,6 +116,7 @@ public final class CollisionResponse implements Serializable {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
         load(a, b, 0);
+        bounces.attend(a, b, tau);
         impact.sticky = false;
         if (!polish(pair, a, b, tau)) {
             goOn(a, b);
@@ -211,13 +212,13 @@ public final class CollisionResponse implements Serializable {
         if (!trajectories.isDriven(a) && !trajectories.isDriven(b)) {
             return true;
         }
-        double h = trajectories.h();
+        double h = Math.min(motion.pace(a), motion.pace(b));
         double t = tau;
         for (int k = 0; k < 3; k++) {
             double speed = impact.normalVelocity();
             double next = t - manifold.gap / speed;
             boolean settled = Math.abs(manifold.gap) <= -speed * Tolerances.SIMULTANEOUS * t;
-            if (settled || !(speed < 0 && next <= h && Math.abs(next - tau) <= Tolerances.POLISH * h)) {
+            if (settled || !(speed < 0 && next <= trajectories.h() && Math.abs(next - tau) <= Tolerances.POLISH * h)) {
                 break; // or else events of others may lie between
             }
             double most = Math.max(0.5 * Math.abs(manifold.gap), -speed * Tolerances.REST * h);
@@ -366,6 +367,7 @@ public final class CollisionResponse implements Serializable {
         int b = pairs.second(pair);
         locate(pair, tau);
         load(a, b, 0);
+        bounces.attend(a, b, tau);
         impact.sticky = false;
         if (alone) {
             polish(pair, a, b, tau);

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import sim.physics.internal.Check;
+import sim.physics.internal.IntList;
+
+/**
+ * A method that takes a tolerance in place of a step. It chooses its steps so that the error of a position is about the
+ * tolerance in each of them, in units of length; of an angle, about that of the body's rim. The engine's time step then
+ * only says when the state is published, and when agents act: the longer it is, the cheaper.
+ *
+ * <p>The error at the end of a run is as many tolerances as the scene makes of a small change on its way: about the time
+ * in units of the step for a pendulum, and more where motion is chaotic.
+ */
+public abstract class AdaptiveIntegrator implements Integrator {
+    private static final long serialVersionUID = 1L;
+
+    private static final double SMALLEST = 0x1p-50;
+
+    /** Rounding of a coordinate, below which no step is made smaller. */
+    private static final double ROUNDING = 4 * 0x1p-52;
+
+    private final double tolerance;
+
+    AdaptiveIntegrator(double tolerance) {
+        this.tolerance = Check.positive("tolerance", tolerance);
+    }
+
+    /**
+     * The error of a position that a step may make.
+     *
+     * @return length
+     */
+    public final double getTolerance() {
+        return tolerance;
+    }
+
+    @Override
+    public final boolean isAdaptive() {
+        return true;
+    }
+
+    @Override
+    public final double advance(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
+        if (h == 0) {
+            return 0;
+        }
+        path.ensure(State.BLOCK * state.size());
+        Stages stages = path.stages;
+        stages.load(state, bodies, tolerance, ROUNDING);
+        equations.acceleration(bodies, t, path.stage);
+        stages.keepFirst(bodies, path);
+        int first = bodies.values[0];
+        double wanted = path.next[first];
+        double length = wanted > 0 && wanted < Math.abs(h) ? fit(wanted, Math.abs(h)) : Math.abs(h);
+        int rejections = 0;
+        while (true) {
+            stages.isRetry = rejections > 0;
+            stages.most = Math.max(1, Math.abs(h) / length);
+            boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
+            double proposal = length * stages.factor;
+            if (done) {
+                stages.join(state, bodies, h < 0 ? -length : length, path);
+                path.next[first] = length == Math.abs(h) ? Math.max(wanted, proposal) : proposal;
+                return length == Math.abs(h) ? h : h < 0 ? -length : length;
+            }
+            rejections++;
+            length = Math.min(proposal, 0.9 * length);
+            wanted = 0;
+            if (!(length > SMALLEST * Math.abs(h)) && rejections > 8) {
+                throw new IllegalStateException("tolerance is " + tolerance + ": " + this
+                        + " cannot meet it at time " + t + ", where the forces are not smooth or not finite");
+            }
+        }
+    }
+
+    /** The next step: not much less than what is left, and no tiny one after it. */
+    private static double fit(double wanted, double left) {
+        return left < 1.02 * wanted ? left : left < 2 * wanted ? 0.5 * left : wanted;
+    }
+
+    /**
+     * Tries a step from what was loaded, whose accelerations are those of the first stage.
+     *
+     * @return whether its error is small enough; the state vectors then hold its end. The stages' factor says by how much
+     *     the next step should be longer.
+     */
+    abstract boolean attempt(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path);
+}

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.internal.IntList;
+
+/**
+ * Moves bodies that the integrator drives from their anchors on, sets their paths, and brings them to instants between.
+ *
+ * <p>An integrator of fixed step makes one path of what is left of the engine's step. One that chooses its steps itself
+ * makes a path of each of its own, up to the end of the engine's.
+ */
+final class DrivenMotion implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** How far the path of a body that others are near may be from its motion, relative to its size. */
+    private static final double FINE = 1e-7;
+
+    /** The path's error is of fourth order in its length; this much less than allowed is aimed at. */
+    private static final double SAFE = 0.5;
+
+    private static final double GROWTH = 4;
+
+    private final Motion motion;
+    private final State state;
+    private final Trajectories trajectories;
+    private final Path path = new Path();
+    private final Sliding sliding;
+
+    /** Null while nothing ties bodies together. */
+    private TiedMotion tied;
+
+    /** Where the driven bodies are at the end of their paths, 3n each. */
+    private double[] endX = {};
+
+    private double[] endV = {};
+
+    /** Offset at which a body's path ends; NaN if its course has changed. */
+    private double[] endAt = {};
+
+    /** Lengths of paths that are near enough to the motion, by the first body of a group; 0: not known. */
+    private double[] fineLength = {};
+
+    /** The step that the integrator makes of itself, at most that of the engine, by body. */
+    private double[] pace = {};
+
+    private boolean isCoarse;
+
+    DrivenMotion(Motion motion, State state, Trajectories trajectories) {
+        this.motion = motion;
+        this.state = state;
+        this.trajectories = trajectories;
+        this.sliding = new Sliding(motion, state, path);
+    }
+
+    void setTies(Ties ties) {
+        tied = ties == null ? null : new TiedMotion(state, trajectories, ties);
+    }
+
+    /** Whether the last paths may be too far from the motion for bodies that others are near. */
+    boolean isCoarse() {
+        return isCoarse;
+    }
+
+    /** Advances a group; returns the offset up to which its paths hold. */
+    double advance(IntList group, boolean fine) {
+        ensure();
+        int first = group.values[0];
+        double tau = trajectories.offset(first);
+        double rest = trajectories.h() - tau;
+        boolean chooses = motion.getIntegrator().isAdaptive();
+        double known = fine && chooses ? fineLength[first] : 0;
+        double length = stride(group, tau, known > 0 ? Math.min(known, rest) : rest);
+        isCoarse = false;
+        if (chooses) {
+            double error = pathError(group, length);
+            while (fine && error > 1) {
+                length = stride(group, tau, length * root(error));
+                error = pathError(group, length);
+            }
+            fineLength[first] = length * root(error);
+            isCoarse = error > 1;
+        }
+        double step = chooses ? Math.min(trajectories.h(), Math.max(length, path.next[first])) : trajectories.h();
+        for (int k = 0; k < group.size; k++) {
+            pace[group.values[k]] = step;
+        }
+        return publish(group, tau, length == rest ? trajectories.h() : tau + length);
+    }
+
+    /** The step that the integrator makes of itself with a body, at most that of the engine. */
+    double pace(int body) {
+        return pace[body];
+    }
+
+    private static double root(double error) {
+        double fourth = SAFE / Math.max(error, 1e-6);
+        return Math.min(GROWTH, Math.sqrt(Math.sqrt(fourth)));
+    }
+
+    /** Integrates a group from its anchors; returns how far. */
+    private double stride(IntList group, double tau, double limit) {
+        restore(group);
+        double t = motion.time(tau);
+        if (motion.isTiedGroup(group)) {
+            return tied.advanceUntilSwitch(motion, group, t, tau, limit, path);
+        }
+        SurfaceFriction surface = motion.surfaceUnder(group);
+        if (surface != null && limit > 0) {
+            return sliding.advance(state.body(group.values[0]), surface, group, t, limit);
+        }
+        return motion.getIntegrator().advance(motion, state, group, t, limit, path);
+    }
+
+    /**
+     * How far the cubic paths may be from the motion, in units of what is near enough: a motion whose fourth derivative is
+     * constant is off by c s²(h − s)², so its second derivative at the start by 2 c h².
+     */
+    private double pathError(IntList group, double length) {
+        double[] m = trajectories.data();
+        double most = 0;
+        for (int k = 0; k < group.size; k++) {
+            int b = State.BLOCK * group.values[k];
+            double radius = m[Trajectories.STRIDE * group.values[k] + Trajectories.RADIUS];
+            double way = Math.abs(path.first[b] - 2 * path.a[b]) + Math.abs(path.first[b + 1] - 2 * path.a[b + 1]);
+            double turn = Math.abs(path.first[b + 2] - 2 * path.a[b + 2]);
+            most = Math.max(most, Math.max(way / radius, turn));
+        }
+        return most * length * length / (32 * FINE);
+    }
+
+    private double publish(IntList group, double tau, double end) {
+        double[] m = trajectories.data();
+        for (int k = 0; k < group.size; k++) {
+            int o = Trajectories.STRIDE * group.values[k];
+            int b = State.BLOCK * group.values[k];
+            System.arraycopy(path.a, b, m, o + Trajectories.AX, State.BLOCK);
+            System.arraycopy(path.j, b, m, o + Trajectories.JX, State.BLOCK);
+            System.arraycopy(state.x(), b, endX, b, State.BLOCK);
+            System.arraycopy(state.v(), b, endV, b, State.BLOCK);
+            endAt[group.values[k]] = end;
+        }
+        return end;
+    }
+
+    /** Brings a group to an instant. */
+    void bring(IntList group, double tau) {
+        int first = group.values[0];
+        if (endAt[first] == tau) {
+            for (int k = 0; k < group.size; k++) {
+                finish(group.values[k]);
+            }
+        } else {
+            restore(group);
+            cover(group, trajectories.offset(first), tau);
+        }
+        for (int k = 0; k < group.size; k++) {
+            trajectories.anchor(group.values[k], tau, state);
+            endAt[group.values[k]] = Double.NaN;
+        }
+    }
+
+    /** Integrates a group from one offset to another, which may be an earlier one. */
+    private void cover(IntList group, double from, double to) {
+        double t = motion.time(from);
+        double length = to - from;
+        SurfaceFriction surface = motion.surfaceUnder(group);
+        if (motion.isTiedGroup(group)) {
+            tied.advance(motion, group, t, length, path);
+        } else if (surface != null && length > 0) {
+            sliding.advance(state.body(group.values[0]), surface, group, t, length);
+        } else {
+            cover(motion, state, group, t, length, path);
+        }
+    }
+
+    /** Integrates a group over a time, in as many strides as the integrator takes. */
+    static void cover(Motion motion, State state, IntList group, double t, double length, Path path) {
+        double done = 0;
+        do {
+            double left = length - done;
+            double stride = motion.getIntegrator().advance(motion, state, group, t + done, left, path);
+            done = stride == left ? length : done + stride;
+        } while (done != length);
+    }
+
+    /** Puts the anchors of bodies back into the state vectors. */
+    void restore(IntList group) {
+        double[] m = trajectories.data();
+        for (int k = 0; k < group.size; k++) {
+            int o = Trajectories.STRIDE * group.values[k];
+            int b = State.BLOCK * group.values[k];
+            System.arraycopy(m, o, state.x(), b, State.BLOCK);
+            System.arraycopy(m, o + Trajectories.VX, state.v(), b, State.BLOCK);
+        }
+    }
+
+    /** Writes where a body's path ends into the state vectors. */
+    void finish(int body) {
+        int b = State.BLOCK * body;
+        System.arraycopy(endX, b, state.x(), b, State.BLOCK);
+        System.arraycopy(endV, b, state.v(), b, State.BLOCK);
+    }
+
+    /** Takes note that a body's course has changed at its anchor. */
+    void forget(int body) {
+        if (body < endAt.length) {
+            endAt[body] = Double.NaN;
+        }
+    }
+
+    private void ensure() {
+        int n = state.x().length;
+        if (endX.length < n) {
+            endX = Arrays.copyOf(endX, n);
+            endV = Arrays.copyOf(endV, n);
+            int bodies = endAt.length;
+            endAt = Arrays.copyOf(endAt, n / State.BLOCK);
+            Arrays.fill(endAt, bodies, endAt.length, Double.NaN);
+            fineLength = Arrays.copyOf(fineLength, n / State.BLOCK);
+            pace = Arrays.copyOf(pace, n / State.BLOCK);
+        }
+    }
+}

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import sim.physics.internal.IntList;
+
+/** The workspace of an implicit method for a group of bodies: derivatives of its accelerations, factors, and stages. */
+final class Implicit implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Change of a coordinate for a difference, relative to its size. */
+    private static final double SMALL = 0x1p-26;
+
+    /** Stages less the start, the same transformed, slopes at the stages, and right sides: 3 each. */
+    final double[][] stageX = new double[3][];
+
+    final double[][] stageV = new double[3][];
+    final double[][] partX = new double[3][];
+    final double[][] partV = new double[3][];
+    final double[][] slopeX = new double[3][];
+    final double[][] slopeV = new double[3][];
+    final double[][] rightX = new double[3][];
+    final double[][] rightV = new double[3][];
+    double[] errorX = {};
+    double[] errorV = {};
+
+    private int n;
+    private double[] byX = {};
+    private double[] byV = {};
+    private double[] real = {};
+    private double[] complexRe = {};
+    private double[] complexIm = {};
+    private int[] pivots = {};
+    private int[] complexPivots = {};
+    private double[] re = {};
+    private double[] im = {};
+
+    /** Makes room for a number of coordinates. */
+    void ensure(int size) {
+        n = size;
+        if (re.length >= n) {
+            return;
+        }
+        for (int i = 0; i < 3; i++) {
+            stageX[i] = new double[n];
+            stageV[i] = new double[n];
+            partX[i] = new double[n];
+            partV[i] = new double[n];
+            slopeX[i] = new double[n];
+            slopeV[i] = new double[n];
+            rightX[i] = new double[n];
+            rightV[i] = new double[n];
+        }
+        errorX = new double[n];
+        errorV = new double[n];
+        byX = new double[n * n];
+        byV = new double[n * n];
+        real = new double[n * n];
+        complexRe = new double[n * n];
+        complexIm = new double[n * n];
+        pivots = new int[n];
+        complexPivots = new int[n];
+        re = new double[n];
+        im = new double[n];
+    }
+
+    /** The stages start where the step does. */
+    void clear() {
+        for (int i = 0; i < 3; i++) {
+            for (int m = 0; m < n; m++) {
+                stageX[i][m] = 0;
+                stageV[i][m] = 0;
+                partX[i][m] = 0;
+                partV[i][m] = 0;
+            }
+        }
+    }
+
+    /** The derivatives of the accelerations by positions and velocities, at the start of the step. */
+    void differentiate(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
+        Stages s = path.stages;
+        for (int k = 0, m = 0; k < bodies.size; k++) {
+            double radius = state.body(bodies.values[k]).getShape().boundingRadius();
+            for (int c = 0; c < State.BLOCK; c++, m++) {
+                int b = State.BLOCK * bodies.values[k] + c;
+                double size = c == State.THETA ? 1 : radius;
+                double dx = SMALL * Math.max(Math.abs(s.x0[m]), size);
+                reset(state, bodies, s);
+                state.x()[b] += dx;
+                column(equations, state, bodies, t, path, state.x()[b] - s.x0[m], byX, m);
+                double dv = SMALL * Math.max(Math.abs(s.v0[m]), size / Math.abs(h));
+                reset(state, bodies, s);
+                state.v()[b] += dv;
+                column(equations, state, bodies, t, path, state.v()[b] - s.v0[m], byV, m);
+            }
+        }
+    }
+
+    private static void reset(State state, IntList bodies, Stages s) {
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            System.arraycopy(s.x0, State.BLOCK * k, state.x(), b, State.BLOCK);
+            System.arraycopy(s.v0, State.BLOCK * k, state.v(), b, State.BLOCK);
+        }
+    }
+
+    private void column(
+            EquationsOfMotion equations, State state, IntList bodies, double t, Path path, double d, double[] to, int m) {
+        equations.acceleration(bodies, t, path.stage);
+        for (int k = 0, row = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int end = b + State.BLOCK; b < end; b++, row++) {
+                to[row * n + m] = (path.stage[b] - path.stages.a0[row]) / d;
+            }
+        }
+    }
+
+    /** The size of the derivatives times a step: of a damping, or the square of that of a vibration. */
+    double stiffness(double h) {
+        double most = 0;
+        for (int row = 0; row < n; row++) {
+            double x = 0;
+            double v = 0;
+            for (int m = row * n; m < (row + 1) * n; m++) {
+                x += Math.abs(byX[m]);
+                v += Math.abs(byV[m]);
+            }
+            most = Math.max(most, Math.max(h * h * x, Math.abs(h) * v));
+        }
+        return most;
+    }
+
+    /** Factors s² − Aₓ − s Aᵥ for s = γ and s = α + i β; false if one is singular. */
+    boolean factor(double gamma, double alpha, double beta) {
+        for (int m = 0; m < n * n; m++) {
+            real[m] = -byX[m] - gamma * byV[m];
+            complexRe[m] = -byX[m] - alpha * byV[m];
+            complexIm[m] = -beta * byV[m];
+        }
+        for (int m = 0; m < n; m++) {
+            real[m * n + m] += gamma * gamma;
+            complexRe[m * n + m] += alpha * alpha - beta * beta;
+            complexIm[m * n + m] += 2 * alpha * beta;
+        }
+        return DenseFactor.factor(real, n, pivots)
+                && DenseFactor.factor(complexRe, complexIm, n, complexPivots);
+    }
+
+    /** Solves for δx and δv in place of their right sides. */
+    void solveReal(double gamma, double[] x, double[] v) {
+        for (int row = 0; row < n; row++) {
+            double sum = v[row] + gamma * x[row];
+            for (int m = 0; m < n; m++) {
+                sum -= byV[row * n + m] * x[m];
+            }
+            re[row] = sum;
+        }
+        DenseFactor.solve(real, n, pivots, re);
+        for (int m = 0; m < n; m++) {
+            v[m] = gamma * re[m] - x[m];
+            x[m] = re[m];
+        }
+    }
+
+    /** The same for the right sides 1 and 2, real and imaginary part. */
+    void solveComplex(double alpha, double beta) {
+        double[] xr = rightX[1];
+        double[] xi = rightX[2];
+        for (int row = 0; row < n; row++) {
+            double sumRe = rightV[1][row] + alpha * xr[row] - beta * xi[row];
+            double sumIm = rightV[2][row] + alpha * xi[row] + beta * xr[row];
+            for (int m = 0; m < n; m++) {
+                sumRe -= byV[row * n + m] * xr[m];
+                sumIm -= byV[row * n + m] * xi[m];
+            }
+            re[row] = sumRe;
+            im[row] = sumIm;
+        }
+        DenseFactor.solve(complexRe, complexIm, n, complexPivots, re, im);
+        for (int m = 0; m < n; m++) {
+            rightV[1][m] = alpha * re[m] - beta * im[m] - xr[m];
+            rightV[2][m] = alpha * im[m] + beta * re[m] - xi[m];
+            xr[m] = re[m];
+            xi[m] = im[m];
+        }
+    }
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.internal.IntList;
+
+/** The workspace of methods that choose their steps: coordinates of a group of bodies without gaps, 3 per body. */
+final class Stages implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Positions and velocities at the start of the step. */
+    double[] x0 = {};
+
+    double[] v0 = {};
+
+    /** Accelerations at the start of the step. */
+    double[] a0 = {};
+
+    /** One over the error that a coordinate may have. */
+    double[] weight = {};
+
+    /** Accelerations of the stages, or rows of an extrapolation, as a method lays them out. */
+    double[] work = {};
+
+    /** Number of coordinates. */
+    int size;
+
+    /** By how much the next step should be longer. */
+    double factor;
+
+    /** Whether the step was tried before, longer. */
+    boolean isRetry;
+
+    /** By how much it can be longer at most. */
+    double most;
+
+    /** What rows of an extrapolation propose, by their number: how much longer the step, at what cost. */
+    double[] longer = {};
+
+    double[] cost = {};
+
+    /** Rows that an extrapolation aims at, by the first body of a group; 0: not known. */
+    int[] rows = {};
+
+    /** Null until an implicit method is used. */
+    private Implicit implicit;
+
+    Stages() {
+        // grows with the groups
+    }
+
+    /** Takes the state of a group. */
+    void load(State state, IntList bodies, double tolerance, double rounding) {
+        size = State.BLOCK * bodies.size;
+        if (x0.length < size) {
+            x0 = new double[size];
+            v0 = new double[size];
+            a0 = new double[size];
+            weight = new double[size];
+        }
+        for (int k = 0, m = 0; k < bodies.size; k++, m += State.BLOCK) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int c = 0; c < State.BLOCK; c++) {
+                x0[m + c] = state.x()[b + c];
+                v0[m + c] = state.v()[b + c];
+            }
+            double radius = state.body(bodies.values[k]).getShape().boundingRadius();
+            double place = Math.max(Math.abs(x0[m]), Math.abs(x0[m + 1]));
+            weight[m] = 1 / Math.max(tolerance, rounding * place);
+            weight[m + 1] = weight[m];
+            weight[m + 2] = 1 / Math.max(tolerance / radius, rounding * Math.abs(x0[m + 2]));
+        }
+    }
+
+    /** The workspace of an implicit method. */
+    Implicit implicit() {
+        implicit = implicit == null ? new Implicit() : implicit;
+        return implicit;
+    }
+
+    /** Makes room for some values per coordinate. */
+    void ensureWork(int perCoordinate) {
+        if (work.length < perCoordinate * size) {
+            work = new double[perCoordinate * size];
+        }
+    }
+
+    /** The cubics from the start to where the bodies are now. */
+    void join(State state, IntList bodies, double h, Path path) {
+        for (int k = 0, m = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int end = b + State.BLOCK; b < end; b++, m++) {
+                path.cubic(b, (state.x()[b] - x0[m]) / h, v0[m], state.v()[b], h);
+            }
+        }
+    }
+
+    /** Makes room for the rows of an extrapolation. */
+    void ensureRows(int first, int most) {
+        if (rows.length <= first) {
+            rows = Arrays.copyOf(rows, 2 * first + 8);
+        }
+        if (longer.length <= most) {
+            longer = new double[most + 1];
+            cost = new double[most + 1];
+        }
+    }
+
+    /** Takes the accelerations at the start. */
+    void keepFirst(IntList bodies, Path path) {
+        for (int k = 0, m = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int end = b + State.BLOCK; b < end; b++, m++) {
+                a0[m] = path.stage[b];
+                path.first[b] = path.stage[b];
+            }
+        }
+    }
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.laws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.constraint.PinJoint;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.motion.Rattle;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+
+/** RATTLE is of the order that was asked for, goes back the way it came, and its energy does not drift. */
+class RattleTest {
+    private static final double G = 9.81;
+
+    private final PhysicsEngine engine = new PhysicsEngine();
+
+    private Body rods(int order, double step, int count) {
+        engine.setTimeStep(step);
+        engine.setIntegrator(new Rattle(order));
+        engine.add(new Gravity(0, -G));
+        Body last = null;
+        for (int k = 0; k < count; k++) {
+            Body rod = engine.add(new Body(new Rectangle(1, 0.01)).at(k + 0.5, 0));
+            rod.setMass(1, 1 / 12.0);
+            rod.setCollisionGroup(1, 0);
+            engine.add(new PinJoint(last == null ? rod : last, last == null ? null : rod, k, 0));
+            last = rod;
+        }
+        return last;
+    }
+
+    private double energy() {
+        double sum = 0;
+        for (Body body : engine.bodies()) {
+            sum += body.isFixed() ? 0 : body.kineticEnergy() + body.getMass() * G * body.getY();
+        }
+        return sum;
+    }
+
+    private static double error(int order, int steps) {
+        RattleTest run = new RattleTest();
+        Body last = run.rods(order, 1.0 / steps, 2);
+        for (int k = 0; k < steps; k++) {
+            run.engine.step();
+        }
+        double tipX = last.getX() + 0.5 * StrictMath.cos(last.getAngle());
+        double tipY = last.getY() + 0.5 * StrictMath.sin(last.getAngle());
+        return StrictMath.hypot(tipX + 1.662115135816127581, tipY + 1.04146663719322474);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2, 256", "4, 64", "6, 32"})
+    void theErrorFallsByItsOrder(int order, int steps) {
+        double slope = StrictMath.log(error(order, steps) / error(order, 8 * steps)) / StrictMath.log(8);
+        assertThat(slope).isBetween(order - 0.25, order + 0.25);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2, 0.01, 3e-3", "4, 0.02, 4e-4", "6, 0.02, 1e-8"})
+    void theEnergyOfAPendulumStaysNearItsStart(int order, double step, double swing) {
+        rods(order, step, 1);
+        double first = 0;
+        double last = 0;
+        for (int k = 0; k < 100_000; k++) {
+            engine.step();
+            double off = Math.abs(energy());
+            first = k < 1000 ? Math.max(first, off) : first;
+            last = k >= 99_000 ? Math.max(last, off) : last;
+        }
+        assertThat(first).isLessThan(swing);
+        assertThat(last).isLessThan(1.001 * first + 1e-11);
+    }
+
+    @Test
+    @Tag("soak")
+    void theEnergyOfAPendulumDoesNotDriftInTenMillionSteps() {
+        rods(2, 0.01, 1);
+        double first = 0;
+        double last = 0;
+        for (int k = 0; k < 10_000_000; k++) {
+            engine.step();
+            double off = Math.abs(energy());
+            first = k < 10_000 ? Math.max(first, off) : first;
+            last = k >= 9_990_000 ? Math.max(last, off) : last;
+        }
+        assertThat(last).isLessThan((1 + 1e-4) * first);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2, 1e-11", "4, 1e-11", "6, 1e-11"})
+    void itGoesBackTheWayItCame(int order, double near) {
+        Body last = rods(order, 0.01, 2);
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+        }
+        for (Body body : engine.bodies()) {
+            body.setVelocity(-body.getVelocityX(), -body.getVelocityY());
+            body.setAngularVelocity(-body.getAngularVelocity());
+        }
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+        }
+        assertThat(StrictMath.hypot(last.getX() - 1.5, last.getY())).isLessThan(near);
+        assertThat(last.kineticEnergy()).isLessThan(near);
+    }
+
+    @Test
+    void wallsAreHitElastically() {
+        Body rod = rods(4, 0.01, 1);
+        rod.setCollisionGroup(1, -1);
+        engine.add(Body.fixed(new Circle(0.1)).at(-0.4, -0.8));
+        for (int k = 0; k < 20_000; k++) {
+            engine.step();
+            assertThat(Math.abs(energy())).isLessThan(1e-3);
+        }
+        assertThat(engine.getImpacts()).isGreaterThan(100);
+        assertThat(engine.getDeepestPenetration()).isGreaterThan(-1e-11);
+    }
+
+    @Test
+    void anotherOrderIsRefused() {
+        assertThatThrownBy(() -> new Rattle(3))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("order is 3");
+    }
+}
