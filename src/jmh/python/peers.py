@@ -176,6 +176,9 @@ class PymunkWorld:
 
 
 def main():
+    if mujoco:
+        # unstable settings show in the errors; no log file
+        mujoco.set_mju_user_warning(lambda message: None)
     print(" ".join(n for n, m in (("mujoco", mujoco), ("pymunk", pymunk)) if m), flush=True)
     for line in sys.stdin:
         task = json.loads(line)

@@ -52,7 +52,7 @@ final class Charts {
             List<Double> x = new ArrayList<>();
             List<Double> y = new ArrayList<>();
             for (Point point : entry.getValue()) {
-                if (point.error < 30 && point.cpu > 0) {
+                if (point.error < 3 && point.cpu > 0) {
                     x.add(point.cpu);
                     y.add(Math.max(FLOOR, point.error));
                 }

@@ -24,7 +24,7 @@ final class JointScenes {
     /** W01. */
     static ReportScene pointPendulum(double duration) {
         Model model = new Model(G);
-        model.add(Model.Kind.DISC, new double[] {0.05}, 1, 0.00125, false, 1, 1, 0);
+        model.add(Model.Kind.DISC, new double[] {0.05}, 1, 1e-14, false, 1, 1, 0);
         model.rods.add(new Model.Rod(0, 0, 0));
         int samples = (int) Math.round(2 * duration);
         ReportScene scene = new ReportScene("W01", "IFToMM A01: point pendulum, " + (int) duration + " s", model, duration, samples, 16);

@@ -98,20 +98,25 @@ final class Markdown {
 
     private void missing(ReportScene scene, Measurement measurement) {
         List<String> out = new ArrayList<>();
+        List<String> failed = new ArrayList<>();
         for (String engine : new String[] {"dyn4j", "JBox2D", "Box2D (libGDX)", "MuJoCo", "pymunk"}) {
             String why = scene.cannot.apply(engine);
             if (why != null) {
-                out.add(engine + " (" + why + ")");
+                out.add(engine + ", " + why);
             }
         }
-        measurement.failures.forEach((curve, why) -> out.add(curve.name() + " (" + why + ")"));
+        measurement.failures.forEach((curve, why) -> failed.add(curve.name() + ": `" + why + "`"));
         if (!out.isEmpty()) {
             line("");
             line("Not in: " + String.join("; ", out) + ".");
         }
+        if (!failed.isEmpty()) {
+            line("");
+            line("Failed at one setting or more: " + String.join("; ", failed) + ".");
+        }
     }
 
-    String text(String mode, boolean python, Profile profile, double seconds) {
+    String text(String mode, double cap, boolean python, Profile profile, double seconds) {
         StringBuilder text = new StringBuilder();
         text.append("# Speed against error\n\n");
         text.append("Generated, all figures from one run in the setting *").append(mode).append("*, with\n\n```\n");
@@ -138,9 +143,12 @@ final class Markdown {
                 Everything else, momenta and deterministic counts of work too, is in
                 [the data](data/speed-vs-error.csv).
 
+                *Never* means: with no setting whose whole run takes less than CAP s of CPU. Where a method refused a setting, or a
+                step was too long for it, the finer ones count and the scene says so.
+
                 ## Where a peer is better
 
-                """);
+                """.replace("CAP", String.valueOf(cap)));
         text.append(losses.isEmpty() ? "At none of the errors 1e-3, 1e-6, 1e-9, 1e-12 on any scene of this run.\n" : String.join("\n", losses) + "\n");
         text.append("\n## All scenes together\n\n");
         text.append("A problem is a scene with one of the errors 1e-3, 1e-6, 1e-9, 1e-12 that somebody reaches; the profile of Dolan and\n"

@@ -107,6 +107,9 @@ final class Measurement {
                         world.step();
                     }
                     world.read(state);
+                    if ((cpu() - begun) * 1e-9 > 4 * cap) {
+                        throw new IllegalStateException("stopped, as it took too long at " + point.setting);
+                    }
                 }
                 point.counts = world.counts();
             }

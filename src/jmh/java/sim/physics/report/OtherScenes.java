@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.function.Function;
 import sim.physics.references.ClosedForms;
+import sim.physics.references.ElasticPendulum;
 import sim.physics.references.HardDiscs;
 import sim.physics.references.RodBounce;
 
@@ -27,7 +28,8 @@ final class OtherScenes {
     static List<ReportScene> all(boolean full) {
         return List.of(
                 balls(1, full), balls(0.9, full), balls(0.5, full), rodBounce(), blocks(100), blocks(10_000), billiard(full),
-                gas(full), cluster(full), puck(), spring(100, 0.1), spring(10_000, 1));
+                gas(full), cluster(full), puck(), spring(100, 0.1),
+                elasticPendulum());
     }
 
     private static ReportScene hard(String id, String title, Model model, double duration, int samples, int coarse) {
@@ -229,6 +231,36 @@ final class OtherScenes {
         scene.reference = "closed form; the error is relative to the first stretch";
         scene.expected = () -> JointScenes.rows(
                 scene, t -> new double[] {1 + 0.2 * ClosedForms.oscillator(omega, zeta, t), 0});
+        return scene;
+    }
+
+    /** W22, slow and fast: a mass that swings on a stiff spring with a damper. */
+    static ReportScene elasticPendulum() {
+        ElasticPendulum exact = new ElasticPendulum(10_000, 1, G);
+        double[] start = exact.start(1);
+        Model model = new Model(G);
+        double x = start[0] * StrictMath.sin(start[1]);
+        double y = -start[0] * StrictMath.cos(start[1]);
+        int body = model.add(Model.Kind.DISC, new double[] {0.1}, 1, 0.005, false, 1, x, y);
+        model.springs.add(new Model.Elastic(body, x, y, 0, 0, 1, 1e8, 2e4));
+        ReportScene scene =
+                new ReportScene("W22-stiff", "swing on a stiff spring, ω = 10,000/s, critically damped, 3 s", model, 3, 6, 15);
+        scene.point(body, 0, 0);
+        scene.conservative = false;
+        double[][] gragg = exact.states(start, scene.times(), true, 1e-13);
+        double[][] dormand = exact.states(start, scene.times(), false, 1e-13);
+        double[] a = ElasticPendulum.place(gragg[5]);
+        double[] b = ElasticPendulum.place(dormand[5]);
+        scene.reference = String.format(java.util.Locale.ROOT,
+                "Lagrange's equations in length and angle, Dormand–Prince 8(5,3) at 10⁻¹³; Gragg–Bulirsch–Stoer differs by %.1e m",
+                Math.hypot(a[0] - b[0], a[1] - b[1]));
+        scene.expected = () -> {
+            double[][] rows = new double[6][];
+            for (int k = 0; k < 6; k++) {
+                rows[k] = ElasticPendulum.place(dormand[k]);
+            }
+            return rows;
+        };
         return scene;
     }
 }

@@ -49,7 +49,8 @@ final class OwnWorld implements World {
             engine.add(new PinJoint(bodies[pin.a()], pin.b() < 0 ? null : bodies[pin.b()], pin.x(), pin.y()));
         }
         for (Model.Rod rod : model.rods) {
-            engine.add(new RodJoint(bodies[rod.a()], 0, 0, null, rod.x(), rod.y()));
+            double[] start = model.parts.get(rod.a()).start();
+            engine.add(new RodJoint(bodies[rod.a()], start[0], start[1], null, rod.x(), rod.y()));
         }
         for (Model.Elastic s : model.springs) {
             double[] start = model.parts.get(s.a()).start();

@@ -120,6 +120,20 @@ class ReferencesTest {
     }
 
     @Test
+    void theStiffPendulumNearlyKeepsItsLength() {
+        ElasticPendulum stiff = new ElasticPendulum(1000, 1, 9.81);
+        double[] t = {1, 2};
+        double[][] gragg = stiff.states(stiff.start(1), t, true, 1e-13);
+        double[][] dormand = stiff.states(stiff.start(1), t, false, 1e-13);
+        EllipticPendulum rigid = EllipticPendulum.released(new BigDecimal("9.81"), new BigDecimal(Math.cos(1)));
+        for (int k = 0; k < 2; k++) {
+            assertThat(gragg[k][0]).isCloseTo(dormand[k][0], within(1e-12));
+            assertThat(gragg[k][1]).isCloseTo(dormand[k][1], within(1e-11));
+            assertThat(gragg[k][1]).isCloseTo(rigid.angle(t[k]), within(1e-4));
+        }
+    }
+
+    @Test
     void theSqueezerIsWhereTheTestSetSays() {
         Squeezer squeezer = new Squeezer();
         double[] t = {0.03};

@@ -95,9 +95,14 @@ public final class RodChain implements OrdinaryDifferentialEquation {
 
     static double[][] integrate(
             OrdinaryDifferentialEquation equation, double[] start, double[] t, boolean gragg, double tolerance) {
+        return integrate(equation, start, t, gragg, tolerance, 0.1);
+    }
+
+    static double[][] integrate(
+            OrdinaryDifferentialEquation equation, double[] start, double[] t, boolean gragg, double tolerance, double most) {
         ODEIntegrator integrator = gragg
-                ? new GraggBulirschStoerIntegrator(1e-12, 0.1, tolerance, tolerance)
-                : new DormandPrince853Integrator(1e-12, 0.1, tolerance, tolerance);
+                ? new GraggBulirschStoerIntegrator(1e-12, most, tolerance, tolerance)
+                : new DormandPrince853Integrator(1e-12, most, tolerance, tolerance);
         double[][] states = new double[t.length][];
         ODEState state = new ODEState(0, start);
         for (int k = 0; k < t.length; k++) {
