@@ -4,11 +4,15 @@ package sim.physics.report;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import javax.imageio.ImageIO;
 import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
@@ -117,6 +121,7 @@ final class Charts {
                 .setChartBackgroundColor(Color.WHITE);
         chart.getStyler().setXAxisLogarithmic(true).setYAxisLogarithmic(true);
         chart.getStyler().setXAxisDecimalPattern("0E0").setYAxisDecimalPattern("0E0").setMarkerSize(6);
+        chart.getStyler().setPlotGridLinesColor(new Color(0xe4e4e4)).setPlotGridLinesStroke(new BasicStroke(0.5f));
         return chart;
     }
 
@@ -124,7 +129,7 @@ final class Charts {
         Color color = curve.isOwn() ? OWN[own % OWN.length] : COLORS.get(curve.engine());
         series.setLineColor(color);
         series.setMarkerColor(color);
-        boolean dashed = !curve.isOwn() && curve.isTuned();
+        boolean dashed = curve.isOwn() ? curve.method().equals("Automatic") : curve.isTuned();
         series.setLineStyle(dashed
                 ? new BasicStroke(1.4f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 4}, 0)
                 : new BasicStroke(curve.isOwn() ? 2f : 1.4f));
@@ -132,6 +137,13 @@ final class Charts {
     }
 
     private void save(XYChart chart, String name) throws IOException {
-        BitmapEncoder.saveBitmap(chart, folder.resolve(name).toString(), BitmapEncoder.BitmapFormat.PNG);
+        BufferedImage drawn = BitmapEncoder.getBufferedImage(chart);
+        // a palette: a quarter of the bytes
+        BufferedImage image = new BufferedImage(drawn.getWidth(), drawn.getHeight(), BufferedImage.TYPE_BYTE_INDEXED);
+        Graphics2D graphics = image.createGraphics();
+        graphics.setRenderingHint(RenderingHints.KEY_DITHERING, RenderingHints.VALUE_DITHER_DISABLE);
+        graphics.drawImage(drawn, 0, 0, null);
+        graphics.dispose();
+        ImageIO.write(image, "png", folder.resolve(name + ".png").toFile());
     }
 }

@@ -12,7 +12,7 @@ import java.util.Map;
 final class Markdown {
     private final StringBuilder body = new StringBuilder();
     private final List<String> losses = new ArrayList<>();
-    private final List<String> goals = new ArrayList<>();
+    private final List<String> breakdowns = new ArrayList<>();
 
     void scene(ReportScene scene, Measurement measurement, boolean tolerances) {
         String file = scene.id.toLowerCase(Locale.ROOT);
@@ -30,6 +30,32 @@ final class Markdown {
         line(verdict(scene, measurement));
         missing(scene, measurement);
         line("");
+        measurement.points.forEach((curve, points) -> {
+            if (curve.isOwn()) {
+                lookForBreakdown(scene, curve, points);
+            }
+        });
+    }
+
+    /** Notes where a finer setting of our own makes the error much worse. */
+    private void lookForBreakdown(ReportScene scene, Curve curve, List<Point> points) {
+        Point best = null;
+        Point worse = null;
+        for (Point point : points) {
+            if (best == null || point.error < best.error) {
+                best = point;
+                worse = null;
+            } else if (point.error > 1e3 * best.error && point.error > 1e-6 && (worse == null || point.error > worse.error)) {
+                worse = point;
+            }
+        }
+        if (worse != null) {
+            String setting = curve.isAdaptive() ? "tolerance " : "step ";
+            double factor = curve.isAdaptive() ? 1 : scene.duration / scene.samples;
+            breakdowns.add("* " + scene.id + ", " + curve.method() + ": error " + number(best.error) + " at " + setting
+                    + number(curve.isAdaptive() ? best.setting : factor / best.setting) + ", but " + number(worse.error) + " at "
+                    + number(curve.isAdaptive() ? worse.setting : factor / worse.setting));
+        }
     }
 
     private void line(String text) {
@@ -116,7 +142,7 @@ final class Markdown {
         }
     }
 
-    String text(String mode, double cap, boolean python, Profile profile, double seconds) {
+    String text(String mode, double cap, boolean python, Profile profile, Goals goals, double seconds) {
         StringBuilder text = new StringBuilder();
         text.append("# Speed against error\n\n");
         text.append("Generated, all figures from one run in the setting *").append(mode).append("*, with\n\n```\n");
@@ -150,6 +176,8 @@ final class Markdown {
 
                 """.replace("CAP", String.valueOf(cap)));
         text.append(losses.isEmpty() ? "At none of the errors 1e-3, 1e-6, 1e-9, 1e-12 on any scene of this run.\n" : String.join("\n", losses) + "\n");
+        text.append("\n## Where our own methods break down\n\nFiner settings that are much worse than coarser ones:\n\n");
+        text.append(breakdowns.isEmpty() ? "none in this run.\n" : String.join("\n", breakdowns) + "\n");
         text.append("\n## All scenes together\n\n");
         text.append("A problem is a scene with one of the errors 1e-3, 1e-6, 1e-9, 1e-12 that somebody reaches; the profile of Dolan and\n"
                 + "Moré (2002) says on which share of the ").append(profile.problems())
@@ -163,6 +191,7 @@ final class Markdown {
             }
             text.append(" |\n");
         }
+        text.append("\n## Goals\n\n").append(goals.table());
         return text.append("\n## Scenes\n\n").append(body).toString();
     }
 }

@@ -66,6 +66,7 @@ public final class SpeedVsError {
         Charts charts = new Charts(docs.resolve("plots"));
         Markdown text = new Markdown();
         Profile profile = new Profile();
+        Goals goals = new Goals();
         Progress progress = new Progress(scenes.size());
         try (PythonPeers peers = new PythonPeers(python);
                 Writer data = Files.newBufferedWriter(docs.resolve("data/speed-vs-error.csv"))) {
@@ -78,12 +79,13 @@ public final class SpeedVsError {
                 charts.workPrecision(measurement, scene);
                 text.scene(scene, measurement, charts.tolerance(measurement, scene));
                 profile.add(measurement);
+                goals.add(scene, measurement);
                 progress.next();
             }
             progress.end();
             charts.profile(profile);
             double seconds = (System.nanoTime() - begun) * 1e-9;
-            Files.writeString(docs.resolve("speed-vs-error.md"), text.text(mode, cap, peers.has("mujoco"), profile, seconds));
+            Files.writeString(docs.resolve("speed-vs-error.md"), text.text(mode, cap, peers.has("mujoco"), profile, goals, seconds));
         }
     }
 

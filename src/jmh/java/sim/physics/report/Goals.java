@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.report;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/** What the project wants to reach, beside what this run says. */
+final class Goals {
+    private static final double[] CHAIN_TARGETS = {1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
+
+    private final Map<String, Measurement> scenes = new LinkedHashMap<>();
+    private final Map<String, ReportScene> about = new LinkedHashMap<>();
+    private final StringBuilder rows = new StringBuilder();
+
+    void add(ReportScene scene, Measurement measurement) {
+        scenes.put(scene.id, measurement);
+        about.put(scene.id, scene);
+    }
+
+    String table() {
+        rows.append("| goal | this run | met |\n| --- | --- | --- |\n");
+        within("W01", 1e-9, 0.25 / 2000);
+        within("W03-10-3", 1e-12, 0.012 / 3);
+        within("W05-40", 1e-10, Double.POSITIVE_INFINITY);
+        within("W06", 1e-12, Double.POSITIVE_INFINITY);
+        for (double target : CHAIN_TARGETS) {
+            ahead("W03-10-3", target, "MuJoCo", "RK4", 10);
+        }
+        for (String peer : new String[] {"dyn4j", "JBox2D"}) {
+            ahead("W03-10-1", 1e-3, peer, "", 100);
+        }
+        for (String id : scenes.keySet()) {
+            honest(id);
+        }
+        return rows.toString();
+    }
+
+    private double least(String id, double target, String engine, String method) {
+        double least = Double.POSITIVE_INFINITY;
+        for (Map.Entry<Curve, List<Point>> entry : scenes.get(id).points.entrySet()) {
+            if (entry.getKey().engine().equals(engine) && entry.getKey().method().startsWith(method)) {
+                least = Math.min(least, Profile.time(entry.getValue(), target));
+            }
+        }
+        return least;
+    }
+
+    private void within(String id, double target, double limit) {
+        if (!scenes.containsKey(id)) {
+            return;
+        }
+        double time = least(id, target, Curve.OURS, "");
+        String asked = Double.isInfinite(limit) ? "" : String.format(Locale.ROOT, " in %.1e CPU s for a simulated s", limit);
+        row(about.get(id).title + ": " + Markdown.number(target) + asked, Markdown.number(time), time <= limit && Double.isFinite(time));
+    }
+
+    private void ahead(String id, double target, String peer, String method, double factor) {
+        if (!scenes.containsKey(id)) {
+            return;
+        }
+        double own = least(id, target, Curve.OURS, "");
+        double other = least(id, target, peer, method);
+        if (Double.isInfinite(own) && Double.isInfinite(other)) {
+            return;
+        }
+        String got = Double.isInfinite(other) ? peer + " never, ours " + Markdown.number(own)
+                : String.format(Locale.ROOT, "%.3g times", other / own);
+        row(String.format(Locale.ROOT, "%s: %.0e with %.0f times less CPU than %s %s",
+                about.get(id).title, target, factor, peer, method).trim(), got, other >= factor * own);
+    }
+
+    /** Errors over tolerances, where they are not lost in rounding; the scene's amplification of errors is in them. */
+    private void honest(String id) {
+        ReportScene scene = about.get(id);
+        scenes.get(id).points.forEach((curve, points) -> {
+            double low = Double.POSITIVE_INFINITY;
+            double high = 0;
+            for (Point point : points) {
+                if (curve.isAdaptive() && point.error > 1e-12) {
+                    low = Math.min(low, point.error / point.setting);
+                    high = Math.max(high, point.error / point.setting);
+                }
+            }
+            if (high > 0 && !curve.method().equals("Automatic")) {
+                row(scene.title + ", " + curve.method() + ": error / tolerance within 0.1 … 10, without the scene's amplification",
+                        Markdown.number(low) + " … " + Markdown.number(high), low >= 0.1 && high <= 10);
+            }
+        });
+    }
+
+    private void row(String goal, String got, boolean met) {
+        rows.append("| ").append(goal).append(" | ").append(got).append(" | ").append(met ? "yes" : "**no**").append(" |\n");
+    }
+}
