@@ -71,7 +71,7 @@ final class Charts {
 
     /** Error over tolerance; whether there was anything to plot. */
     boolean tolerance(Measurement measurement, ReportScene scene) throws IOException {
-        XYChart chart = chart(scene.id + ": " + scene.title, "tolerance asked", "error got");
+        XYChart chart = chart(scene.id + ": " + scene.title, "tolerance asked, m", "error got, m");
         int own = 0;
         for (Map.Entry<Curve, List<Point>> entry : measurement.points.entrySet()) {
             Curve curve = entry.getKey();
@@ -80,7 +80,7 @@ final class Charts {
             for (Point point : entry.getValue()) {
                 if (curve.isAdaptive() && point.error < 30) {
                     x.add(point.setting);
-                    y.add(Math.max(FLOOR, point.error));
+                    y.add(Math.max(FLOOR, point.error * scene.unit));
                 }
             }
             if (!x.isEmpty()) {
