@@ -52,11 +52,14 @@ public final class Tolerances {
      */
     public static final int ELASTIC_AFTER = 16;
 
-    /** Impacts of a pair in one step from which its bodies come to rest on one another. */
-    public static final int REST_AFTER = 256;
+    /** Impacts of a pair in one step from which its bodies come to rest on one another, whatever they do. */
+    public static final int REST_AFTER = 128;
+
+    /** Angle that polygons may turn on one another in a step when they come to rest so soon. */
+    public static final double REST_TURN = 1e-3;
 
     /** Length of a bounce, relative to the step, from which a pair that has collided often in it comes to rest. */
-    public static final double REST_SOON = 1e-3;
+    public static final double REST_SOON = 1e-2;
 
     /** Times that driven bodies may prove to be apart or parting in a step where a contact was expected. */
     public static final int MISSES = 100;

@@ -164,13 +164,15 @@ final class Bounces implements Serializable {
             closing = Math.max(closing, (approachSpeed + lastSpeed[pair]) / since);
         }
         if (canRest) {
-            double few = count <= Tolerances.ELASTIC_AFTER ? Tolerances.REST : Tolerances.REST_SOON;
-            boolean isShort = closing > 0 && 2 * c.restitution * approachSpeed < few * h * closing;
-            if (isShort || count > Tolerances.REST_AFTER) {
+            boolean turns = Math.abs(c.omegaA - c.omegaB) * h > Tolerances.REST_TURN && !c.isRound;
+            boolean isShort = closing > 0 && 2 * c.restitution * approachSpeed < Tolerances.REST * h * closing;
+            if (isShort && !c.isCorner && !turns) {
                 c.restitution = 0;
                 return true;
             }
-            return false;
+            if ((c.wA == 0 || c.wB == 0) && c.isBorne) {
+                return false; // it bounces on, to the last bounce that matters
+            }
         }
         if (count > Tolerances.ELASTIC_AFTER) {
             c.restitution = 1; // bodies that collapse on one another (Luding and McNamara 1998)

@@ -292,6 +292,9 @@ public final class CollisionResponse implements Serializable {
         c.rBx = m.rBx[point];
         c.rBy = m.rBy[point];
         c.setLevers(m.roundA, m.roundB);
+        c.isRound = m.roundA || m.roundB;
+        c.isCorner = m.isCorner();
+        c.isBorne = m.bears(c.wA == 0);
         Body bodyA = state.body(a);
         Body bodyB = state.body(b);
         c.restitution = restitutionRule.of(bodyA.getRestitution(), bodyB.getRestitution());

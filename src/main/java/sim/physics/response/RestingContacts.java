@@ -433,7 +433,7 @@ public final class RestingContacts implements Serializable {
         if (near) {
             return;
         }
-        if (manifold.gap > PARTED * radius) {
+        if (manifold.gap > PARTED * radius || manifold.isCorner() || turns(a, b)) {
             detection.hold(pair, false);
             return;
         }
@@ -447,6 +447,13 @@ public final class RestingContacts implements Serializable {
                     manifold.gaps[k],
                     turning(k));
         }
+    }
+
+    /** Whether two polygons turn so fast on one another that they are looked at as bodies which collide. */
+    private boolean turns(int a, int b) {
+        double[] d = trajectories.data();
+        double spin = d[a * Trajectories.STRIDE + Trajectories.OMEGA] - d[b * Trajectories.STRIDE + Trajectories.OMEGA];
+        return !manifold.roundA && !manifold.roundB && Math.abs(spin) * trajectories.h() > 2 * Tolerances.REST_TURN;
     }
 
     private void contact(int pair, double tau) {

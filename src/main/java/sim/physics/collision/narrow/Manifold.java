@@ -40,6 +40,8 @@ public final class Manifold {
     /** Whether B is a circle. */
     public boolean roundB;
 
+    private boolean onEdge;
+
     /** Distance of the surfaces, length; zero but for rounding. */
     public double gap;
 
@@ -59,8 +61,36 @@ public final class Manifold {
         nx = features.nx;
         ny = features.ny;
         gap = features.gap;
+        onEdge = ((features.featureA | features.featureB) & 1) != 0;
         gaps[0] = gap;
         gaps[1] = gap;
+    }
+
+    /**
+     * Whether a single corner touches.
+     *
+     * @return false for an edge that lies on an edge, and for a circle on an edge or a circle
+     */
+    public boolean isCorner() {
+        return count == 1 && !(roundA && roundB) && !(onEdge && (roundA || roundB));
+    }
+
+    /**
+     * Whether a fixed body can bear the other one here: a circle on an edge, or an edge on an edge with the centre of
+     * mass between the ends.
+     *
+     * @param fixedA whether A is the fixed body, else B
+     * @return false if the body would roll or tip over
+     */
+    public boolean bears(boolean fixedA) {
+        if (count == 1) {
+            return onEdge && (fixedA ? roundB : roundA);
+        }
+        double[] rx = fixedA ? rBx : rAx;
+        double[] ry = fixedA ? rBy : rAy;
+        double first = ry[0] * nx - rx[0] * ny;
+        double second = ry[1] * nx - rx[1] * ny;
+        return first * second <= 0;
     }
 
     /** Adds a point given relative to the centre of A; B's centre is at (px, py). */
