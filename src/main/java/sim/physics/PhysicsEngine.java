@@ -221,7 +221,7 @@ public final class PhysicsEngine implements Steppable {
     private void goOn(int body) {
         double tau = detection.pathEnd();
         if (response.resting().rests(body)) {
-            response.resting().struck(body, tau);
+            response.resting().again(body);
             settle(tau);
             return;
         }

@@ -52,14 +52,11 @@ public final class Tolerances {
      */
     public static final int ELASTIC_AFTER = 16;
 
-    /** Impacts of a pair in one step from which its bodies come to rest on one another, whatever they do. */
-    public static final int REST_AFTER = 128;
+    /** Impacts of a pair in one step from which a body comes to rest at its next short bounce. */
+    public static final int REST_AFTER = 20_000;
 
-    /** Angle that polygons may turn on one another in a step when they come to rest so soon. */
-    public static final double REST_TURN = 1e-3;
-
-    /** Length of a bounce, relative to the step, from which a pair that has collided often in it comes to rest. */
-    public static final double REST_SOON = 1e-2;
+    /** Times a body may come to rest on the same surface in one step before the surface counts as not bearing it. */
+    public static final int RESTS = 8;
 
     /** Times that driven bodies may prove to be apart or parting in a step where a contact was expected. */
     public static final int MISSES = 100;

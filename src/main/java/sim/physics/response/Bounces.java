@@ -36,6 +36,8 @@ final class Bounces implements Serializable {
     /** How often its bodies were not where a contact was expected. */
     private int[] missed = {};
 
+    private int[] rests = {};
+
     /** Impacts under a force. */
     private int[] rattles = {};
 
@@ -93,10 +95,15 @@ final class Bounces implements Serializable {
         return count > 0;
     }
 
-    /** Whether a pair has had so many impacts in the step that it is to rest for what is left of it. */
-    boolean isSpent(int pair) {
+    /** Counts that a pair has come to rest. */
+    void rest(int pair) {
+        rests[pair]++;
+    }
+
+    /** Whether a pair may come to rest: not if something, a wall in a corner, ends its rest again and again. */
+    boolean mayRest(int pair) {
         open(pair);
-        return counts[pair] > Tolerances.REST_AFTER;
+        return rests[pair] < Tolerances.RESTS;
     }
 
     /** Counts an expected contact that was none; true if there were too many. */
@@ -112,6 +119,7 @@ final class Bounces implements Serializable {
             countedIn = Arrays.copyOf(countedIn, length);
             counts = Arrays.copyOf(counts, length);
             missed = Arrays.copyOf(missed, length);
+            rests = Arrays.copyOf(rests, length);
             rattles = Arrays.copyOf(rattles, length);
             lastSpeed = Arrays.copyOf(lastSpeed, length);
             lastTau = Arrays.copyOf(lastTau, length);
@@ -121,6 +129,7 @@ final class Bounces implements Serializable {
             countedIn[pair] = now;
             counts[pair] = 0;
             missed[pair] = 0;
+            rests[pair] = 0;
             rattles[pair] = 0;
             lost[pair] = 0;
         }
@@ -163,18 +172,7 @@ final class Bounces implements Serializable {
             double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * h);
             closing = Math.max(closing, (approachSpeed + lastSpeed[pair]) / since);
         }
-        if (canRest) {
-            boolean turns = Math.abs(c.omegaA - c.omegaB) * h > Tolerances.REST_TURN && !c.isRound;
-            boolean isShort = closing > 0 && 2 * c.restitution * approachSpeed < Tolerances.REST * h * closing;
-            if (isShort && !c.isCorner && !turns) {
-                c.restitution = 0;
-                return true;
-            }
-            if ((c.wA == 0 || c.wB == 0) && c.isBorne) {
-                return false; // it bounces on, to the last bounce that matters
-            }
-        }
-        if (count > Tolerances.ELASTIC_AFTER) {
+        if (!canRest && count > Tolerances.ELASTIC_AFTER) {
             c.restitution = 1; // bodies that collapse on one another (Luding and McNamara 1998)
         }
         if (c.restitution == 1 && count <= Tolerances.ELASTIC_AFTER || !(closing > 0) || !(approachSpeed > 0)) {
@@ -182,7 +180,11 @@ final class Bounces implements Serializable {
         }
         double bounce = 2 * c.restitution * approachSpeed / closing;
         double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
-        if (bounce < shortest) {
+        if (canRest && bounce < (count > Tolerances.REST_AFTER ? shortest : Tolerances.REST * h)) {
+            c.restitution = 0;
+            return true;
+        }
+        if (bounce < shortest && (!canRest || count > Tolerances.REST_AFTER)) {
             double regained = Math.sqrt(approachSpeed * approachSpeed + 2 * lost[pair] * c.normalMobility());
             double most = Math.max(Math.max(approachSpeed, regained), 0.5 * pressing * shortest);
             c.restitution = Math.min(HUGE, Math.min(0.5 * closing * shortest, most) / approachSpeed);

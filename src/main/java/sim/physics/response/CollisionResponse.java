@@ -130,8 +130,9 @@ public final class CollisionResponse implements Serializable {
             bounces.spend(pair, impact);
         } else if (impact.restitution < 1) {
             bounces.count(pair);
-            if (bounces.limit(pair, a, b, impact, canRest(a, b))) {
+            if (bounces.limit(pair, a, b, impact, canRest(pair, a, b))) {
                 resting.add(pair);
+                bounces.rest(pair);
             }
             bounces.spend(pair, impact);
             bounces.part(pair, a, impact);
@@ -144,15 +145,15 @@ public final class CollisionResponse implements Serializable {
         }
     }
 
-    /** Whether the bodies of a pair may come to rest on one another: nothing but constant forces may act on them. */
-    private boolean canRest(int a, int b) {
-        return !trajectories.isDriven(a) && !trajectories.isDriven(b);
-    }
-
-    /** Whether a pair has bounced enough in this step. */
-    boolean isSpent(int pair, int a, int b, double tau) {
-        bounces.attend(a, b, tau);
-        return bounces.isSpent(pair);
+    /** Whether one of two bodies is fixed and can bear the other one at the points of the manifold. */
+    private boolean canRest(int pair, int a, int b) {
+        boolean fixedA = state.body(a).isFixed();
+        int body = fixedA ? b : a;
+        return fixedA != state.body(b).isFixed()
+                && !trajectories.isDriven(body)
+                && !resting.rests(body)
+                && bounces.mayRest(pair)
+                && manifold.bears(fixedA);
     }
 
     /**
@@ -292,9 +293,6 @@ public final class CollisionResponse implements Serializable {
         c.rBx = m.rBx[point];
         c.rBy = m.rBy[point];
         c.setLevers(m.roundA, m.roundB);
-        c.isRound = m.roundA || m.roundB;
-        c.isCorner = m.isCorner();
-        c.isBorne = m.bears(c.wA == 0);
         Body bodyA = state.body(a);
         Body bodyB = state.body(b);
         c.restitution = restitutionRule.of(bodyA.getRestitution(), bodyB.getRestitution());
@@ -364,7 +362,7 @@ public final class CollisionResponse implements Serializable {
         boolean restsNow = !rattles;
         bounces.count(pair);
         bounces.writeOff(pair);
-        boolean canRest = canRest(a, b);
+        boolean canRest = alone && canRest(pair, a, b);
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
             if (rattles) {
@@ -378,6 +376,7 @@ public final class CollisionResponse implements Serializable {
         }
         if (restsNow) {
             resting.add(pair);
+            bounces.rest(pair);
         }
     }
 

@@ -62,14 +62,6 @@ public final class Impact implements Serializable {
     /** Energy that the impact may add; 0 but for bounces that are kept from getting too short. */
     double allowance;
 
-    /** Whether one body is a circle; and whether two corners of polygons meet. */
-    boolean isRound;
-
-    boolean isCorner;
-
-    /** Whether the body that can move could stay where it is on the fixed one. */
-    boolean isBorne;
-
     /** Whether the surfaces stick: no relative velocity of the collision points afterwards, in any direction. */
     boolean sticky;
 
@@ -185,9 +177,6 @@ public final class Impact implements Serializable {
         friction = from.friction;
         allowance = from.allowance;
         sticky = from.sticky;
-        isRound = from.isRound;
-        isCorner = from.isCorner;
-        isBorne = from.isBorne;
         jn = from.jn;
         jt = from.jt;
     }

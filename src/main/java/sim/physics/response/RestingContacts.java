@@ -14,9 +14,12 @@ import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
 /**
- * Bodies at rest on one another: pairs whose bounces have become too short to matter press on each other by forces from then
- * on. Bodies that such pairs connect form a cluster. Its forces are found anew when something happens to it, when a point
- * stops sliding, and at each step in which it moves; a cluster that stands still costs nothing.
+ * Bodies at rest on fixed ones: where bounces have become too short to matter, a body presses on what bears it by forces from
+ * then on, and sticks, slides or rolls by Coulomb's law of friction. The forces are found anew when something happens to the
+ * body, when it stops sliding, and at each step in which it moves; one that stands still costs nothing.
+ *
+ * <p>Bodies that pairs at rest connect form a cluster that is solved as one. So far {@link CollisionResponse} lets a body rest
+ * on one fixed body only.
  */
 public final class RestingContacts implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -53,6 +56,9 @@ public final class RestingContacts implements Serializable {
     private boolean[] isStill = new boolean[8];
     private final IntList resting = new IntList();
     private final IntList dirty = new IntList();
+
+    /** Pairs that have come to rest since clusters were solved last. */
+    private final IntList fresh = new IntList();
 
     /** The cluster that is being solved, and each body's number in it, plus 1. */
     private final IntList cluster = new IntList();
@@ -97,6 +103,7 @@ public final class RestingContacts implements Serializable {
     /** Lets the bodies of a pair rest on one another. */
     void add(int pair) {
         detection.hold(pair, true);
+        fresh.add(pair);
         note(detection.pairs().first(pair));
         note(detection.pairs().second(pair));
     }
@@ -157,27 +164,29 @@ public final class RestingContacts implements Serializable {
         IntList of = detection.pairs().of(body);
         for (int k = 0; of != null && k < of.size; k++) {
             int pair = of.values[k];
-            if (detection.isHeld(pair) && bounces(pair, tau)) {
+            if (detection.isHeld(pair) && !isFresh(pair)) {
                 release(pair);
             }
         }
         mark(body);
     }
 
-    /** Whether a pair at rest approaches so fast that it bounces. */
-    private boolean bounces(int pair, double tau) {
-        int a = detection.pairs().first(pair);
-        int b = detection.pairs().second(pair);
-        if (response.isSpent(pair, a, b, tau)) {
-            return false;
+    private boolean isFresh(int pair) {
+        for (int k = 0; k < fresh.size; k++) {
+            if (fresh.values[k] == pair) {
+                return true;
+            }
         }
-        trajectories.bring(a, tau);
-        trajectories.bring(b, tau);
-        contact(pair, tau);
-        response.load(manifold, a, b, 0, point);
-        double fall = fall(a) + fall(b);
-        double approach = -point.normalVelocity();
-        return 2 * point.restitution * approach > 8 * Tolerances.REST * trajectories.h() * fall;
+        return false;
+    }
+
+    /**
+     * Asks for new forces on a body at rest.
+     *
+     * @param body index
+     */
+    public void again(int body) {
+        mark(body);
     }
 
     /** The acceleration that all but the contacts give to a body. */
@@ -238,6 +247,7 @@ public final class RestingContacts implements Serializable {
             isDirty[body] = false;
         }
         dirty.clear();
+        fresh.clear();
         return changed;
     }
 
@@ -433,7 +443,7 @@ public final class RestingContacts implements Serializable {
         if (near) {
             return;
         }
-        if (manifold.gap > PARTED * radius || manifold.isCorner() || turns(a, b)) {
+        if (manifold.gap > PARTED * radius) {
             detection.hold(pair, false);
             return;
         }
@@ -447,13 +457,6 @@ public final class RestingContacts implements Serializable {
                     manifold.gaps[k],
                     turning(k));
         }
-    }
-
-    /** Whether two polygons turn so fast on one another that they are looked at as bodies which collide. */
-    private boolean turns(int a, int b) {
-        double[] d = trajectories.data();
-        double spin = d[a * Trajectories.STRIDE + Trajectories.OMEGA] - d[b * Trajectories.STRIDE + Trajectories.OMEGA];
-        return !manifold.roundA && !manifold.roundB && Math.abs(spin) * trajectories.h() > 2 * Tolerances.REST_TURN;
     }
 
     private void contact(int pair, double tau) {

@@ -67,15 +67,6 @@ public final class Manifold {
     }
 
     /**
-     * Whether a single corner touches.
-     *
-     * @return false for an edge that lies on an edge, and for a circle on an edge or a circle
-     */
-    public boolean isCorner() {
-        return count == 1 && !(roundA && roundB) && !(onEdge && (roundA || roundB));
-    }
-
-    /**
      * Whether a fixed body can bear the other one here: a circle on an edge, or an edge on an edge with the centre of
      * mass between the ends.
      *
