@@ -16,6 +16,7 @@ import sim.physics.motion.Motion;
 import sim.physics.motion.Presence;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
+import sim.physics.response.RestingContacts;
 
 /**
  * Lets into the motion what authors have changed: bodies that were added, written or removed, and constraints that were
@@ -28,6 +29,7 @@ final class Admission implements Presence, Serializable {
     private final Trajectories trajectories;
     private final Motion motion;
     private final CollisionDetection detection;
+    private final RestingContacts resting;
     private final List<Body> leaving = new ArrayList<>();
 
     /** Null until the first constraint is added. */
@@ -41,7 +43,13 @@ final class Admission implements Presence, Serializable {
 
     private final double[] written = new double[2 * State.BLOCK];
 
-    Admission(State state, Trajectories trajectories, Motion motion, CollisionDetection detection) {
+    Admission(
+            State state,
+            Trajectories trajectories,
+            Motion motion,
+            CollisionDetection detection,
+            RestingContacts resting) {
+        this.resting = resting;
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
@@ -107,6 +115,7 @@ final class Admission implements Presence, Serializable {
     }
 
     private void admit(int index, double tau) {
+        resting.forget(index);
         motion.admit(index, tau);
         if (detection.knows(index)) {
             detection.refilter(index);
@@ -277,6 +286,7 @@ final class Admission implements Presence, Serializable {
         }
         int index = body.index();
         if (detection.knows(index)) {
+            resting.forget(index);
             detection.remove(index);
             motion.remove(index);
         }

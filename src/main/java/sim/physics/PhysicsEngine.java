@@ -57,9 +57,9 @@ public final class PhysicsEngine implements Steppable {
     private final CollisionResponse response = new CollisionResponse(state, trajectories, motion, detection);
 
     private final IntList changed = new IntList();
-    private final IntList resting = new IntList();
     private final IntList groups = new IntList();
-    private final Admission admission = new Admission(state, trajectories, motion, detection);
+    private final Admission admission = new Admission(
+            state, trajectories, motion, detection, response.resting());
 
     /** Null until the first constraint is added. */
     private Constraints constraints;
@@ -128,7 +128,10 @@ public final class PhysicsEngine implements Steppable {
         for (int k = 0; k < changed.size; k++) {
             detection.moved(changed.values[k], 0, false, -1);
         }
-        checkResting();
+        if (!response.resting().isEmpty()) {
+            response.resting().begin();
+            settle(0);
+        }
         IntList driven = motion.driven();
         for (int k = 0; k < driven.size; k++) {
             if (motion.companions(driven.values[k]).values[0] == driven.values[k]) {
@@ -190,14 +193,15 @@ public final class PhysicsEngine implements Steppable {
         for (int k = 0; k < deflected.size; k++) {
             int body = deflected.values[k];
             motion.deflect(body);
-            if (response.restingPair() >= 0) {
-                support(body, response.restingPair());
-            }
+            response.resting().struck(body, tau);
             if (trajectories.isDriven(body)) {
                 noteGroup(body);
             } else {
                 detection.moved(body, trajectories.offset(body), false, k == 1 ? pair : -1);
             }
+        }
+        if (!response.resting().isEmpty()) {
+            settle(tau);
         }
         if (admission.isNeeded()) {
             admit(tau);
@@ -205,35 +209,22 @@ public final class PhysicsEngine implements Steppable {
         followGroups();
     }
 
-    /** A body has come to rest on a fixed one, which bears it until something happens to it. */
-    private void support(int body, int pair) {
-        motion.support(body, response.restingX(), response.restingY());
-        resting.add(pair);
-    }
-
-    /** Lets bodies fall that have slid off what bore them. */
-    private void checkResting() {
-        int kept = 0;
-        for (int k = 0; k < resting.size; k++) {
-            int pair = resting.values[k];
-            int body = detection.movableOf(pair);
-            if (body < 0 || !motion.isResting(body)) {
-                continue;
-            }
-            if (detection.narrowPhase().bears(pair, body, 0)) {
-                resting.values[kept++] = pair;
-            } else {
-                trajectories.bring(body, 0);
-                motion.deflect(body);
-                detection.moved(body, 0, false, -1);
-            }
+    /** Bodies that rest on one another press on each other: new forces where something has happened. */
+    private void settle(double tau) {
+        IntList settled = response.resting().settle(tau);
+        for (int k = 0; k < settled.size; k++) {
+            detection.moved(settled.values[k], tau, false, -1);
         }
-        resting.size = kept;
     }
 
     /** The path of a body has ended before the step: it has come to rest, or goes on from there. */
     private void goOn(int body) {
         double tau = detection.pathEnd();
+        if (response.resting().rests(body)) {
+            response.resting().again(body);
+            settle(tau);
+            return;
+        }
         motion.bring(body, tau);
         if (motion.hold(body)) {
             detection.moved(body, tau, false, -1);

@@ -55,6 +55,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private double pathEnd;
 
     private boolean[] ignored = new boolean[16];
+
+    /** Pairs at rest on one another, which are not looked at. */
+    private boolean[] held = new boolean[16];
     private final IntList fresh = new IntList();
     private final IntList together = new IntList();
     private long step;
@@ -239,14 +242,44 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     }
 
     /**
-     * The movable body of a pair with a fixed one.
+     * Says whether the bodies of a pair rest on one another, so that they need not be looked at.
      *
      * @param pair its number
-     * @return index of the body, or −1 if the pair has ended
+     * @param yes whether they do
      */
-    public int movableOf(int pair) {
-        int first = pairs.first(pair);
-        return first < 0 ? -1 : boxes.isFixed(first) ? pairs.second(pair) : first;
+    public void hold(int pair, boolean yes) {
+        held[pair] = yes;
+        impactTime[pair] = Double.NaN;
+    }
+
+    /**
+     * Whether the bodies of a pair rest on one another.
+     *
+     * @param pair its number
+     * @return as {@link #hold} said, until the pair ends
+     */
+    public boolean isHeld(int pair) {
+        return held[pair];
+    }
+
+    /**
+     * Plans an event at which a body that is not driven is to be looked at.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     */
+    public void plan(int body, double tau) {
+        endTime[body] = tau;
+        queue.add(tau, ~body);
+    }
+
+    /**
+     * Forgets that event.
+     *
+     * @param body index
+     */
+    public void unplan(int body) {
+        endTime[body] = Double.NaN;
     }
 
     /**
@@ -271,7 +304,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     /** Looks for a pair's first contact from an instant on, and plans an impact or the next look. */
     private void examine(int pair, double tau) {
         impactTime[pair] = Double.NaN;
-        if (ignored[pair]) {
+        if (ignored[pair] || held[pair]) {
             pairAgenda.schedule(pair, Agenda.NEVER);
             return;
         }
@@ -442,9 +475,11 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         if (pair >= impactTime.length) {
             impactTime = Arrays.copyOf(impactTime, Math.max(2 * impactTime.length, pair + 1));
             ignored = Arrays.copyOf(ignored, impactTime.length);
+            held = Arrays.copyOf(held, impactTime.length);
         }
         pairAgenda.ensure(pair + 1);
         narrowPhase.forget(pair);
+        held[pair] = false;
         impactTime[pair] = Double.NaN;
         ignored[pair] = !filter.allows(state.body(pairs.first(pair)), state.body(pairs.second(pair)));
         fresh.add(pair);

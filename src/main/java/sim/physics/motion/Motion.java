@@ -33,8 +33,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
     /** Null while nothing ties bodies together. */
     private Ties ties;
 
-    /** Unit normals of the fixed surfaces that bodies rest on, 2n; zero for a body that rests on nothing. */
-    private double[] support = new double[16];
+    /** Accelerations that contacts at rest give to bodies, 3n. */
+    private double[] support = new double[24];
 
     /** Bodies at rest that static friction holds. */
     private boolean[] held = new boolean[8];
@@ -137,8 +137,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @param tau offset in the present step
      */
     public void admit(int body, double tau) {
-        if (support.length < 2 * state.size()) {
-            support = Arrays.copyOf(support, 4 * state.size());
+        if (support.length < State.BLOCK * state.size()) {
+            support = Arrays.copyOf(support, 2 * State.BLOCK * state.size());
             held = Arrays.copyOf(held, 2 * state.size());
         }
         trajectories.anchor(body, tau, state);
@@ -173,16 +173,9 @@ public final class Motion implements EquationsOfMotion, Serializable {
         double[] w = state.w().values();
         int b = State.BLOCK * body;
         Body view = state.body(body);
-        double ax = generators.gravityX + w[b] * view.appliedX(); // (5)
-        double ay = generators.gravityY + w[b] * view.appliedY();
-        double alpha = w[b + State.THETA] * view.appliedTorque(); // (6)
-        double nx = support[2 * body];
-        double ny = support[2 * body + 1];
-        double into = ax * nx + ay * ny;
-        if (into < 0) {
-            ax -= into * nx; // the surface bears the body
-            ay -= into * ny;
-        }
+        double ax = generators.gravityX + w[b] * view.appliedX() + support[b]; // (5)
+        double ay = generators.gravityY + w[b] * view.appliedY() + support[b + 1];
+        double alpha = w[b + State.THETA] * view.appliedTorque() + support[b + 2]; // (6)
         trajectories.accelerate(body, ax, ay, alpha);
     }
 
@@ -355,23 +348,43 @@ public final class Motion implements EquationsOfMotion, Serializable {
     }
 
     /**
-     * Lets a body rest on a fixed surface: its acceleration into the surface is taken away.
+     * Sets the acceleration that contacts at rest give to a body.
      *
      * @param body index of a body that is not driven, anchored at the present instant
-     * @param nx unit normal from the surface to the body
-     * @param ny unit normal from the surface to the body
+     * @param ax length/time²
+     * @param ay length/time²
+     * @param alpha rad/time²
      */
-    public void support(int body, double nx, double ny) {
-        support[2 * body] = nx;
-        support[2 * body + 1] = ny;
+    public void support(int body, double ax, double ay, double alpha) {
+        support[State.BLOCK * body] = ax;
+        support[State.BLOCK * body + 1] = ay;
+        support[State.BLOCK * body + 2] = alpha;
         course(body);
+    }
+
+    /**
+     * The acceleration that all but contacts at rest give to a body that is not driven.
+     *
+     * @param body index
+     * @param a takes x″, y″, θ″
+     * @param at where in it
+     */
+    public void fall(int body, double[] a, int at) {
+        int b = State.BLOCK * body;
+        double[] w = state.w().values();
+        Body view = state.body(body);
+        a[at] = held[body] ? 0 : generators.gravityX + w[b] * view.appliedX();
+        a[at + 1] = held[body] ? 0 : generators.gravityY + w[b] * view.appliedY();
+        a[at + 2] = held[body] ? 0 : w[b + State.THETA] * view.appliedTorque();
     }
 
     /** Ends a body's rest; false if it did not rest. */
     private boolean release(int body) {
-        boolean rested = held[body] || support[2 * body] != 0 || support[2 * body + 1] != 0;
-        support[2 * body] = 0;
-        support[2 * body + 1] = 0;
+        int b = State.BLOCK * body;
+        boolean rested = held[body] || support[b] != 0 || support[b + 1] != 0 || support[b + 2] != 0;
+        support[b] = 0;
+        support[b + 1] = 0;
+        support[b + 2] = 0;
         held[body] = false;
         return rested;
     }
@@ -387,16 +400,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
             setDriven(body, isDriven(state.body(body)));
             course(body);
         }
-    }
-
-    /**
-     * Whether a body rests on a fixed surface or is held by static friction.
-     *
-     * @param body index
-     * @return true if nothing will move it by itself
-     */
-    public boolean isResting(int body) {
-        return held[body] || support[2 * body] != 0 || support[2 * body + 1] != 0;
     }
 
     /**

@@ -33,10 +33,10 @@ final class Bounces implements Serializable {
 
     private int[] counts = {};
 
-    /** How often the pair has come to rest, and how often its bodies were not where a contact was expected. */
-    private int[] rests = {};
-
+    /** How often its bodies were not where a contact was expected. */
     private int[] missed = {};
+
+    private int[] rests = {};
 
     /** Impacts under a force. */
     private int[] rattles = {};
@@ -102,6 +102,7 @@ final class Bounces implements Serializable {
 
     /** Whether a pair may come to rest: not if something, a wall in a corner, ends its rest again and again. */
     boolean mayRest(int pair) {
+        open(pair);
         return rests[pair] < Tolerances.RESTS;
     }
 
@@ -117,8 +118,8 @@ final class Bounces implements Serializable {
             int length = Math.max(2 * counts.length, pair + 1);
             countedIn = Arrays.copyOf(countedIn, length);
             counts = Arrays.copyOf(counts, length);
-            rests = Arrays.copyOf(rests, length);
             missed = Arrays.copyOf(missed, length);
+            rests = Arrays.copyOf(rests, length);
             rattles = Arrays.copyOf(rattles, length);
             lastSpeed = Arrays.copyOf(lastSpeed, length);
             lastTau = Arrays.copyOf(lastTau, length);
@@ -127,8 +128,8 @@ final class Bounces implements Serializable {
         if (countedIn[pair] != now) {
             countedIn[pair] = now;
             counts[pair] = 0;
-            rests[pair] = 0;
             missed[pair] = 0;
+            rests[pair] = 0;
             rattles[pair] = 0;
             lost[pair] = 0;
         }
@@ -154,13 +155,14 @@ final class Bounces implements Serializable {
     }
 
     /**
-     * Ends the bouncing of bodies that are pressed together. A body that a fixed surface can bear comes to rest on it
-     * when its bounces have become too short to matter; other bodies bounce on at the shortest length. Without a
-     * pressing acceleration the first impacts of a step are not changed, and no speed is too small to bounce.
+     * Ends the bouncing of bodies that are pressed together. They come to rest on one another when their bounces have
+     * become too short to matter, or too many; those that cannot, because an integrator drives them, bounce on at the
+     * shortest length. Without a pressing acceleration the first impacts of a step are not changed, and no speed is too
+     * small to bounce.
      *
-     * @return whether the body comes to rest
+     * @return whether they come to rest
      */
-    boolean limit(int pair, int a, int b, Impact c, boolean canBear) {
+    boolean limit(int pair, int a, int b, Impact c, boolean canRest) {
         int count = counts[pair];
         double approachSpeed = -c.normalVelocity();
         double pressing = pressing(a, b, c);
@@ -170,7 +172,7 @@ final class Bounces implements Serializable {
             double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * h);
             closing = Math.max(closing, (approachSpeed + lastSpeed[pair]) / since);
         }
-        if (!canBear && count > Tolerances.ELASTIC_AFTER) {
+        if (!canRest && count > Tolerances.ELASTIC_AFTER) {
             c.restitution = 1; // bodies that collapse on one another (Luding and McNamara 1998)
         }
         if (c.restitution == 1 && count <= Tolerances.ELASTIC_AFTER || !(closing > 0) || !(approachSpeed > 0)) {
@@ -178,11 +180,11 @@ final class Bounces implements Serializable {
         }
         double bounce = 2 * c.restitution * approachSpeed / closing;
         double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
-        if (canBear && bounce < (count > Tolerances.REST_AFTER ? shortest : Tolerances.REST * h)) {
+        if (canRest && bounce < (count > Tolerances.REST_AFTER ? shortest : Tolerances.REST * h)) {
             c.restitution = 0;
             return true;
         }
-        if (bounce < shortest && (!canBear || count > Tolerances.REST_AFTER)) {
+        if (bounce < shortest && (!canRest || count > Tolerances.REST_AFTER)) {
             double regained = Math.sqrt(approachSpeed * approachSpeed + 2 * lost[pair] * c.normalMobility());
             double most = Math.max(Math.max(approachSpeed, regained), 0.5 * pressing * shortest);
             c.restitution = Math.min(HUGE, Math.min(0.5 * closing * shortest, most) / approachSpeed);

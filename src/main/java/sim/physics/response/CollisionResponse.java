@@ -44,14 +44,12 @@ public final class CollisionResponse implements Serializable {
     private JointedBodies jointed;
     private final IntList changed = new IntList();
     private final Bounces bounces;
+    private final RestingContacts resting;
     private transient Manifold manifold;
     private double now;
     private long impacts;
     private double deepest;
     private double approach;
-    private int restingNow;
-    private double restingX;
-    private double restingY;
 
     /**
      * Makes the collision response of an engine.
@@ -69,6 +67,7 @@ public final class CollisionResponse implements Serializable {
         this.pairs = detection.pairs();
         this.simultaneous = new SimultaneousImpact(state);
         this.bounces = new Bounces(trajectories, motion);
+        this.resting = new RestingContacts(state, trajectories, motion, detection, this);
     }
 
     /**
@@ -82,7 +81,6 @@ public final class CollisionResponse implements Serializable {
     public IntList respond(IntList touching, double tau, double time) {
         manifold = manifold == null ? new Manifold() : manifold;
         changed.clear();
-        restingNow = -1;
         now = time;
         if (touching.size == 1) {
             int pair = touching.values[0];
@@ -132,8 +130,9 @@ public final class CollisionResponse implements Serializable {
             bounces.spend(pair, impact);
         } else if (impact.restitution < 1) {
             bounces.count(pair);
-            if (bounces.limit(pair, a, b, impact, canBear(pair, a, b))) {
-                rest(pair, a);
+            if (bounces.limit(pair, a, b, impact, canRest(pair, a, b))) {
+                resting.add(pair);
+                bounces.rest(pair);
             }
             bounces.spend(pair, impact);
             bounces.part(pair, a, impact);
@@ -147,48 +146,23 @@ public final class CollisionResponse implements Serializable {
     }
 
     /** Whether one of two bodies is fixed and can bear the other one at the points of the manifold. */
-    private boolean canBear(int pair, int a, int b) {
+    private boolean canRest(int pair, int a, int b) {
         boolean fixedA = state.body(a).isFixed();
+        int body = fixedA ? b : a;
         return fixedA != state.body(b).isFixed()
-                && !trajectories.isDriven(fixedA ? b : a)
+                && !trajectories.isDriven(body)
+                && !resting.rests(body)
                 && bounces.mayRest(pair)
                 && manifold.bears(fixedA);
     }
 
-    /** Lets the movable body of a pair rest on the fixed one. */
-    private void rest(int pair, int a) {
-        boolean fixedA = state.body(a).isFixed();
-        bounces.rest(pair);
-        restingNow = pair;
-        restingX = fixedA ? manifold.nx : -manifold.nx;
-        restingY = fixedA ? manifold.ny : -manifold.ny;
-    }
-
     /**
-     * The pair whose movable body has just come to rest on the fixed one.
+     * Bodies that rest on one another.
      *
-     * @return its number, or −1
+     * @return live
      */
-    public int restingPair() {
-        return restingNow;
-    }
-
-    /**
-     * Normal of the surface that bears the body of {@link #restingPair()}.
-     *
-     * @return unit normal from the surface to the body
-     */
-    public double restingX() {
-        return restingX;
-    }
-
-    /**
-     * Normal of the surface that bears the body of {@link #restingPair()}.
-     *
-     * @return unit normal from the surface to the body
-     */
-    public double restingY() {
-        return restingY;
+    public RestingContacts resting() {
+        return resting;
     }
 
     /** The listeners want the pair to pass: both go on as they came. */
@@ -292,10 +266,12 @@ public final class CollisionResponse implements Serializable {
         return deepest;
     }
 
-    /** Loads one point of the manifold. */
     private void load(int a, int b, int point) {
-        Impact c = impact;
-        Manifold m = manifold;
+        load(manifold, a, b, point, impact);
+    }
+
+    /** Loads one point of a manifold. */
+    void load(Manifold m, int a, int b, int point, Impact c) {
         double[] w = state.w().values();
         double[] d = trajectories.data();
         int oa = a * Trajectories.STRIDE;
@@ -386,20 +362,21 @@ public final class CollisionResponse implements Serializable {
         boolean restsNow = !rattles;
         bounces.count(pair);
         bounces.writeOff(pair);
-        boolean canBear = alone && canBear(pair, a, b);
+        boolean canRest = alone && canRest(pair, a, b);
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
             if (rattles) {
                 impact.restitution = rattle;
             }
-            restsNow &= !rattles && impact.restitution < 1 && bounces.limit(pair, a, b, impact, canBear);
+            restsNow &= !rattles && impact.restitution < 1 && bounces.limit(pair, a, b, impact, canRest);
             simultaneous.add(a, b, impact);
         }
         if (!rattles) {
             bounces.part(pair, a, impact);
         }
         if (restsNow) {
-            rest(pair, a);
+            resting.add(pair);
+            bounces.rest(pair);
         }
     }
 

@@ -7,8 +7,14 @@ package sim.physics.collision.narrow;
  * {@link NarrowPhase#contact}.
  */
 public final class Manifold {
+    /** Points that touch, and corners next to a single one. */
+    private static final int POINTS = 4;
+
     /** Number of points, 1 or 2. */
     public int count;
+
+    /** Number of points behind them that do not touch yet: the corners next to one that lies on an edge. */
+    public int near;
 
     /** Unit normal from body A to body B. */
     public double nx;
@@ -17,16 +23,16 @@ public final class Manifold {
     public double ny;
 
     /** From the centre of A to each point, length. */
-    public final double[] rAx = new double[2];
+    public final double[] rAx = new double[POINTS];
 
     /** From the centre of A to each point, length. */
-    public final double[] rAy = new double[2];
+    public final double[] rAy = new double[POINTS];
 
     /** From the centre of B to each point, length. */
-    public final double[] rBx = new double[2];
+    public final double[] rBx = new double[POINTS];
 
     /** From the centre of B to each point, length. */
-    public final double[] rBy = new double[2];
+    public final double[] rBy = new double[POINTS];
 
     /** Whether A is a circle. */
     public boolean roundA;
@@ -34,11 +40,13 @@ public final class Manifold {
     /** Whether B is a circle. */
     public boolean roundB;
 
-    /** Whether a point lies on an edge, so that a circle there can stay. */
     private boolean onEdge;
 
     /** Distance of the surfaces, length; zero but for rounding. */
     public double gap;
+
+    /** The same at each point. */
+    public final double[] gaps = new double[POINTS];
 
     /** Makes an empty manifold. */
     public Manifold() {
@@ -47,12 +55,15 @@ public final class Manifold {
 
     void begin(ClosestFeatures features, Pose pose) {
         count = 0;
+        near = 0;
         roundA = pose.a.n == 1;
         roundB = pose.b.n == 1;
         nx = features.nx;
         ny = features.ny;
         gap = features.gap;
         onEdge = ((features.featureA | features.featureB) & 1) != 0;
+        gaps[0] = gap;
+        gaps[1] = gap;
     }
 
     /**
@@ -80,5 +91,15 @@ public final class Manifold {
         rBx[count] = x - px;
         rBy[count] = y - py;
         count++;
+    }
+
+    /** Adds a point that does not touch yet. */
+    void addNear(double x, double y, double px, double py, double height) {
+        gaps[count + near] = height;
+        rAx[count + near] = x;
+        rAy[count + near] = y;
+        rBx[count + near] = x - px;
+        rBy[count + near] = y - py;
+        near++;
     }
 }

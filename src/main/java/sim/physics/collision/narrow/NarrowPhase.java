@@ -29,8 +29,8 @@ public final class NarrowPhase implements Serializable {
     private transient ClosestFeatures features;
     private transient SeparatingLine separatingLine;
     private transient TimeOfImpact timeOfImpact;
-    private transient Manifold bearing;
     private transient Bisection bisection;
+    private double flushLimit;
     private boolean touching;
     private boolean apart;
     private boolean continuous = true;
@@ -206,20 +206,6 @@ public final class NarrowPhase implements Serializable {
     }
 
     /**
-     * Whether the fixed one of two bodies that touch can bear the other one.
-     *
-     * @param pair its number
-     * @param movable index of the other one
-     * @param tau offset in the present step
-     * @return false if the body has slid off
-     */
-    public boolean bears(int pair, int movable, double tau) {
-        wake();
-        contact(pair, tau, bearing);
-        return bearing.bears(pairs.second(pair) == movable);
-    }
-
-    /**
      * Where a pair touches.
      *
      * @param pair its number
@@ -227,7 +213,20 @@ public final class NarrowPhase implements Serializable {
      * @param contact filled with the points and the normal
      */
     public void contact(int pair, double tau, Manifold contact) {
+        contact(pair, tau, contact, Tolerances.FLUSH);
+    }
+
+    /**
+     * Where a pair touches, or nearly does.
+     *
+     * @param pair its number
+     * @param tau offset in the present step
+     * @param contact filled with the points and the normal
+     * @param flush height of an edge's other end from which it does not touch, relative to the bodies
+     */
+    public void contact(int pair, double tau, Manifold contact, double flush) {
         place(pair, tau);
+        flushLimit = flush * pose.size;
         contact.begin(features, pose);
         if ((features.featureB & 1) != 0) {
             alongEdge(pose.b, features.featureB >> 1, pose.a, features.featureA >> 1, contact);
@@ -258,11 +257,18 @@ public final class NarrowPhase implements Serializable {
         double at = along(owner, edge, other, vertex);
         if (flush < 0) {
             addSurfacePoint(other.vx[vertex], other.vy[vertex], side(other) * other.rounding(), contact);
+            if (other.n > 1 && flushLimit > Tolerances.FLUSH * pose.size) {
+                addNear(owner, edge, other, (vertex + 1) % other.n, contact);
+                addNear(owner, edge, other, (vertex + other.n - 1) % other.n, contact);
+            }
             return;
         }
         double to = along(owner, edge, other, flush);
         double from = Math.max(0, Math.min(at, to));
         double end = Math.min(owner.length(edge), Math.max(at, to));
+        double slope = (height(owner, edge, other, flush) - height(owner, edge, other, vertex)) / (to - at);
+        contact.gaps[0] = contact.gap + slope * (from - at);
+        contact.gaps[1] = contact.gap + slope * (end - at);
         double x = owner.vx[edge];
         double y = owner.vy[edge];
         contact.add(x - ey * from, y + ex * from, pose.px, pose.py);
@@ -271,12 +277,17 @@ public final class NarrowPhase implements Serializable {
         }
     }
 
+    private void addNear(Pose.Placed owner, int edge, Pose.Placed other, int vertex, Manifold contact) {
+        double height = height(owner, edge, other, vertex);
+        contact.addNear(other.vx[vertex], other.vy[vertex], pose.px, pose.py, height);
+    }
+
     /** The neighbour of a vertex that lies on the edge's line too, or −1. */
     private int flushNeighbour(Pose.Placed owner, int edge, Pose.Placed other, int vertex) {
         if (other.n == 1) {
             return -1;
         }
-        double limit = Tolerances.FLUSH * pose.size;
+        double limit = flushLimit;
         int next = (vertex + 1) % other.n;
         int previous = (vertex + other.n - 1) % other.n;
         if (Math.abs(height(owner, edge, other, next) - height(owner, edge, other, vertex)) <= limit) {
@@ -329,7 +340,6 @@ public final class NarrowPhase implements Serializable {
 
     private void wake() {
         if (pose == null) {
-            bearing = new Manifold();
             pose = new Pose(shapes, trajectories);
             features = new ClosestFeatures(pose);
             separatingLine = new SeparatingLine(shapes, trajectories, pose, features);
