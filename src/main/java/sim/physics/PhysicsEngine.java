@@ -29,6 +29,7 @@ import sim.physics.motion.Integrator;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
+import sim.physics.query.Queries;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.CollisionResponse;
 import sim.physics.response.ImpulseSolver;
@@ -63,6 +64,9 @@ public final class PhysicsEngine implements Steppable {
 
     /** Null until the first constraint is added. */
     private Constraints constraints;
+
+    /** Null until somebody asks. */
+    private transient Queries queries;
 
     private ConstraintSolver constraintSolver = new DirectSolver();
     private boolean broadPhaseIsChosen;
@@ -299,6 +303,16 @@ public final class PhysicsEngine implements Steppable {
         if (body.state() != state) {
             throw new IllegalStateException("body is " + body + ": it is not in this engine");
         }
+    }
+
+    /**
+     * Questions about where the bodies are: rays, overlaps, neighbours, fields of view.
+     *
+     * @return asks about the bodies as they are when a question is put
+     */
+    public Queries queries() {
+        queries = queries == null ? new Queries(state) : queries;
+        return queries;
     }
 
     /**

@@ -33,6 +33,7 @@ class ArchitectureTest {
                 .layer("narrow").definedBy("sim.physics.collision.narrow")
                 .layer("collision").definedBy("sim.physics.collision")
                 .layer("response").definedBy("sim.physics.response")
+                .layer("query").definedBy("sim.physics.query")
                 .layer("engine").definedBy("sim.physics")
                 .layer("mason").definedBy("sim.physics.mason")
                 .whereLayer("mason").mayNotBeAccessedByAnyLayer()
@@ -42,7 +43,9 @@ class ArchitectureTest {
                 .whereLayer("narrow").mayOnlyBeAccessedByLayers("engine", "response", "collision")
                 .whereLayer("broad").mayOnlyBeAccessedByLayers("engine", "response", "collision", "narrow")
                 .whereLayer("motion")
-                .mayOnlyBeAccessedByLayers("engine", "response", "constraint", "collision", "narrow", "mason")
+                .mayOnlyBeAccessedByLayers(
+                        "engine", "response", "constraint", "collision", "narrow", "mason", "query")
+                .whereLayer("query").mayOnlyBeAccessedByLayers("engine")
                 .whereLayer("constraint").mayOnlyBeAccessedByLayers("engine")
                 .whereLayer("matrix").mayOnlyBeAccessedByLayers("motion", "response", "constraint")
                 .check(PRODUCT);

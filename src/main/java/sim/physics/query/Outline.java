@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.query;
+
+import sim.physics.internal.Trig;
+import sim.physics.motion.Body;
+import sim.physics.shape.Shape;
+
+/** The outline of one body after another, and what a ray or a point has to do with it; in the body's own frame. */
+final class Outline {
+    private final double[] turn = new double[2];
+    private Shape shape;
+    private double x;
+    private double y;
+
+    /** Where a ray enters, and the normal there, in the world. */
+    double distance;
+
+    double nx;
+    double ny;
+
+    void of(Body body) {
+        shape = body.getShape();
+        x = body.getX();
+        y = body.getY();
+        if (shape.vertexCount() > 1) {
+            Trig.sinCos(body.getAngle(), turn, 0);
+        } else {
+            turn[0] = 1;
+            turn[1] = 0;
+        }
+    }
+
+    private double toLocalX(double dx, double dy) {
+        return turn[0] * dx + turn[1] * dy;
+    }
+
+    private double toLocalY(double dx, double dy) {
+        return turn[0] * dy - turn[1] * dx;
+    }
+
+    /** Whether a ray of unit direction enters; sets distance and normal. */
+    boolean enters(double fromX, double fromY, double directionX, double directionY, double range) {
+        double px = toLocalX(fromX - x, fromY - y);
+        double py = toLocalY(fromX - x, fromY - y);
+        double dx = toLocalX(directionX, directionY);
+        double dy = toLocalY(directionX, directionY);
+        boolean hit = shape.vertexCount() == 1 ? entersCircle(px, py, dx, dy) : entersPolygon(px, py, dx, dy);
+        if (!hit || distance > range) {
+            return false;
+        }
+        double lx = nx;
+        nx = turn[0] * lx - turn[1] * ny + 0.0; // no negative zeros
+        ny = turn[1] * lx + turn[0] * ny + 0.0;
+        return true;
+    }
+
+    private boolean entersCircle(double px, double py, double dx, double dy) {
+        double r = shape.radius();
+        double c = px * px + py * py - r * r;
+        double b = px * dx + py * dy;
+        if (c <= 0) {
+            return startsInside(dx, dy);
+        }
+        double offset = px * dy - py * dx; // of the centre from the ray
+        double square = r * r - offset * offset;
+        if (b >= 0 || square < 0) {
+            return false;
+        }
+        distance = c / (Math.sqrt(square) - b);
+        nx = (px + distance * dx) / r;
+        ny = (py + distance * dy) / r;
+        return true;
+    }
+
+    private boolean startsInside(double dx, double dy) {
+        distance = 0;
+        nx = -dx;
+        ny = -dy;
+        return true;
+    }
+
+    /** Clips the ray at the lines of the edges. */
+    private boolean entersPolygon(double px, double py, double dx, double dy) {
+        double enter = 0;
+        double leave = Double.POSITIVE_INFINITY;
+        int through = -1;
+        int n = shape.vertexCount();
+        for (int k = 0; k < n; k++) {
+            double ex = edgeX(k);
+            double ey = edgeY(k);
+            double height = (px - shape.vertexX(k)) * ey - (py - shape.vertexY(k)) * ex;
+            double rate = dx * ey - dy * ex;
+            if (rate == 0) {
+                if (height > 0) {
+                    return false;
+                }
+            } else if (rate < 0) {
+                if (-height / rate > enter) {
+                    enter = -height / rate;
+                    through = k;
+                }
+            } else {
+                leave = Math.min(leave, -height / rate);
+            }
+        }
+        if (enter > leave || leave < 0) {
+            return false;
+        }
+        if (through < 0) {
+            return startsInside(dx, dy);
+        }
+        double length = Math.sqrt(edgeX(through) * edgeX(through) + edgeY(through) * edgeY(through));
+        distance = enter;
+        nx = edgeY(through) / length;
+        ny = -edgeX(through) / length;
+        return true;
+    }
+
+    private double edgeX(int k) {
+        return shape.vertexX(k + 1 == shape.vertexCount() ? 0 : k + 1) - shape.vertexX(k);
+    }
+
+    private double edgeY(int k) {
+        return shape.vertexY(k + 1 == shape.vertexCount() ? 0 : k + 1) - shape.vertexY(k);
+    }
+
+    /** Distance of a point from the surface, 0 inside. */
+    double distance(double pointX, double pointY) {
+        double px = toLocalX(pointX - x, pointY - y);
+        double py = toLocalY(pointX - x, pointY - y);
+        if (shape.vertexCount() == 1) {
+            return Math.max(0, Math.sqrt(px * px + py * py) - shape.radius());
+        }
+        double least = Double.POSITIVE_INFINITY;
+        boolean inside = true;
+        for (int k = 0; k < shape.vertexCount(); k++) {
+            double ex = edgeX(k);
+            double ey = edgeY(k);
+            double qx = px - shape.vertexX(k);
+            double qy = py - shape.vertexY(k);
+            inside &= qx * ey - qy * ex <= 0;
+            double along = Math.max(0, Math.min(1, (qx * ex + qy * ey) / (ex * ex + ey * ey)));
+            double rx = qx - along * ex;
+            double ry = qy - along * ey;
+            least = Math.min(least, rx * rx + ry * ry);
+        }
+        return inside ? 0 : Math.sqrt(least);
+    }
+
+    /** Whether the outline meets a box with sides along the axes: none of the lines that could part them does. */
+    boolean meets(double lowX, double lowY, double highX, double highY) {
+        if (shape.vertexCount() == 1) {
+            double dx = x - Math.max(lowX, Math.min(highX, x));
+            double dy = y - Math.max(lowY, Math.min(highY, y));
+            return dx * dx + dy * dy <= shape.radius() * shape.radius();
+        }
+        return !isBeside(lowX, lowY, highX, highY) && !edgeParts(lowX, lowY, highX, highY);
+    }
+
+    private boolean isBeside(double lowX, double lowY, double highX, double highY) {
+        double leastX = Double.POSITIVE_INFINITY;
+        double leastY = Double.POSITIVE_INFINITY;
+        double mostX = Double.NEGATIVE_INFINITY;
+        double mostY = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < shape.vertexCount(); k++) {
+            double vx = x + turn[0] * shape.vertexX(k) - turn[1] * shape.vertexY(k);
+            double vy = y + turn[1] * shape.vertexX(k) + turn[0] * shape.vertexY(k);
+            leastX = Math.min(leastX, vx);
+            leastY = Math.min(leastY, vy);
+            mostX = Math.max(mostX, vx);
+            mostY = Math.max(mostY, vy);
+        }
+        return mostX < lowX || leastX > highX || mostY < lowY || leastY > highY;
+    }
+
+    private boolean edgeParts(double lowX, double lowY, double highX, double highY) {
+        for (int k = 0; k < shape.vertexCount(); k++) {
+            double least = Double.POSITIVE_INFINITY;
+            for (int corner = 0; corner < 4; corner++) {
+                double cx = ((corner & 1) == 0 ? lowX : highX) - x;
+                double cy = ((corner & 2) == 0 ? lowY : highY) - y;
+                double px = toLocalX(cx, cy) - shape.vertexX(k);
+                double py = toLocalY(cx, cy) - shape.vertexY(k);
+                least = Math.min(least, px * edgeY(k) - py * edgeX(k));
+            }
+            if (least > 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
