@@ -16,6 +16,7 @@ import sim.physics.motion.Motion;
 import sim.physics.motion.Presence;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
+import sim.physics.response.Heaps;
 import sim.physics.response.RestingContacts;
 
 /**
@@ -30,6 +31,7 @@ final class Admission implements Presence, Serializable {
     private final Motion motion;
     private final CollisionDetection detection;
     private final RestingContacts resting;
+    private final Heaps heaps;
     private final List<Body> leaving = new ArrayList<>();
 
     /** Null until the first constraint is added. */
@@ -48,8 +50,10 @@ final class Admission implements Presence, Serializable {
             Trajectories trajectories,
             Motion motion,
             CollisionDetection detection,
-            RestingContacts resting) {
+            RestingContacts resting,
+            Heaps heaps) {
         this.resting = resting;
+        this.heaps = heaps;
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
@@ -116,6 +120,7 @@ final class Admission implements Presence, Serializable {
 
     private void admit(int index, double tau) {
         resting.forget(index);
+        heaps.forget(index);
         motion.admit(index, tau);
         if (detection.knows(index)) {
             detection.refilter(index);
@@ -287,6 +292,7 @@ final class Admission implements Presence, Serializable {
         int index = body.index();
         if (detection.knows(index)) {
             resting.forget(index);
+            heaps.forget(index);
             detection.remove(index);
             motion.remove(index);
         }

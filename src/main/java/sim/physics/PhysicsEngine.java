@@ -60,7 +60,7 @@ public final class PhysicsEngine implements Steppable {
     private final IntList changed = new IntList();
     private final IntList groups = new IntList();
     private final Admission admission = new Admission(
-            state, trajectories, motion, detection, response.resting());
+            state, trajectories, motion, detection, response.resting(), response.heaps());
 
     /** Null until the first constraint is added. */
     private Constraints constraints;
@@ -136,6 +136,10 @@ public final class PhysicsEngine implements Steppable {
             response.resting().begin();
             settle(0);
         }
+        if (!response.heaps().isEmpty()) {
+            response.heaps().begin();
+            settleHeaps(0);
+        }
         IntList driven = motion.driven();
         for (int k = 0; k < driven.size; k++) {
             if (motion.companions(driven.values[k]).values[0] == driven.values[k]) {
@@ -195,9 +199,12 @@ public final class PhysicsEngine implements Steppable {
         IntList deflected = response.respond(touching, tau, now);
         state.setPresence(null);
         for (int k = 0; k < deflected.size; k++) {
+            motion.deflect(deflected.values[k]);
+            response.resting().struck(deflected.values[k], tau);
+            response.heaps().struck(deflected.values[k]);
+        }
+        for (int k = 0; k < deflected.size; k++) {
             int body = deflected.values[k];
-            motion.deflect(body);
-            response.resting().struck(body, tau);
             if (trajectories.isDriven(body)) {
                 noteGroup(body);
             } else {
@@ -207,8 +214,12 @@ public final class PhysicsEngine implements Steppable {
         if (!response.resting().isEmpty()) {
             settle(tau);
         }
+        if (!response.heaps().isEmpty()) {
+            settleHeaps(tau);
+        }
         if (admission.isNeeded()) {
             admit(tau);
+            settleHeaps(tau);
         }
         followGroups();
     }
@@ -221,12 +232,26 @@ public final class PhysicsEngine implements Steppable {
         }
     }
 
+    /** Bodies that lie on one another push each other: new velocities where something has happened. */
+    private void settleHeaps(double tau) {
+        IntList settled = response.heaps().settle(tau);
+        for (int k = 0; k < settled.size; k++) {
+            detection.moved(settled.values[k], tau, false, -1);
+        }
+        response.heaps().told();
+    }
+
     /** The path of a body has ended before the step: it has come to rest, or goes on from there. */
     private void goOn(int body) {
         double tau = detection.pathEnd();
         if (response.resting().rests(body)) {
             response.resting().again(body);
             settle(tau);
+            return;
+        }
+        if (response.heaps().has(body)) {
+            response.heaps().again(body);
+            settleHeaps(tau);
             return;
         }
         motion.bring(body, tau);

@@ -54,10 +54,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private boolean[] known = new boolean[8];
     private double pathEnd;
 
-    private boolean[] ignored = new boolean[16];
-
-    /** Pairs at rest on one another, which are not looked at. */
-    private boolean[] held = new boolean[16];
+    private final PairMarks marks = new PairMarks();
     private final IntList fresh = new IntList();
     private final IntList together = new IntList();
     private long step;
@@ -228,17 +225,17 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         IntList of = pairs.of(body);
         for (int k = 0; of != null && k < of.size; k++) {
             int p = of.values[k];
-            ignored[p] = !filter.allows(state.body(pairs.first(p)), state.body(pairs.second(p)));
+            marks.ignore(p, !filter.allows(state.body(pairs.first(p)), state.body(pairs.second(p))));
         }
     }
 
     /**
-     * Lets a pair pass through one another until their boxes are apart.
+     * What is known of pairs: whether they are let pass, rest on one another, or lie on one another.
      *
-     * @param pair its number
+     * @return live
      */
-    public void ignore(int pair) {
-        ignored[pair] = true;
+    public PairMarks marks() {
+        return marks;
     }
 
     /**
@@ -248,18 +245,8 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param yes whether they do
      */
     public void hold(int pair, boolean yes) {
-        held[pair] = yes;
+        marks.hold(pair, yes);
         impactTime[pair] = Double.NaN;
-    }
-
-    /**
-     * Whether the bodies of a pair rest on one another.
-     *
-     * @param pair its number
-     * @return as {@link #hold} said, until the pair ends
-     */
-    public boolean isHeld(int pair) {
-        return held[pair];
     }
 
     /**
@@ -304,12 +291,15 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     /** Looks for a pair's first contact from an instant on, and plans an impact or the next look. */
     private void examine(int pair, double tau) {
         impactTime[pair] = Double.NaN;
-        if (ignored[pair] || held[pair]) {
+        if (marks.isUnseen(pair)) {
             pairAgenda.schedule(pair, Agenda.NEVER);
             return;
         }
         double end = Math.min(end(pairs.first(pair)), end(pairs.second(pair)));
-        double t = narrowPhase.firstContact(pair, tau, end);
+        double slack = marks.slack(pair);
+        double t = slack > 0
+                ? narrowPhase.firstContact(pair, tau, end, slack)
+                : narrowPhase.firstContact(pair, tau, end);
         if (narrowPhase.isApart()) {
             pairAgenda.schedule(pair, t == Double.POSITIVE_INFINITY ? Agenda.NEVER : stepOf(t));
             return;
@@ -384,7 +374,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         for (int k = 0; k < bodies.size; k++) {
             IntList of = pairs.of(bodies.values[k]);
             for (int m = 0; of != null && m < of.size; m++) {
-                if (!ignored[of.values[m]]) {
+                if (!marks.isIgnored(of.values[m])) {
                     return true;
                 }
             }
@@ -474,14 +464,11 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public void pairBegan(int pair) {
         if (pair >= impactTime.length) {
             impactTime = Arrays.copyOf(impactTime, Math.max(2 * impactTime.length, pair + 1));
-            ignored = Arrays.copyOf(ignored, impactTime.length);
-            held = Arrays.copyOf(held, impactTime.length);
         }
         pairAgenda.ensure(pair + 1);
         narrowPhase.forget(pair);
-        held[pair] = false;
         impactTime[pair] = Double.NaN;
-        ignored[pair] = !filter.allows(state.body(pairs.first(pair)), state.body(pairs.second(pair)));
+        marks.begin(pair, !filter.allows(state.body(pairs.first(pair)), state.body(pairs.second(pair))));
         fresh.add(pair);
     }
 

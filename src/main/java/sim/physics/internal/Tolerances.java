@@ -55,6 +55,15 @@ public final class Tolerances {
     /** Impacts of a pair in one step from which a body comes to rest at its next short bounce. */
     public static final int REST_AFTER = 20_000;
 
+    /** Impacts of a pair in one step from which its bodies may lie on one another, in a heap. */
+    public static final int LIE_AFTER = 8;
+
+    /** The same for a pair that loses energy only by friction. */
+    public static final int ELASTIC_LIE_AFTER = 512;
+
+    /** Length of a bounce, relative to the step, from which on they do not. */
+    public static final double SHORT = 0.25;
+
     /** Times a body may come to rest on the same surface in one step before the surface counts as not bearing it. */
     public static final int RESTS = 8;
 

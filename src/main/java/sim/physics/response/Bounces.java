@@ -192,6 +192,26 @@ final class Bounces implements Serializable {
         return false;
     }
 
+    /** Whether so many impacts of a pair in a step have been so short that the two are to lie on one another. */
+    boolean jams(int pair, int a, int b, Impact c, boolean inHeap) {
+        int most = c.restitution < 1 ? Tolerances.LIE_AFTER : Tolerances.ELASTIC_LIE_AFTER;
+        if (counts[pair] <= most || c.restitution == 1 && c.friction == 0 && !inHeap) {
+            return false;
+        }
+        double approach = Math.max(0, -c.normalVelocity());
+        double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * h);
+        double closing = Math.max(pressing(a, b, c), (approach + lastSpeed[pair]) / since);
+        return 2 * c.restitution * approach <= closing * Tolerances.SHORT * h;
+    }
+
+    /** Whether a pair that lies on one another meets at a speed from which it bounces. */
+    boolean bounds(int pair, Impact c, double pressing, double size) {
+        open(pair);
+        double speed = c.restitution * -c.normalVelocity();
+        boolean isLong = 2 * speed > Tolerances.SHORT * h * pressing && speed * h > Tolerances.REST * size;
+        return counts[pair] <= Tolerances.LIE_AFTER && isLong;
+    }
+
     /** The acceleration of two bodies towards one another. */
     private double pressing(int a, int b, Impact c) {
         double[] d = trajectories.data();

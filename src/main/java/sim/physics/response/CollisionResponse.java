@@ -45,6 +45,7 @@ public final class CollisionResponse implements Serializable {
     private final IntList changed = new IntList();
     private final Bounces bounces;
     private final RestingContacts resting;
+    private final Heaps heaps;
     private transient Manifold manifold;
     private double now;
     private long impacts;
@@ -68,6 +69,7 @@ public final class CollisionResponse implements Serializable {
         this.simultaneous = new SimultaneousImpact(state);
         this.bounces = new Bounces(trajectories, motion);
         this.resting = new RestingContacts(state, trajectories, motion, detection, this);
+        this.heaps = new Heaps(state, trajectories, motion, detection, this);
     }
 
     /**
@@ -116,6 +118,9 @@ public final class CollisionResponse implements Serializable {
         load(a, b, 0);
         bounces.attend(a, b, tau);
         impact.sticky = false;
+        if (heaps.lasts(pair) && closes(pair)) {
+            return;
+        }
         if (!polish(pair, a, b, tau)) {
             goOn(a, b);
             return;
@@ -128,9 +133,12 @@ public final class CollisionResponse implements Serializable {
         deepest = Math.min(deepest, manifold.gap);
         if (bounces.dampRattle(pair, a, b, impact)) {
             bounces.spend(pair, impact);
-        } else if (impact.restitution < 1) {
+        } else if (impact.restitution < 1 || impact.friction > 0 || heaps.has(a) || heaps.has(b)) {
             bounces.count(pair);
-            if (bounces.limit(pair, a, b, impact, canRest(pair, a, b))) {
+            boolean canRest = canRest(pair, a, b);
+            if (!canRest && startsToLie(pair, a, b)) {
+                impact.restitution = 0;
+            } else if (bounces.limit(pair, a, b, impact, canRest)) {
                 resting.add(pair);
                 bounces.rest(pair);
             }
@@ -145,6 +153,33 @@ public final class CollisionResponse implements Serializable {
         }
     }
 
+    /** Whether a lasting pair is left to its heap, because a bounce at the loaded points would be short, or one too many. */
+    private boolean closes(int pair) {
+        int a = pairs.first(pair);
+        int b = pairs.second(pair);
+        boolean bounds = false;
+        for (int point = manifold.count - 1; point >= 0; point--) {
+            load(a, b, point);
+            bounds |= bounces.bounds(pair, impact, heaps.pull(a, b), heaps.size(a, b));
+        }
+        if (bounds) {
+            heaps.end(pair);
+        } else {
+            heaps.close(pair);
+        }
+        return !bounds;
+    }
+
+    /** Lets a pair lie on one another from now on if its bounces have become too many and too short. */
+    private boolean startsToLie(int pair, int a, int b) {
+        boolean canLie = !trajectories.isDriven(a) && !trajectories.isDriven(b);
+        if (!canLie || !bounces.jams(pair, a, b, impact, heaps.has(a) || heaps.has(b))) {
+            return false;
+        }
+        heaps.add(pair);
+        return true;
+    }
+
     /** Whether one of two bodies is fixed and can bear the other one at the points of the manifold. */
     private boolean canRest(int pair, int a, int b) {
         boolean fixedA = state.body(a).isFixed();
@@ -152,6 +187,7 @@ public final class CollisionResponse implements Serializable {
         return fixedA != state.body(b).isFixed()
                 && !trajectories.isDriven(body)
                 && !resting.rests(body)
+                && !heaps.has(body)
                 && bounces.mayRest(pair)
                 && manifold.bears(fixedA);
     }
@@ -165,9 +201,18 @@ public final class CollisionResponse implements Serializable {
         return resting;
     }
 
+    /**
+     * Bodies that lie on one another.
+     *
+     * @return live
+     */
+    public Heaps heaps() {
+        return heaps;
+    }
+
     /** The listeners want the pair to pass: both go on as they came. */
     private void letPass(int pair, int a, int b) {
-        detection.ignore(pair);
+        detection.marks().ignore(pair, true);
         goOn(a, b);
     }
 
@@ -324,6 +369,9 @@ public final class CollisionResponse implements Serializable {
         for (int k = 0; k < touching.size; k++) {
             collect(touching.values[k], tau, touching.size == 1);
         }
+        if (simultaneous.pointCount() == 0) {
+            return;
+        }
         simultaneous.solve();
         for (int k = 0; k < simultaneous.bodyCount(); k++) {
             double[] v = simultaneous.velocity(k);
@@ -345,6 +393,9 @@ public final class CollisionResponse implements Serializable {
         load(a, b, 0);
         bounces.attend(a, b, tau);
         impact.sticky = false;
+        if (heaps.lasts(pair) && closes(pair)) {
+            return;
+        }
         if (alone) {
             polish(pair, a, b, tau);
         }
@@ -363,12 +414,14 @@ public final class CollisionResponse implements Serializable {
         bounces.count(pair);
         bounces.writeOff(pair);
         boolean canRest = alone && canRest(pair, a, b);
+        boolean lies = !rattles && !canRest && startsToLie(pair, a, b);
+        restsNow &= !lies;
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
-            if (rattles) {
-                impact.restitution = rattle;
+            if (rattles || lies) {
+                impact.restitution = lies ? 0 : rattle;
             }
-            restsNow &= !rattles && impact.restitution < 1 && bounces.limit(pair, a, b, impact, canRest);
+            restsNow &= !rattles && !lies && impact.restitution < 1 && bounces.limit(pair, a, b, impact, canRest);
             simultaneous.add(a, b, impact);
         }
         if (!rattles) {

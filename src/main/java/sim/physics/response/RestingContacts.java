@@ -164,7 +164,7 @@ public final class RestingContacts implements Serializable {
         IntList of = detection.pairs().of(body);
         for (int k = 0; of != null && k < of.size; k++) {
             int pair = of.values[k];
-            if (detection.isHeld(pair) && !isFresh(pair)) {
+            if (detection.marks().isHeld(pair) && !isFresh(pair)) {
                 release(pair);
             }
         }
@@ -221,7 +221,7 @@ public final class RestingContacts implements Serializable {
         Pairs pairs = detection.pairs();
         IntList of = detection.knows(body) ? pairs.of(body) : null;
         for (int k = 0; of != null && k < of.size; k++) {
-            if (detection.isHeld(of.values[k])) {
+            if (detection.marks().isHeld(of.values[k])) {
                 release(of.values[k]);
             }
         }
@@ -259,7 +259,7 @@ public final class RestingContacts implements Serializable {
             IntList of = detection.pairs().of(cluster.values[k]);
             for (int m = 0; of != null && m < of.size; m++) {
                 int other = detection.pairs().other(of.values[m], cluster.values[k]);
-                if (detection.isHeld(of.values[m]) && !state.body(other).isFixed() && place[other] == 0) {
+                if (detection.marks().isHeld(of.values[m]) && !state.body(other).isFixed() && place[other] == 0) {
                     enter(other);
                 }
             }
@@ -404,7 +404,7 @@ public final class RestingContacts implements Serializable {
             for (int m = 0; of != null && m < of.size; m++) {
                 int pair = of.values[m];
                 int other = detection.pairs().other(pair, body);
-                if (detection.isHeld(pair) && (state.body(other).isFixed() || place[other] > k + 1)) {
+                if (detection.marks().isHeld(pair) && (state.body(other).isFixed() || place[other] > k + 1)) {
                     collect(pair, tau, false);
                 }
             }
@@ -414,7 +414,7 @@ public final class RestingContacts implements Serializable {
             for (int m = 0; of != null && m < of.size; m++) {
                 int pair = of.values[m];
                 int other = detection.pairs().other(pair, cluster.values[k]);
-                if (detection.isHeld(pair) && (state.body(other).isFixed() || place[other] > k + 1)) {
+                if (detection.marks().isHeld(pair) && (state.body(other).isFixed() || place[other] > k + 1)) {
                     collect(pair, tau, true);
                 }
             }

@@ -4,7 +4,6 @@ package sim.physics.regression;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.Set;
 import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -22,19 +21,10 @@ class RandomSceneTest {
     /** A body comes to rest at latest at its 20,000th impact on a surface in one step, and others have few. */
     private static final int MOST_IMPACTS = 25_000;
 
-    /**
-     * Scenes in which bodies stay in contact without contact forces: heaps and bodies jammed in corners. They have up
-     * to millions of impacts in a step, or sink by more than the bar.
-     */
-    private static final Set<Long> OPEN =
-            Set.of(20L, 81L, 190L, 212L, 229L, 359L, 377L);
-
     @Test
     void lawsHoldInFortyRandomScenes() {
         for (long seed = 0; seed < 40; seed++) {
-            if (!OPEN.contains(seed)) {
-                run(seed, false);
-            }
+            run(seed, false);
         }
     }
 
@@ -42,17 +32,8 @@ class RandomSceneTest {
     @Test
     void lawsHoldInFourHundredRandomScenes() {
         for (long seed = 0; seed < 400; seed++) {
-            if (!OPEN.contains(seed)) {
-                run(seed, false);
-            }
+            run(seed, false);
         }
-    }
-
-    @Disabled("sustained contacts need contact forces")
-    @ParameterizedTest
-    @ValueSource(longs = {20, 81, 190, 212, 229, 359, 377})
-    void lawsHoldInSustainedContactsToo(long seed) {
-        run(seed, false);
     }
 
     @Disabled("driven bodies are not where the dense output of a coarse step has them")

@@ -94,7 +94,6 @@ class SustainedContactTest {
         run(CollisionListener.Decision.BOUNCE);
     }
 
-    @Disabled("needs contact forces at two pairs at once")
     @Test
     void aBoxComesToRestInACorner() {
         engine.add(new Gravity(3, -9));

@@ -100,6 +100,31 @@ public final class NarrowPhase implements Serializable {
     }
 
     /**
+     * Looks for the instant at which a pair that lies on one another is deeper than it may be.
+     *
+     * @param pair its number
+     * @param tau offset in the present step from which on to look
+     * @param end offset at which the search may stop
+     * @param slack penetration that is let be, length
+     * @return as {@link #firstContact(int, double, double)}
+     */
+    public double firstContact(int pair, double tau, double end, double slack) {
+        int i = pairs.first(pair);
+        int j = pairs.second(pair);
+        if (!continuous || isCircle(i) && isCircle(j)) {
+            return firstContact(pair, tau, end);
+        }
+        wake();
+        apart = false;
+        pose.load(i, j);
+        pose.rounding -= slack;
+        double found = timeOfImpact.search(tau, end, codes[pair]);
+        codes[pair] = timeOfImpact.code;
+        touching = timeOfImpact.touching;
+        return found;
+    }
+
+    /**
      * Chooses between impacts in continuous time and the write-up's bisection over the step.
      *
      * @param continuous true at first
@@ -287,15 +312,15 @@ public final class NarrowPhase implements Serializable {
         if (other.n == 1) {
             return -1;
         }
-        double limit = flushLimit;
         int next = (vertex + 1) % other.n;
         int previous = (vertex + other.n - 1) % other.n;
-        if (Math.abs(height(owner, edge, other, next) - height(owner, edge, other, vertex)) <= limit) {
-            return next;
+        double own = height(owner, edge, other, vertex);
+        double atNext = Math.abs(height(owner, edge, other, next) - own);
+        double atPrevious = Math.abs(height(owner, edge, other, previous) - own);
+        if (Math.min(atNext, atPrevious) > flushLimit) {
+            return -1;
         }
-        return Math.abs(height(owner, edge, other, previous) - height(owner, edge, other, vertex)) <= limit
-                ? previous
-                : -1;
+        return atNext <= atPrevious ? next : previous;
     }
 
     private static double height(Pose.Placed owner, int edge, Pose.Placed other, int vertex) {

@@ -46,6 +46,10 @@ final class TimeOfImpact {
     long evaluations;
 
     private double tolerance;
+
+    /** Time left to the end of the search. */
+    private double horizon;
+
     private double slowness;
     private double s;
 
@@ -76,13 +80,14 @@ final class TimeOfImpact {
             evaluations++;
             code = features.find(code);
             tolerance = Tolerances.GAP * pose.extent;
+            horizon = end - tau;
             advance();
             if (touching) {
                 return tau;
             }
             double forced = k > PATIENCE ? end * Tolerances.FORCED_PROGRESS : 0;
             double next = tau + Math.max(s, forced);
-            if (next >= end) {
+            if (!(next < end)) {
                 return next;
             }
             if (next == tau) {
@@ -231,6 +236,9 @@ final class TimeOfImpact {
         int j = features.featureB >> 1;
         third = INFINITE;
         limit(features.gap, approach + spin(b, j, nx, ny) - spin(a, i, nx, ny), bound, 0);
+        if (s == INFINITE && a.maxOmega + b.maxOmega > 0) {
+            s = horizon; // these two part for ever, but not so others
+        }
         // other vertices may come first: look for a pair that would have crossed by then
         while (!touching && s < INFINITE && (a.n > 1 || b.n > 1)) {
             int first = lead(a, nx, ny);

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/**
+ * The contact points of a heap and the impulses that they bear in one step: the complementarity problem of Moreau's time
+ * stepping, of velocities at the end of the step,
+ *
+ * <pre>
+ *   λₙ ≥ 0,  vₙ ≥ bₙ,  λₙ (vₙ − bₙ) = 0,    |λₜ| ≤ μ λₙ,  λₜ opposes vₜ
+ * </pre>
+ *
+ * <p>solved by projected relaxation, one point after the other (projected Gauss-Seidel; Jean, <i>The non-smooth contact
+ * dynamics method</i>, 1999), until nothing changes any more beyond rounding or the work is spent. Between the sweeps the
+ * points that they leave closed or stuck are solved for as equations, by {@link HeapFace}.
+ */
+final class HeapSystem implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Values per point. */
+    private static final int STRIDE = 12;
+
+    private static final int NX = 0;
+    private static final int NY = 1;
+    private static final int LEVER_A = 2;
+    private static final int LEVER_B = 3;
+    private static final int ARM_A = 4;
+    private static final int ARM_B = 5;
+    private static final int BOUND = 6;
+    private static final int FRICTION = 7;
+    private static final int MOBILITY_N = 8;
+    private static final int MOBILITY_T = 9;
+    private static final int IMPULSE_N = 10;
+    private static final int IMPULSE_T = 11;
+
+    private static final int SWEEPS = 6;
+    private static final int LEAST_SWEEPS = 20;
+    private static final int WORK = 20_000;
+
+    /** Change of velocity in a sweep, relative to the largest speed, at which the impulses are right. */
+    private static final double RIGHT = 1e-13;
+
+    /** The same at which they may start the next solution. */
+    private static final double NEARLY = 1e-6;
+
+    /** Inverse masses and moments of inertia, 2 per body; and velocities, 3 per body. */
+    double[] w = new double[16];
+
+    double[] v = new double[24];
+
+    private int points;
+    private int count;
+    private final HeapFace face = new HeapFace();
+
+    /** The velocities without impulses. */
+    private double[] free = {};
+
+    private double[] data = new double[8 * STRIDE];
+    private int[] bodies = new int[16];
+
+    HeapSystem() {
+        // grows with the heaps
+    }
+
+    void clear() {
+        points = 0;
+        count = 0;
+    }
+
+    /** Makes room for one more body, and gives it its inverse masses. */
+    void enter(int place, double inverseMass, double inverseInertia) {
+        if (v.length < 3 * place + 3) {
+            v = Arrays.copyOf(v, 6 * place + 6);
+            w = Arrays.copyOf(w, 4 * place + 4);
+        }
+        count = place + 1;
+        w[2 * place] = inverseMass;
+        w[2 * place + 1] = inverseInertia;
+    }
+
+    int size() {
+        return points;
+    }
+
+    /** Adds a point between two bodies, −1 for what cannot move. */
+    void add(int a, int b, Impact c) {
+        if (bodies.length < 2 * points + 2) {
+            bodies = Arrays.copyOf(bodies, 4 * points + 4);
+            data = Arrays.copyOf(data, STRIDE * (2 * points + 2));
+        }
+        bodies[2 * points] = a;
+        bodies[2 * points + 1] = b;
+        int o = STRIDE * points;
+        data[o + NX] = c.nx;
+        data[o + NY] = c.ny;
+        data[o + LEVER_A] = c.leverA;
+        data[o + LEVER_B] = c.leverB;
+        data[o + ARM_A] = c.armA;
+        data[o + ARM_B] = c.armB;
+        data[o + FRICTION] = c.friction;
+        data[o + MOBILITY_N] = c.normalMobility();
+        data[o + MOBILITY_T] = (c.wA + c.wB) + (c.iA * c.armA * c.armA + c.iB * c.armB * c.armB);
+        data[o + IMPULSE_N] = 0;
+        data[o + IMPULSE_T] = 0;
+        points++;
+    }
+
+    /** Sets the least normal velocity of a point. */
+    void bound(int p, double least) {
+        data[STRIDE * p + BOUND] = least;
+    }
+
+    double bound(int p) {
+        return data[STRIDE * p + BOUND];
+    }
+
+    /** Starts from impulses that are known nearly. */
+    void start(int p, double normal, double tangential) {
+        data[STRIDE * p + IMPULSE_N] = normal;
+        data[STRIDE * p + IMPULSE_T] = tangential;
+    }
+
+    double normalImpulse(int p) {
+        return data[STRIDE * p + IMPULSE_N];
+    }
+
+    double tangentImpulse(int p) {
+        return data[STRIDE * p + IMPULSE_T];
+    }
+
+    private double normal(int p) {
+        return normal(p, v);
+    }
+
+    private double tangent(int p) {
+        return tangent(p, v);
+    }
+
+    /** Normal velocity of a point. */
+    double normal(int p, double[] v) {
+        int o = STRIDE * p;
+        double sum = 0;
+        int b = bodies[2 * p + 1];
+        if (b >= 0) {
+            sum += v[3 * b] * data[o + NX] + v[3 * b + 1] * data[o + NY] + v[3 * b + 2] * data[o + LEVER_B];
+        }
+        int a = bodies[2 * p];
+        if (a >= 0) {
+            sum -= v[3 * a] * data[o + NX] + v[3 * a + 1] * data[o + NY] + v[3 * a + 2] * data[o + LEVER_A];
+        }
+        return sum;
+    }
+
+    /** Tangential velocity of a point. */
+    double tangent(int p, double[] v) {
+        int o = STRIDE * p;
+        double sum = 0;
+        int b = bodies[2 * p + 1];
+        if (b >= 0) {
+            sum += v[3 * b + 1] * data[o + NX] - v[3 * b] * data[o + NY] + v[3 * b + 2] * data[o + ARM_B];
+        }
+        int a = bodies[2 * p];
+        if (a >= 0) {
+            sum -= v[3 * a + 1] * data[o + NX] - v[3 * a] * data[o + NY] + v[3 * a + 2] * data[o + ARM_A];
+        }
+        return sum;
+    }
+
+    int bodyCount() {
+        return count;
+    }
+
+    /** Whether a point's normal row is an equation now, and its tangential one. */
+    boolean isClosed(int p) {
+        return data[STRIDE * p + IMPULSE_N] > 0;
+    }
+
+    boolean isStuck(int p) {
+        double most = data[STRIDE * p + FRICTION] * data[STRIDE * p + IMPULSE_N];
+        return Math.abs(data[STRIDE * p + IMPULSE_T]) < most;
+    }
+
+    double friction(int p) {
+        return data[STRIDE * p + FRICTION];
+    }
+
+    double normalMobility(int p) {
+        return data[STRIDE * p + MOBILITY_N];
+    }
+
+    double tangentMobility(int p) {
+        return data[STRIDE * p + MOBILITY_T];
+    }
+
+    /** Adds to a point's impulses, but not to the velocities. */
+    void addImpulse(int p, double jn, double jt) {
+        data[STRIDE * p + IMPULSE_N] += jn;
+        data[STRIDE * p + IMPULSE_T] += jt;
+    }
+
+    private void apply(int p, double jn, double jt) {
+        push(p, jn, jt, v);
+    }
+
+    /** Adds what a point's impulses do to velocities. */
+    void push(int p, double jn, double jt, double[] v) {
+        int o = STRIDE * p;
+        double x = jn * data[o + NX] - jt * data[o + NY];
+        double y = jn * data[o + NY] + jt * data[o + NX];
+        int b = bodies[2 * p + 1];
+        if (b >= 0) {
+            v[3 * b] += w[2 * b] * x;
+            v[3 * b + 1] += w[2 * b] * y;
+            v[3 * b + 2] += w[2 * b + 1] * (jn * data[o + LEVER_B] + jt * data[o + ARM_B]);
+        }
+        int a = bodies[2 * p];
+        if (a >= 0) {
+            v[3 * a] -= w[2 * a] * x;
+            v[3 * a + 1] -= w[2 * a] * y;
+            v[3 * a + 2] -= w[2 * a + 1] * (jn * data[o + LEVER_A] + jt * data[o + ARM_A]);
+        }
+    }
+
+    /**
+     * Solves for the impulses.
+     *
+     * @param scale speed beside which errors are judged
+     * @param regains whether points may have to part, for gaps that are too small
+     * @return whether the impulses are right or nearly so
+     */
+    boolean solve(double scale, boolean regains) {
+        begin(regains);
+        int left = Math.max(LEAST_SWEEPS, WORK / Math.max(1, points));
+        double change = 0;
+        while (left > 0) {
+            for (int k = 0; k < SWEEPS; k++) {
+                change = 0;
+                for (int p = 0; p < points; p++) {
+                    change = Math.max(change, relax(p));
+                }
+                if (change <= RIGHT * scale) {
+                    return true;
+                }
+            }
+            left -= SWEEPS + face.solve(this, RIGHT * scale);
+        }
+        for (int p = 0; p < points; p++) {
+            change = Math.max(change, relax(p));
+        }
+        return change <= NEARLY * scale;
+    }
+
+    private void begin(boolean regains) {
+        if (free.length < v.length) {
+            free = new double[v.length];
+        }
+        if (regains) {
+            System.arraycopy(v, 0, free, 0, 3 * count);
+        } else {
+            System.arraycopy(free, 0, v, 0, 3 * count);
+        }
+        for (int p = 0; p < points; p++) {
+            int o = STRIDE * p;
+            if (!regains) {
+                data[o + BOUND] = Math.min(0, data[o + BOUND]);
+            }
+            if (data[o + IMPULSE_N] != 0 || data[o + IMPULSE_T] != 0) {
+                apply(p, data[o + IMPULSE_N], data[o + IMPULSE_T]);
+            }
+        }
+    }
+
+    /** Kinetic energy that the bodies have more than without impulses. */
+    double gained() {
+        double sum = 0;
+        for (int k = 0; k < count; k++) {
+            double x = v[3 * k] - free[3 * k];
+            double y = v[3 * k + 1] - free[3 * k + 1];
+            double turn = v[3 * k + 2] - free[3 * k + 2];
+            sum += (x * (v[3 * k] + free[3 * k]) + y * (v[3 * k + 1] + free[3 * k + 1])) / w[2 * k];
+            sum += turn * (v[3 * k + 2] + free[3 * k + 2]) / w[2 * k + 1];
+        }
+        return sum;
+    }
+
+    /** Takes all motion relative to one another from the bodies, and all motion if they lie on what cannot move. */
+    void halt() {
+        double mass = 0;
+        double px = 0;
+        double py = 0;
+        for (int k = 0; k < count; k++) {
+            mass += 1 / w[2 * k];
+            px += v[3 * k] / w[2 * k];
+            py += v[3 * k + 1] / w[2 * k];
+        }
+        boolean fixed = false;
+        for (int p = 0; p < points; p++) {
+            fixed |= bodies[2 * p] < 0 || bodies[2 * p + 1] < 0;
+        }
+        for (int k = 0; k < count; k++) {
+            v[3 * k] = fixed ? 0 : px / mass;
+            v[3 * k + 1] = fixed ? 0 : py / mass;
+            v[3 * k + 2] = 0;
+        }
+    }
+
+    /** Makes one point right; returns by how much its velocity has changed. */
+    private double relax(int p) {
+        int o = STRIDE * p;
+        double old = data[o + IMPULSE_N];
+        double jn = Math.max(0, old + (data[o + BOUND] - normal(p)) / data[o + MOBILITY_N]);
+        double change = 0;
+        if (jn != old) {
+            data[o + IMPULSE_N] = jn;
+            apply(p, jn - old, 0);
+            change = Math.abs(jn - old) * data[o + MOBILITY_N];
+        }
+        double most = data[o + FRICTION] * jn;
+        double rubbed = data[o + IMPULSE_T];
+        if (most == 0 && rubbed == 0) {
+            return change;
+        }
+        double jt = rubbed - tangent(p) / data[o + MOBILITY_T];
+        jt = Math.max(-most, Math.min(most, jt));
+        if (jt != rubbed) {
+            data[o + IMPULSE_T] = jt;
+            apply(p, 0, jt - rubbed);
+            change = Math.max(change, Math.abs(jt - rubbed) * data[o + MOBILITY_T]);
+        }
+        return change;
+    }
+}

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import sim.physics.collision.CollisionDetection;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Motion;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Bodies that lie on one another: stacks, heaps, and what is jammed in a corner. Pairs whose bounces have become too many
+ * and too short in a step are <i>lasting</i>, until they part. At the start of each step the bodies that lasting pairs
+ * connect get the velocities with which none of these pairs is deeper than closed at its end (Moreau 1988, <i>Unilateral
+ * contact and dry friction in finite freedom dynamics</i>), and keep them for the step, unless something strikes them; so a
+ * heap costs some sweeps over its points in place of thousands of bounces. It is of first order in the step, where all else
+ * is exact. The search for impacts watches the bodies all the while, so that they do not penetrate here either.
+ *
+ * <p>What stands still is let be, exactly where it is.
+ */
+public final class Heaps implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final State state;
+    private final CollisionDetection detection;
+    private final CollisionResponse response;
+    private final HeapBodies by = new HeapBodies();
+    private final Heap heap;
+    private final IntList members = new IntList();
+
+    /** Bodies to which something has happened, and those whose courses have changed. */
+    private final IntList dirty = new IntList();
+
+    private final IntList changed = new IntList();
+
+    Heaps(State state, Trajectories trajectories, Motion motion, CollisionDetection detection, CollisionResponse response) {
+        this.state = state;
+        this.detection = detection;
+        this.response = response;
+        this.heap = new Heap(state, trajectories, motion, detection, response, by);
+    }
+
+    /**
+     * Whether no body lies in a heap.
+     *
+     * @return true if there is nothing to do
+     */
+    public boolean isEmpty() {
+        return members.size == 0;
+    }
+
+    /**
+     * Whether a body lies in a heap.
+     *
+     * @param body index
+     * @return false for fixed bodies
+     */
+    public boolean has(int body) {
+        return by.has(body);
+    }
+
+    /** Whether a pair lasts. */
+    boolean lasts(int pair) {
+        return heap.lasts(pair);
+    }
+
+    /** What forces press two bodies together at most, as an acceleration. */
+    double pull(int a, int b) {
+        return heap.pull(a) + heap.pull(b);
+    }
+
+    /** Radius of the smaller one of two bodies, of which one may be fixed. */
+    double size(int a, int b) {
+        return heap.size(a, b);
+    }
+
+    /** Lets a pair last. */
+    void add(int pair) {
+        heap.begin(pair);
+        join(detection.pairs().first(pair));
+        join(detection.pairs().second(pair));
+    }
+
+    /** Ends a pair's lasting. */
+    void end(int pair) {
+        heap.end(pair);
+    }
+
+    private void join(int body) {
+        by.ensure(body);
+        if (state.body(body).isFixed()) {
+            return;
+        }
+        if (!by.lies[body]) {
+            by.lies[body] = true;
+            by.begin(body);
+            members.add(body);
+            IntList of = detection.pairs().of(body);
+            for (int k = 0; of != null && k < of.size; k++) {
+                if (detection.marks().isHeld(of.values[k])) {
+                    add(of.values[k]); // what it rests on bears it in the heap too
+                }
+            }
+            response.resting().forget(body);
+        }
+        mark(body);
+    }
+
+    private void mark(int body) {
+        by.isStill[body] = false;
+        if (!by.isDirty[body]) {
+            by.isDirty[body] = true;
+            dirty.add(body);
+        }
+    }
+
+    /** Begins a step: all heaps that move are to be solved. */
+    public void begin() {
+        int kept = 0;
+        for (int k = 0; k < members.size; k++) {
+            int body = members.values[k];
+            if (!by.lies[body] || state.body(body) == null) {
+                by.lies[body] = false;
+                continue;
+            }
+            members.values[kept++] = body;
+            by.begin(body);
+            if (!by.isStill[body]) {
+                mark(body);
+            }
+        }
+        members.size = kept;
+    }
+
+    /**
+     * Takes note that a body's velocity has changed at an impact, and with it its course.
+     *
+     * @param body index
+     */
+    public void struck(int body) {
+        if (!has(body)) {
+            return;
+        }
+        if (by.paidUntil[body] > 0) {
+            heap.coast(body);
+        }
+        by.turns[body]++;
+        mark(body);
+    }
+
+    /**
+     * Takes note that the time is over for which a body's velocity was found.
+     *
+     * @param body index
+     */
+    public void again(int body) {
+        mark(body);
+    }
+
+    /** Takes note that a lasting pair has closed within the step. */
+    void close(int pair) {
+        for (int side = 0; side < 2; side++) {
+            int body = side == 0 ? detection.pairs().first(pair) : detection.pairs().second(pair);
+            if (has(body)) {
+                by.turns[body]++;
+                mark(body);
+                changed.add(body); // to be looked at again in any case
+            }
+        }
+    }
+
+    /**
+     * Lets go of a body that was written or leaves, and of all that lies on it.
+     *
+     * @param body index
+     */
+    public void forget(int body) {
+        if (members.size == 0 || !detection.knows(body)) {
+            return;
+        }
+        IntList of = detection.pairs().of(body);
+        for (int k = 0; of != null && k < of.size; k++) {
+            int pair = of.values[k];
+            if (lasts(pair)) {
+                end(pair);
+                int other = detection.pairs().other(pair, body);
+                if (has(other)) {
+                    mark(other);
+                }
+            }
+        }
+        if (has(body)) {
+            by.lies[body] = false;
+        }
+    }
+
+    /**
+     * Solves the heaps in which something has happened.
+     *
+     * @param tau offset in the present step
+     * @return the bodies whose courses have changed, which the detection must be told of; valid until something else happens
+     */
+    public IntList settle(double tau) {
+        for (int k = 0; k < dirty.size; k++) {
+            int body = dirty.values[k];
+            if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {
+                heap.settle(body, tau, changed);
+            }
+            by.isDirty[body] = false;
+        }
+        dirty.clear();
+        return changed;
+    }
+
+    /** Forgets which courses have changed. */
+    public void told() {
+        changed.clear();
+    }
+}

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.laws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.Scenes;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
+
+/** Bodies that lie on one another: they come to rest, do not sink, slide by Coulomb's law, and fall if their support goes. */
+class HeapTest {
+    private static final double G = 9.81;
+
+    private final PhysicsEngine engine = new PhysicsEngine();
+
+    HeapTest() {
+        engine.setTimeStep(1 / 60.0);
+        engine.add(new Gravity(0, -G));
+    }
+
+    private Body add(Body body, double restitution, double friction) {
+        body.setRestitution(restitution);
+        body.setFriction(friction);
+        return engine.add(body);
+    }
+
+    private List<Body> stack(int n, double restitution, double friction, double offset) {
+        add(Body.fixed(new Rectangle(100, 2)).at(0, -1), restitution, friction);
+        List<Body> stack = new ArrayList<>();
+        for (int k = 0; k < n; k++) {
+            stack.add(add(new Body(new Rectangle(1, 1)).at(offset * (k % 2), 1.1 * k + 0.6), restitution, friction));
+        }
+        return stack;
+    }
+
+    private int run(int steps) {
+        int most = 0;
+        for (int k = 0; k < steps; k++) {
+            long before = engine.getImpacts();
+            engine.step();
+            most = (int) Math.max(most, engine.getImpacts() - before);
+        }
+        return most;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2, 0.3, 0.5, 0", "5, 0, 0.5, 0", "5, 0.3, 0, 0", "10, 0.3, 0.5, 0", "3, 0.5, 0.5, 0.2", "10, 0.5, 0.5, 0.2"})
+    void aStackComesToRest(int n, double restitution, double friction, double offset) {
+        List<Body> stack = stack(n, restitution, friction, offset);
+        int most = run(600);
+        assertThat(most).as("impacts in a step").isLessThan(20 * n);
+        assertThat(engine.kineticEnergy()).isZero();
+        for (int k = 0; k < n; k++) {
+            assertThat(stack.get(k).getY()).as("height of box " + k).isCloseTo(k + 0.5, within(1e-8));
+            assertThat(stack.get(k).getAngle()).isCloseTo(0, within(1e-8));
+        }
+        assertThat(engine.getDeepestPenetration()).isLessThan(1e-9);
+    }
+
+    @Test
+    void whatStandsStillCostsNothing() {
+        stack(5, 0.3, 0.5, 0);
+        run(300);
+        long looks = engine.getNarrowPhaseEvaluations();
+        run(1000);
+        assertThat(engine.getNarrowPhaseEvaluations()).isEqualTo(looks);
+    }
+
+    @Test
+    void aStackFallsIfItsSupportIsTakenAway() {
+        List<Body> stack = stack(4, 0, 0.5, 0);
+        run(300);
+        double[] heights = stack.stream().mapToDouble(Body::getY).toArray();
+        engine.remove(stack.get(0));
+        run(6);
+        double fallen = 0.5 * G * 0.1 * 0.1;
+        assertThat(stack.get(3).getY()).isCloseTo(heights[3] - fallen, within(0.01));
+        run(300);
+        assertThat(stack.get(3).getY()).isCloseTo(heights[3] - 1, within(1e-8));
+    }
+
+    /** The lower block slides on a floor without friction: its momentum with the upper one stays, and heat is μ N s. */
+    @Test
+    void aBlockSlidesOnAMovableOneByCoulombsLaw() {
+        add(Body.fixed(new Rectangle(1000, 2)).at(0, -1), 0, 0);
+        Body below = add(new Body(new Rectangle(40, 1)).at(0, 0.5), 0, 0.25);
+        Body above = add(new Body(new Rectangle(1, 1)).at(-10, 1.5), 0, 0.25);
+        below.setMass(3);
+        above.setMass(1);
+        run(60);
+        above.setVelocity(4, 0);
+        double start = above.getX() - below.getX();
+        run(240);
+        assertThat(above.getVelocityX()).isCloseTo(1, within(1e-9));
+        assertThat(below.getVelocityX()).isCloseTo(1, within(1e-9));
+        double way = 4 * 4 * 0.75 / (2 * 0.25 * G);
+        assertThat(above.getX() - below.getX() - start).isCloseTo(way, within(4 * 1.0 / 60));
+        assertThat(above.getY()).isCloseTo(1.5, within(1e-6));
+    }
+
+    @Test
+    void aHeapOfBallsAndBoxesLosesItsEnergyAndStaysInItsBox() {
+        walls(0.3, 0.4);
+        List<Body> heap = fill(30, 0.3, 0.4);
+        double energy = energy(heap);
+        for (int k = 0; k < 600; k++) {
+            engine.step();
+            double now = energy(heap);
+            assertThat(now).as("energy in step " + k).isLessThanOrEqualTo(energy + 2e-3 * heap.size());
+            energy = Math.min(energy, now);
+        }
+        assertThat(engine.kineticEnergy()).isLessThan(0.1);
+        assertThat(engine.getDeepestPenetration()).isLessThan(1e-9);
+        assertThat(engine.overlaps().stream().mapToDouble(o -> o.depth()).max().orElse(0)).isLessThan(1e-9);
+    }
+
+    private void walls(double restitution, double friction) {
+        add(Body.fixed(new Rectangle(14, 2)).at(0, -1), restitution, friction);
+        add(Body.fixed(new Rectangle(2, 40)).at(-6, 20), restitution, friction);
+        add(Body.fixed(new Rectangle(2, 40)).at(6, 20), restitution, friction);
+    }
+
+    private List<Body> fill(int n, double restitution, double friction) {
+        SplittableRandom random = new SplittableRandom(5);
+        List<Body> heap = new ArrayList<>();
+        for (int k = 0; k < n; k++) {
+            Shape shape = k % 2 == 0 ? new Circle(0.3 + 0.3 * random.nextDouble()) : new Rectangle(1.2, 0.6);
+            Body body = new Body(shape).at(-4 + 2 * (k % 5), 1 + 1.5 * (k / 5), random.nextDouble());
+            body.setMass(shape.area() * (0.2 + 5 * random.nextDouble()));
+            heap.add(add(body.moving(random.nextDouble() - 0.5, 0, 0), restitution, friction));
+        }
+        return heap;
+    }
+
+    private double energy(List<Body> heap) {
+        return engine.kineticEnergy() + heap.stream().mapToDouble(b -> G * b.getMass() * b.getY()).sum();
+    }
+
+    @Test
+    void aHeapContinuesFromACheckpointBitForBit() throws Exception {
+        walls(0.2, 0.5);
+        fill(30, 0.2, 0.5);
+        run(80);
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+            out.writeObject(engine);
+        }
+        PhysicsEngine copy;
+        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
+            copy = (PhysicsEngine) in.readObject();
+        }
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+            copy.step();
+        }
+        assertThat(Scenes.hash(copy)).isEqualTo(Scenes.hash(engine));
+    }
+}
