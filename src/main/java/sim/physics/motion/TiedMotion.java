@@ -136,6 +136,7 @@ final class TiedMotion implements Serializable {
             return;
         }
         begin(group);
+        path.ensure(state.x().length);
         if (motion.getIntegrator().isAdaptive()) {
             for (double done = 0; done != length; ) {
                 double left = length - done;
@@ -148,7 +149,7 @@ final class TiedMotion implements Serializable {
                 again(group);
                 parts *= 2;
             }
-            if (parts == 1 && Math.abs(length) < SHORT * motion.step()) {
+            if (parts == 1 && Math.abs(length) < SHORT * trajectories.h()) {
                 return; // the integrator's own path: the ends are too near for a difference
             }
         }
@@ -198,6 +199,12 @@ final class TiedMotion implements Serializable {
     }
 
     private boolean advance(Motion motion, IntList group, double t, double length, int parts, Path path) {
+        Generators fields = motion.fields();
+        if (parts == 1 && fields != null && motion.getIntegrator() instanceof RungeKutta4
+                && Math.abs(length) >= SHORT * trajectories.h()
+                && ties.advance(group, fields.gravityX, fields.gravityY, length)) {
+            return true;
+        }
         for (int k = 0; k < parts; k++) {
             double from = length * k / parts;
             double to = length * (k + 1) / parts;
