@@ -13,21 +13,32 @@ import sim.physics.motion.State;
 final class ChainStep implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    private static final double[] NODE = {0, 0.5, 0.5, 1};
-    private static final double[] WEIGHT = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-
+    private static final int STAGES = 4;
     private static final int CORRECTIONS = 6;
+
+    /** Correction, in rad, for which the arms need not be turned from the start. */
+    private static final double NUDGE = 1e-4;
 
     private final Island island;
     private final PinChain chain;
     private final double[] fallX;
     private final double[] fallY;
-    private final double[] fallTurn;
+    private final double[] zero;
 
-    /** Positions and velocities at the start, and their weighted sums. */
-    private final double[][] start = new double[6][];
+    /** Positions and velocities at the start. */
+    private final double[] x0;
 
-    private final double[][] sum = new double[6][];
+    private final double[] y0;
+    private final double[] angle0;
+    private final double[] u0;
+    private final double[] v0;
+    private final double[] omega0;
+
+    /** Accelerations at the stages; corrections in the first of them. */
+    private final double[][] ax = new double[STAGES][];
+
+    private final double[][] ay = new double[STAGES][];
+    private final double[][] turn = new double[STAGES][];
     private boolean isWeighed;
 
     ChainStep(Island island, PinChain chain) {
@@ -36,10 +47,17 @@ final class ChainStep implements Serializable {
         int n = chain.block.length;
         fallX = new double[n];
         fallY = new double[n];
-        fallTurn = new double[n];
-        for (int k = 0; k < start.length; k++) {
-            start[k] = new double[n];
-            sum[k] = new double[n];
+        zero = new double[n];
+        x0 = new double[n];
+        y0 = new double[n];
+        angle0 = new double[n];
+        u0 = new double[n];
+        v0 = new double[n];
+        omega0 = new double[n];
+        for (int s = 0; s < STAGES; s++) {
+            ax[s] = new double[n];
+            ay[s] = new double[n];
+            turn[s] = new double[n];
         }
     }
 
@@ -68,16 +86,16 @@ final class ChainStep implements Serializable {
         island.invariants.begin(state, gx == 0 && gy == 0);
         double place = gather(state, gx, gy);
         chain.settleAngles();
-        boolean sound = true;
-        for (int s = 0; s < NODE.length && sound; s++) {
-            chain.turnArms();
-            chain.askAcceleration(fallX, fallY);
-            sound = chain.factorAndSolve();
-            stages(s, s + 1 < NODE.length ? NODE[s + 1] * h : 0);
-        }
-        if (!sound) {
-            return false;
-        }
+        accelerate(0);
+        Lanes.add(angle0, 0.5 * h, omega0, chain.angle); // the accelerations depend on angles and their rates alone
+        Lanes.add(omega0, 0.5 * h, turn[0], chain.omega);
+        accelerate(1);
+        Lanes.add(angle0, 0.5 * h, chain.omega, chain.angle);
+        Lanes.add(omega0, 0.5 * h, turn[1], chain.omega);
+        accelerate(2);
+        Lanes.add(angle0, h, chain.omega, chain.angle);
+        Lanes.add(omega0, h, turn[2], chain.omega);
+        accelerate(3);
         finish(h);
         if (!close(place)) {
             return false;
@@ -98,95 +116,83 @@ final class ChainStep implements Serializable {
             if (b >= 0) {
                 fallX[k] = gx;
                 fallY[k] = gy;
-                start[0][k] = x[b];
-                start[1][k] = x[b + 1];
-                start[2][k] = x[b + 2];
-                start[3][k] = v[b];
-                start[4][k] = v[b + 1];
-                start[5][k] = v[b + 2];
-                place = Math.max(place, Math.max(Math.abs(x[b]), Math.abs(x[b + 1])));
+                x0[k] = x[b];
+                y0[k] = x[b + 1];
+                angle0[k] = x[b + 2];
+                u0[k] = v[b];
+                v0[k] = v[b + 1];
+                omega0[k] = v[b + 2];
             }
         }
         int n = fallX.length;
-        System.arraycopy(start[0], 0, chain.x, 0, n);
-        System.arraycopy(start[1], 0, chain.y, 0, n);
-        System.arraycopy(start[2], 0, chain.angle, 0, n);
-        System.arraycopy(start[3], 0, chain.u, 0, n);
-        System.arraycopy(start[4], 0, chain.v, 0, n);
-        System.arraycopy(start[5], 0, chain.omega, 0, n);
-        return place;
+        System.arraycopy(angle0, 0, chain.angle, 0, n);
+        System.arraycopy(omega0, 0, chain.omega, 0, n);
+        return Math.max(place, Math.max(Lanes.most(x0), Lanes.most(y0)));
     }
 
-    /** Adds a stage to the sums and sets the state for the next one. */
-    private void stages(int s, double next) {
-        double w = WEIGHT[s];
-        double keep = s == 0 ? 0 : 1;
-        stage(chain.x, chain.u, chain.dx, fallX, start[0], start[3], sum[0], sum[3], w, next, keep);
-        stage(chain.y, chain.v, chain.dy, fallY, start[1], start[4], sum[1], sum[4], w, next, keep);
-        stage(chain.angle, chain.omega, chain.turn, fallTurn, start[2], start[5], sum[2], sum[5], w, next, keep);
-    }
-
-    private static void stage(
-            double[] x, double[] v, double[] push, double[] fall, double[] x0, double[] v0, double[] sumX, double[] sumV,
-            double weight, double next, double keep) {
-        for (int k = 0; k < x.length; k++) {
-            double velocity = v[k];
-            double acceleration = fall[k] + push[k];
-            sumX[k] = keep * sumX[k] + weight * velocity;
-            sumV[k] = keep * sumV[k] + weight * acceleration;
-            x[k] = x0[k] + next * velocity;
-            v[k] = v0[k] + next * acceleration;
-        }
+    /** (37) at a stage. */
+    private void accelerate(int s) {
+        chain.turnArms();
+        chain.askAcceleration(fallX, fallY);
+        chain.factor();
+        chain.solve(fallX, fallY, ax[s], ay[s], turn[s]);
     }
 
     private void finish(double h) {
-        move(start[0], sum[0], h, chain.x);
-        move(start[1], sum[1], h, chain.y);
-        move(start[2], sum[2], h, chain.angle);
-        move(start[3], sum[3], h, chain.u);
-        move(start[4], sum[4], h, chain.v);
-        move(start[5], sum[5], h, chain.omega);
-    }
-
-    private static void move(double[] from, double[] by, double scale, double[] to) {
-        for (int k = 0; k < to.length; k++) {
-            to[k] = from[k] + scale * by[k];
-        }
+        Lanes.weigh(x0, u0, ax[0], ax[1], ax[2], h, chain.x);
+        Lanes.weigh(y0, v0, ay[0], ay[1], ay[2], h, chain.y);
+        Lanes.weigh(angle0, omega0, turn[0], turn[1], turn[2], h, chain.angle);
+        Lanes.weigh(u0, ax[0], ax[1], ax[2], ax[3], chain.u, h);
+        Lanes.weigh(v0, ay[0], ay[1], ay[2], ay[3], chain.v, h);
+        Lanes.weigh(omega0, turn[0], turn[1], turn[2], turn[3], chain.omega, h);
     }
 
     /** Projects positions and velocities, as {@link Projection} does. */
     private boolean close(double place) {
+        double rounding = Projection.ROUNDING * place;
         double before = Double.POSITIVE_INFINITY;
+        chain.turnArms();
         for (int corrections = 0; corrections < CORRECTIONS; corrections++) {
-            chain.turnArms();
             chain.askPosition();
-            double error = chain.largest() / (Projection.ROUNDING * place);
-            if (!chain.factorAndSolve()) {
+            double error = chain.largest() / rounding;
+            chain.factor();
+            if (corrections == 0 && !chain.isSound()) {
                 return false;
             }
             if (error <= 1 || error >= 0.5 * before && error < 1e4) {
-                return settle(); // closed; or rounding
+                return settle(0); // closed; or rounding
             }
             before = error;
             double roughness = correctPlaces();
             if (!(roughness < Projection.ROUGH)) {
                 return false;
             }
-            if (roughness < Projection.SMOOTH) {
-                chain.nudgeArms();
-                chain.askVelocity();
-                chain.solve();
-                correctVelocities();
-                return true; // Newton's method squares what is left
+            if (roughness < NUDGE) {
+                chain.nudgeArms(turn[0]);
+            } else {
+                chain.turnArms();
+            }
+            if (roughness < Projection.SMOOTH || roughness * roughness * island.leastSize < rounding) {
+                return settle(roughness); // Newton's method squares what is left
             }
         }
         return false;
     }
 
-    /** Projects the velocities, with the factors at hand. */
-    private boolean settle() {
+    /**
+     * Projects the velocities, with the factors at hand.
+     *
+     * @param moved by how much the bodies have moved since, in rad or relative to their size
+     */
+    private boolean settle(double moved) {
+        if (moved > 0 && moved < Projection.SMOOTH) {
+            chain.askVelocity();
+            correctVelocities();
+            return true;
+        }
         double last = Double.POSITIVE_INFINITY;
-        double scale = Math.max(Math.max(most(chain.u), most(chain.v)), most(chain.omega) * island.leastSize);
+        double speed = Math.max(Lanes.most(chain.u), Lanes.most(chain.v));
+        double scale = Math.max(speed, Lanes.most(chain.omega) * island.leastSize);
         for (int k = 0; k < Projection.VELOCITY_CORRECTIONS; k++) {
             chain.askVelocity();
             double slip = chain.largest();
@@ -194,7 +200,6 @@ final class ChainStep implements Serializable {
                 return slip <= Double.MAX_VALUE;
             }
             last = slip;
-            chain.solve();
             correctVelocities();
             if (slip < Projection.SMOOTH * scale) {
                 return true;
@@ -203,26 +208,18 @@ final class ChainStep implements Serializable {
         return true;
     }
 
-    private static double most(double[] a) {
-        double most = 0;
-        for (double value : a) {
-            most = Math.max(most, Math.abs(value));
-        }
-        return most;
-    }
-
     /** Moves the bodies by the solution; returns how far, in rad or relative to the size of the bodies. */
     private double correctPlaces() {
-        move(chain.x, chain.dx, 1, chain.x);
-        move(chain.y, chain.dy, 1, chain.y);
-        move(chain.angle, chain.turn, 1, chain.angle);
-        return Math.max(Math.max(most(chain.dx), most(chain.dy)) / island.leastSize, most(chain.turn));
+        chain.solve(zero, zero, ax[0], ay[0], turn[0]);
+        Lanes.add(chain.x, ax[0], chain.x);
+        Lanes.add(chain.y, ay[0], chain.y);
+        Lanes.add(chain.angle, turn[0], chain.angle);
+        return Math.max(Math.max(Lanes.most(ax[0]), Lanes.most(ay[0])) / island.leastSize, Lanes.most(turn[0]));
     }
 
     private void correctVelocities() {
-        move(chain.u, chain.dx, 1, chain.u);
-        move(chain.v, chain.dy, 1, chain.v);
-        move(chain.omega, chain.turn, 1, chain.omega);
+        chain.solve(chain.u, chain.v, chain.u, chain.v, turn[0]);
+        Lanes.add(chain.omega, turn[0], chain.omega);
     }
 
     private void scatter(State state) {

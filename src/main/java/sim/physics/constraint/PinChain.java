@@ -11,15 +11,12 @@ import sim.physics.motion.State;
  * The equations A λ = b, (41), of an island whose pins form a chain: pin k holds body k to body k + 1, so A is block
  * tridiagonal. What does not move, and the nothing behind a free end, are bodies of no inverse mass.
  *
- * <p>All values lie in one array for each, by body, and every loop but that of the elimination treats each body by
- * itself: compilers make vector instructions of such loops. The chain is eliminated from both ends towards the middle,
- * which the processor does at the same time, because a link takes far longer from its first operation to its last than
- * their number asks for.
+ * <p>Each quantity has an array of its own, by body or by pin, so that all but the elimination are {@link Lanes}.
  */
 final class PinChain implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Angles from the one whose cosine and sine are known, up to which the series below are right to rounding. */
+    /** Angles from the one whose cosine and sine are known, up to which series are right to rounding. */
     private static final double NEAR = 0.125;
 
     /** Known angles are multiples of 1/16 rad, so that the cosines do not depend on what was before. */
@@ -31,12 +28,7 @@ final class PinChain implements Serializable {
     /** Blocks of the bodies in the state vectors, −1 for what does not move. */
     final int[] block;
 
-    /** Inverse masses and moments of inertia. */
-    final double[] mass;
-
-    final double[] inertia;
-
-    /** Positions, velocities, and solutions: what W Jᵀ λ adds to a body. */
+    /** By body: positions and velocities. */
     final double[] x;
 
     final double[] y;
@@ -44,18 +36,9 @@ final class PinChain implements Serializable {
     final double[] u;
     final double[] v;
     final double[] omega;
-    final double[] dx;
-    final double[] dy;
-    final double[] turn;
 
-    /** What a body adds to C, or to a derivative of it, of its next pin and, but for the sign, of the one before. */
-    final double[] nextX;
-
-    final double[] nextY;
-    final double[] lastX;
-    final double[] lastY;
-
-    private final ChainFactor factor;
+    private final double[] mass;
+    private final double[] inertia;
 
     /** Arms to the next pin and to the one before, in the coordinates of the body; and turned. */
     private final double[] ownNextX;
@@ -63,10 +46,10 @@ final class PinChain implements Serializable {
     private final double[] ownNextY;
     private final double[] ownLastX;
     private final double[] ownLastY;
-    final double[] armNextX;
-    final double[] armNextY;
-    final double[] armLastX;
-    final double[] armLastY;
+    private final double[] nextX;
+    private final double[] nextY;
+    private final double[] lastX;
+    private final double[] lastY;
 
     /** The known angles, and their cosines and sines. */
     private final double[] known;
@@ -74,27 +57,12 @@ final class PinChain implements Serializable {
     private final double[] knownCos;
     private final double[] knownSin;
 
-    /** What a body adds to the diagonal blocks of A of its next pin and of the one before, and the block between them. */
-    final double[] next00;
+    private final double[] one;
+    private final double[] two;
+    private final double[] three;
+    private final double[] four;
 
-    final double[] next01;
-    final double[] next11;
-    final double[] last00;
-    final double[] last01;
-    final double[] last11;
-    final double[] mid00;
-    final double[] mid01;
-    final double[] mid10;
-    final double[] mid11;
-
-    /** λ of a body's next pin and of the one before. */
-    final double[] lambdaNextX;
-
-    final double[] lambdaNextY;
-    final double[] lambdaLastX;
-    final double[] lambdaLastY;
-    private final double[] cosines;
-    private final double[] sines;
+    private final ChainFactor factor;
 
     /**
      * Makes a chain.
@@ -106,56 +74,39 @@ final class PinChain implements Serializable {
         this.block = block;
         int n = block.length;
         pins = n - 1;
-        mass = new double[n];
-        inertia = new double[n];
         x = new double[n];
         y = new double[n];
         angle = new double[n];
         u = new double[n];
         v = new double[n];
         omega = new double[n];
-        dx = new double[n];
-        dy = new double[n];
-        turn = new double[n];
+        mass = new double[n];
+        inertia = new double[n];
+        ownNextX = every(arms, 0);
+        ownNextY = every(arms, 1);
+        ownLastX = every(arms, 2);
+        ownLastY = every(arms, 3);
         nextX = new double[n];
         nextY = new double[n];
         lastX = new double[n];
         lastY = new double[n];
-        ownNextX = new double[n];
-        ownNextY = new double[n];
-        ownLastX = new double[n];
-        ownLastY = new double[n];
-        armNextX = new double[n];
-        armNextY = new double[n];
-        armLastX = new double[n];
-        armLastY = new double[n];
         known = new double[n];
         knownCos = new double[n];
         knownSin = new double[n];
-        next00 = new double[n];
-        next01 = new double[n];
-        next11 = new double[n];
-        last00 = new double[n];
-        last01 = new double[n];
-        last11 = new double[n];
-        mid00 = new double[n];
-        mid01 = new double[n];
-        mid10 = new double[n];
-        mid11 = new double[n];
-        lambdaNextX = new double[n];
-        lambdaNextY = new double[n];
-        lambdaLastX = new double[n];
-        lambdaLastY = new double[n];
-        cosines = new double[n];
-        sines = new double[n];
-        factor = new ChainFactor(pins);
         Arrays.fill(knownCos, 1);
-        for (int k = 0; k < n; k++) {
-            ownNextX[k] = arms[4 * k];
-            ownNextY[k] = arms[4 * k + 1];
-            ownLastX[k] = arms[4 * k + 2];
-            ownLastY[k] = arms[4 * k + 3];
+        one = new double[n];
+        two = new double[n];
+        three = new double[n];
+        four = new double[n];
+        factor = new ChainFactor(pins);
+    }
+
+    private static double[] every(double[] arms, int from) {
+        double[] some = new double[arms.length / 4];
+        for (int k = 0; k < some.length; k++) {
+            some[k] = arms[4 * k + from];
         }
+        return some;
     }
 
     /** Takes the masses over. */
@@ -184,41 +135,27 @@ final class PinChain implements Serializable {
 
     /** Turns the arms: (45), (46). */
     void turnArms() {
-        for (int k = 0; k <= pins; k++) {
-            if (!(Math.abs(angle[k] - known[k]) <= NEAR)) {
-                know(k, Math.rint(GRAIN * angle[k]) / GRAIN);
-            }
+        if (Lanes.areApart(angle, known, NEAR)) {
+            settleAngles();
         }
-        double[] to = angle;
-        double[] from = known;
-        double[] fromCos = knownCos;
-        double[] fromSin = knownSin;
-        double[] c = cosines;
-        double[] s = sines;
-        for (int k = 0; k < c.length; k++) {
-            double d = to[k] - from[k];
-            double z = d * d;
-            double p = z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040 - z * (1.0 / 362880))));
-            double q = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720 - z * (1.0 / 40320 - z * (1.0 / 3628800)))));
-            double sin = d - d * p; // series of sin d and 1 − cos d
-            c[k] = fromCos[k] - (fromCos[k] * q + fromSin[k] * sin);
-            s[k] = fromSin[k] - (fromSin[k] * q - fromCos[k] * sin);
-        }
-        turn(cosines, sines, ownNextX, ownNextY, armNextX, armNextY);
-        turn(cosines, sines, ownLastX, ownLastY, armLastX, armLastY);
+        double[] sine = one;
+        double[] versine = two;
+        double[] cos = three;
+        double[] sin = four;
+        Lanes.sine(angle, known, sine);
+        Lanes.versine(angle, known, versine);
+        Lanes.rotate(knownCos, versine, knownSin, sine, cos);
+        Lanes.rotateBack(knownSin, versine, knownCos, sine, sin);
+        Lanes.cross(cos, ownNextX, sin, ownNextY, nextX);
+        Lanes.dot(sin, ownNextX, cos, ownNextY, nextY);
+        Lanes.cross(cos, ownLastX, sin, ownLastY, lastX);
+        Lanes.dot(sin, ownLastX, cos, ownLastY, lastY);
     }
 
-    private static void turn(double[] cos, double[] sin, double[] ownX, double[] ownY, double[] armX, double[] armY) {
-        for (int k = 0; k < cos.length; k++) {
-            armX[k] = cos[k] * ownX[k] - sin[k] * ownY[k];
-            armY[k] = sin[k] * ownX[k] + cos[k] * ownY[k];
-        }
-    }
-
-    /** Turns the arms by the tiny angles of the last solution. */
-    void nudgeArms() {
-        nudge(turn, armNextX, armNextY);
-        nudge(turn, armLastX, armLastY);
+    /** Turns the arms by tiny angles: cosine and sine to third order. */
+    void nudgeArms(double[] by) {
+        nudge(by, nextX, nextY);
+        nudge(by, lastX, lastY);
     }
 
     private static void nudge(double[] by, double[] armX, double[] armY) {
@@ -226,140 +163,87 @@ final class PinChain implements Serializable {
             double d = by[k];
             double rx = armX[k];
             double ry = armY[k];
-            armX[k] = rx - d * (ry + 0.5 * d * rx);
-            armY[k] = ry + d * (rx - 0.5 * d * ry);
+            double cos = 0.5 * d * d;
+            double sin = d - d * cos * (1.0 / 3);
+            armX[k] = rx - (cos * rx + sin * ry);
+            armY[k] = ry - (cos * ry - sin * rx);
         }
     }
 
-    /** The right side of the accelerations: J F W + J̇ ẋ where a body falls with an acceleration. */
+    /** Asks for C″ = 0 where the bodies fall with an acceleration: b = −(J a + J̇ ẋ), (38). */
     void askAcceleration(double[] fallX, double[] fallY) {
-        ask(fallX, fallY, omega, armNextX, armNextY, nextX, nextY);
-        ask(fallX, fallY, omega, armLastX, armLastY, lastX, lastY);
+        Lanes.subtractSquare(fallX, omega, nextX, one);
+        Lanes.subtractSquare(fallY, omega, nextY, two);
+        Lanes.subtractSquare(fallX, omega, lastX, three);
+        Lanes.subtractSquare(fallY, omega, lastY, four);
+        ask();
     }
 
-    private static void ask(
-            double[] fx, double[] fy, double[] spin, double[] rx, double[] ry, double[] outX, double[] outY) {
-        for (int k = 0; k < outX.length; k++) {
-            double square = spin[k] * spin[k];
-            outX[k] = fx[k] - square * rx[k];
-            outY[k] = fy[k] - square * ry[k];
-        }
-    }
-
-    /** The right side of the positions: C, (42)–(44). */
+    /** Asks for C = 0: b = −C, (42)–(44). */
     void askPosition() {
-        add(x, armNextX, nextX);
-        add(y, armNextY, nextY);
-        add(x, armLastX, lastX);
-        add(y, armLastY, lastY);
+        Lanes.add(x, nextX, one);
+        Lanes.add(y, nextY, two);
+        Lanes.add(x, lastX, three);
+        Lanes.add(y, lastY, four);
+        ask();
     }
 
-    private static void add(double[] a, double[] b, double[] sum) {
-        for (int k = 0; k < sum.length; k++) {
-            sum[k] = a[k] + b[k];
-        }
-    }
-
-    /** The right side of the velocities: J ẋ. */
+    /** Asks for C′ = 0: b = −J ẋ. */
     void askVelocity() {
-        speed(u, v, omega, armNextX, armNextY, nextX, nextY);
-        speed(u, v, omega, armLastX, armLastY, lastX, lastY);
+        Lanes.subtractProduct(u, omega, nextY, one);
+        Lanes.addProduct(v, omega, nextX, two);
+        Lanes.subtractProduct(u, omega, lastY, three);
+        Lanes.addProduct(v, omega, lastX, four);
+        ask();
     }
 
-    private static void speed(
-            double[] u, double[] v, double[] spin, double[] rx, double[] ry, double[] outX, double[] outY) {
-        for (int k = 0; k < outX.length; k++) {
-            outX[k] = u[k] - spin[k] * ry[k];
-            outY[k] = v[k] + spin[k] * rx[k];
-        }
+    private void ask() {
+        Lanes.nextLess(three, one, factor.b0);
+        Lanes.nextLess(four, two, factor.b1);
     }
 
-    /** The entries of A = J W Jᵀ. */
-    private void assemble() {
-        diagonal(mass, inertia, armNextX, armNextY, next00, next01, next11);
-        diagonal(mass, inertia, armLastX, armLastY, last00, last01, last11);
-        double[] m = mass;
-        double[] i = inertia;
-        double[] rx = armNextX;
-        double[] ry = armNextY;
-        double[] sx = armLastX;
-        double[] sy = armLastY;
-        double[] e00 = mid00;
-        double[] e01 = mid01;
-        double[] e10 = mid10;
-        double[] e11 = mid11;
-        for (int k = 0; k < e00.length; k++) {
-            double ix = i[k] * sx[k];
-            double iy = i[k] * sy[k];
-            e00[k] = -(m[k] + iy * ry[k]);
-            e01[k] = iy * rx[k];
-            e10[k] = ix * ry[k];
-            e11[k] = -(m[k] + ix * rx[k]);
-        }
+    /** The largest component of b. */
+    double largest() {
+        return Math.max(Lanes.most(factor.b0), Lanes.most(factor.b1));
     }
 
-    private static void diagonal(
-            double[] m, double[] i, double[] rx, double[] ry, double[] d00, double[] d01, double[] d11) {
-        for (int k = 0; k < d00.length; k++) {
-            double ix = i[k] * rx[k];
-            double iy = i[k] * ry[k];
-            d00[k] = m[k] + iy * ry[k];
-            d01[k] = -(iy * rx[k]);
-            d11[k] = m[k] + ix * rx[k];
-        }
+    /** A = J W Jᵀ at the present arms, factored. */
+    void factor() {
+        Lanes.entry(mass, inertia, nextY, nextY, one);
+        Lanes.entry(mass, inertia, lastY, lastY, two);
+        Lanes.addNext(one, two, factor.d00);
+        Lanes.product(inertia, nextX, nextY, one);
+        Lanes.product(inertia, lastX, lastY, two);
+        Lanes.minusSumNext(one, two, factor.d01);
+        Lanes.entry(mass, inertia, nextX, nextX, one);
+        Lanes.entry(mass, inertia, lastX, lastX, two);
+        Lanes.addNext(one, two, factor.d11);
+        Lanes.minusEntry(mass, inertia, lastY, nextY, factor.e00);
+        Lanes.product(inertia, lastY, nextX, factor.e01);
+        Lanes.product(inertia, lastX, nextY, factor.e10);
+        Lanes.minusEntry(mass, inertia, lastX, nextX, factor.e11);
+        factor.factor();
+    }
+
+    /** Whether the last factors are those of pins that do not nearly depend on each other. */
+    boolean isSound() {
+        return factor.isSound();
     }
 
     /**
-     * Factors A at the present arms and solves for the right side that was asked for.
+     * Solves for what was asked for, with the last factors: f + W Jᵀ λ.
      *
-     * @return false if a pin is near to depend on others
+     * @param fx f
+     * @param fy f
+     * @param outX gets the result
+     * @param outY gets the result
+     * @param outTurn gets the result
      */
-    boolean factorAndSolve() {
-        assemble();
-        boolean sound = factor.factor(this);
-        factor.back(this);
-        apply();
-        return sound;
-    }
-
-    /** Solves for the right side that was asked for, with the last factors. */
-    void solve() {
-        factor.forward(this);
-        factor.back(this);
-        apply();
-    }
-
-    /** The largest component of the right side that was asked for. */
-    double largest() {
-        double most = 0;
-        for (int k = 0; k < pins; k++) {
-            most = Math.max(most, Math.max(Math.abs(lastX[k + 1] - nextX[k]), Math.abs(lastY[k + 1] - nextY[k])));
-        }
-        return most;
-    }
-
-    /** W Jᵀ λ. */
-    private void apply() {
-        push(mass, lambdaNextX, lambdaLastX, dx);
-        push(mass, lambdaNextY, lambdaLastY, dy);
-        double[] i = inertia;
-        double[] px = lambdaNextX;
-        double[] py = lambdaNextY;
-        double[] qx = lambdaLastX;
-        double[] qy = lambdaLastY;
-        double[] rx = armNextX;
-        double[] ry = armNextY;
-        double[] sx = armLastX;
-        double[] sy = armLastY;
-        double[] out = turn;
-        for (int k = 0; k < out.length; k++) {
-            out[k] = i[k] * ((rx[k] * py[k] - ry[k] * px[k]) - (sx[k] * qy[k] - sy[k] * qx[k]));
-        }
-    }
-
-    private static void push(double[] m, double[] next, double[] last, double[] out) {
-        for (int k = 0; k < out.length; k++) {
-            out[k] = m[k] * (next[k] - last[k]);
-        }
+    void solve(double[] fx, double[] fy, double[] outX, double[] outY, double[] outTurn) {
+        factor.solve();
+        Lanes.push(fx, mass, factor.lambdaX, outX);
+        Lanes.push(fy, mass, factor.lambdaY, outY);
+        Lanes.turnNext(inertia, nextX, nextY, factor.lambdaX, factor.lambdaY, outTurn);
+        Lanes.turnLast(inertia, lastX, lastY, factor.lambdaX, factor.lambdaY, outTurn);
     }
 }

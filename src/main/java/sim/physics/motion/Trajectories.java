@@ -158,11 +158,23 @@ public final class Trajectories implements Serializable {
     public void anchor(int body, double tau, State state) {
         int o = body * STRIDE;
         int b = body * State.BLOCK;
-        System.arraycopy(state.x(), b, data, o, State.BLOCK);
-        System.arraycopy(state.v(), b, data, o + VX, State.BLOCK);
-        Arrays.fill(data, o + AX, o + STEP, 0);
-        data[o + STEP] = step;
-        data[o + OFFSET] = tau;
+        double[] m = data; // copied one by one: a call for three values takes longer
+        double[] x = state.x();
+        double[] v = state.v();
+        m[o] = x[b];
+        m[o + 1] = x[b + 1];
+        m[o + 2] = x[b + 2];
+        m[o + VX] = v[b];
+        m[o + VY] = v[b + 1];
+        m[o + OMEGA] = v[b + 2];
+        m[o + AX] = 0;
+        m[o + AY] = 0;
+        m[o + ATHETA] = 0;
+        m[o + JX] = 0;
+        m[o + JY] = 0;
+        m[o + JTHETA] = 0;
+        m[o + STEP] = step;
+        m[o + OFFSET] = tau;
     }
 
     /**
