@@ -169,11 +169,14 @@ final class TiedMotion implements Serializable {
 
     /** The cubics from the start to where the bodies are now. */
     private void join(Motion motion, IntList group, double length, Path path) {
+        double[] x = state.x();
+        double[] v = state.v();
+        double per = 1 / length;
         for (int k = 0; k < group.size; k++) {
             int b = State.BLOCK * group.values[k];
-            for (int end = b + State.BLOCK; b < end; b++) {
-                path.cubic(b, (state.x()[b] - startX[b]) / length, startV[b], state.v()[b], length);
-            }
+            path.cubicPer(b, (x[b] - startX[b]) * per, startV[b], v[b], per);
+            path.cubicPer(b + 1, (x[b + 1] - startX[b + 1]) * per, startV[b + 1], v[b + 1], per);
+            path.cubicPer(b + 2, (x[b + 2] - startX[b + 2]) * per, startV[b + 2], v[b + 2], per);
         }
     }
 

@@ -250,7 +250,7 @@ public final class Trajectories implements Serializable {
     }
 
     /**
-     * Writes positions and velocities at an instant into the state vectors.
+     * Writes positions and velocities of the bodies that are not driven, at an instant, into the state vectors.
      *
      * @param tau offset in the present step
      * @param state the vectors
@@ -261,6 +261,9 @@ public final class Trajectories implements Serializable {
         double[] m = data;
         int n = state.size();
         for (int i = 0, o = 0, b = 0; i < n; i++, o += STRIDE, b += State.BLOCK) {
+            if (m[o + DRIVEN] != 0) {
+                continue;
+            }
             double d = (step - m[o + STEP]) * h + (tau - m[o + OFFSET]);
             x[b] = m[o] + d * (m[o + VX] + d * (m[o + AX] + d * m[o + JX]));
             x[b + 1] = m[o + 1] + d * (m[o + VY] + d * (m[o + AY] + d * m[o + JY]));
