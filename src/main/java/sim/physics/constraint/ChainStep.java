@@ -110,7 +110,6 @@ final class ChainStep implements Serializable {
     private double gather(State state, double gx, double gy) {
         double[] x = state.x();
         double[] v = state.v();
-        double place = island.mostSize;
         for (int k = 0; k < chain.block.length; k++) {
             int b = chain.block[k];
             if (b >= 0) {
@@ -127,7 +126,7 @@ final class ChainStep implements Serializable {
         int n = fallX.length;
         System.arraycopy(angle0, 0, chain.angle, 0, n);
         System.arraycopy(omega0, 0, chain.omega, 0, n);
-        return Math.max(place, Math.max(Lanes.most(x0), Lanes.most(y0)));
+        return Math.max(island.mostSize, Lanes.most(x0, y0) * 0.5); // at most the largest coordinate
     }
 
     /** (37) at a stage. */
@@ -150,19 +149,17 @@ final class ChainStep implements Serializable {
     /** Projects positions and velocities, as {@link Projection} does. */
     private boolean close(double place) {
         double rounding = Projection.ROUNDING * place;
-        double before = Double.POSITIVE_INFINITY;
         chain.turnArms();
         for (int corrections = 0; corrections < CORRECTIONS; corrections++) {
             chain.askPosition();
-            double error = chain.largest() / rounding;
+            boolean closed = corrections == 0 && chain.largest() <= rounding;
             chain.factor();
             if (corrections == 0 && !chain.isSound()) {
                 return false;
             }
-            if (error <= 1 || error >= 0.5 * before && error < 1e4) {
-                return settle(0); // closed; or rounding
+            if (closed) {
+                return settle(0);
             }
-            before = error;
             double roughness = correctPlaces();
             if (!(roughness < Projection.ROUGH)) {
                 return false;
@@ -191,8 +188,7 @@ final class ChainStep implements Serializable {
             return true;
         }
         double last = Double.POSITIVE_INFINITY;
-        double speed = Math.max(Lanes.most(chain.u), Lanes.most(chain.v));
-        double scale = Math.max(speed, Lanes.most(chain.omega) * island.leastSize);
+        double scale = 0.5 * Lanes.most(1, chain.u, chain.v, island.leastSize, chain.omega);
         for (int k = 0; k < Projection.VELOCITY_CORRECTIONS; k++) {
             chain.askVelocity();
             double slip = chain.largest();
@@ -214,7 +210,7 @@ final class ChainStep implements Serializable {
         Lanes.add(chain.x, ax[0], chain.x);
         Lanes.add(chain.y, ay[0], chain.y);
         Lanes.add(chain.angle, turn[0], chain.angle);
-        return Math.max(Math.max(Lanes.most(ax[0]), Lanes.most(ay[0])) / island.leastSize, Lanes.most(turn[0]));
+        return Lanes.most(1 / island.leastSize, ax[0], ay[0], 1, turn[0]);
     }
 
     private void correctVelocities() {

@@ -178,11 +178,32 @@ final class Lanes {
         return apart;
     }
 
-    /** The largest |a|. */
-    static double most(double[] a) {
+    /** The largest |a| + |b|, or NaN. */
+    static double most(double[] a, double[] b) {
         double most = 0;
         for (int k = 0; k < a.length; k++) {
-            most = Math.max(most, Math.abs(a[k]));
+            double size = Math.abs(a[k]) + Math.abs(b[k]);
+            if (!(size <= most)) { // seldom; a maximum would make each wait for the last
+                if (Double.isNaN(size)) {
+                    return size;
+                }
+                most = size;
+            }
+        }
+        return most;
+    }
+
+    /** The largest s (|a| + |b|) + t |c|, or NaN. */
+    static double most(double s, double[] a, double[] b, double t, double[] c) {
+        double most = 0;
+        for (int k = 0; k < a.length; k++) {
+            double size = s * (Math.abs(a[k]) + Math.abs(b[k])) + t * Math.abs(c[k]);
+            if (!(size <= most)) {
+                if (Double.isNaN(size)) {
+                    return size;
+                }
+                most = size;
+            }
         }
         return most;
     }

@@ -202,9 +202,9 @@ final class PinChain implements Serializable {
         Lanes.nextLess(four, two, factor.b1);
     }
 
-    /** The largest component of b. */
+    /** The largest part of b, the sum of its components. */
     double largest() {
-        return Math.max(Lanes.most(factor.b0), Lanes.most(factor.b1));
+        return Lanes.most(factor.b0, factor.b1);
     }
 
     /** A = J W Jᵀ at the present arms, factored. */
