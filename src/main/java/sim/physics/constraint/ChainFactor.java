@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.Arrays;
 
 /**
  * The block tridiagonal equations A λ = b of a {@link PinChain}: factors L D Lᵀ, eliminated from both ends towards the pin
@@ -52,7 +53,7 @@ final class ChainFactor implements Serializable {
     private final double[] z1;
 
     /** What the last pin leaves behind. */
-    private final double[] rest = new double[3];
+    private final double[] rest = new double[5];
 
     ChainFactor(int pins) {
         this.pins = pins;
@@ -79,15 +80,19 @@ final class ChainFactor implements Serializable {
         z1 = new double[pins];
     }
 
-    /** Factors A. */
+    /** Factors A, and leaves L⁻¹ b in the place of b, which the processor does while it waits for the factors. */
     void factor() {
         int q = last();
         double s00 = 0; // what the left end has left behind, and the right one
         double s01 = 0;
         double s11 = 0;
+        double s0 = 0;
+        double s1 = 0;
         double t00 = rest[0];
         double t01 = rest[1];
         double t11 = rest[2];
+        double t0 = rest[3];
+        double t1 = rest[4];
         for (int k = 0; k < middle; k++, q--) {
             double p00 = d00[k] - s00;
             double p01 = d01[k] - s01;
@@ -101,6 +106,10 @@ final class ChainFactor implements Serializable {
             s00 = r * product(c00, c01, p00, p01, p11, c00, c01);
             s01 = r * product(c00, c01, p00, p01, p11, c10, c11);
             s11 = r * product(c10, c11, p00, p01, p11, c10, c11);
+            b0[k] -= s0;
+            b1[k] -= s1;
+            s0 = r * product(c00, c01, p00, p01, p11, b0[k], b1[k]);
+            s1 = r * product(c10, c11, p00, p01, p11, b0[k], b1[k]);
             p00 = d00[q] - t00;
             p01 = d01[q] - t01;
             p11 = d11[q] - t11;
@@ -113,20 +122,24 @@ final class ChainFactor implements Serializable {
             t00 = r * product(c00, c01, p00, p01, p11, c00, c01);
             t01 = r * product(c00, c01, p00, p01, p11, c10, c11);
             t11 = r * product(c10, c11, p00, p01, p11, c10, c11);
+            b0[q] -= t0;
+            b1[q] -= t1;
+            t0 = r * product(c00, c01, p00, p01, p11, b0[q], b1[q]);
+            t1 = r * product(c10, c11, p00, p01, p11, b0[q], b1[q]);
         }
         int k = middle;
         double p00 = d00[k] - (s00 + t00);
         double p01 = d01[k] - (s01 + t01);
         double p11 = d11[k] - (s11 + t11);
         keep(k, p00, p01, p11, 1 / (p00 * p11 - p01 * p01), 0, 0, 0, 0);
+        b0[k] -= s0 + t0;
+        b1[k] -= s1 + t1;
     }
 
     /** The last pin is eliminated first if the pins do not come out even; returns the last one that is left. */
     private int last() {
         int q = pins - 1;
-        rest[0] = 0;
-        rest[1] = 0;
-        rest[2] = 0;
+        Arrays.fill(rest, 0);
         if (pins % 2 == 0) {
             double p00 = d00[q];
             double p01 = d01[q];
@@ -136,6 +149,8 @@ final class ChainFactor implements Serializable {
             rest[0] = r * product(e00[q], e01[q], p00, p01, p11, e00[q], e01[q]);
             rest[1] = r * product(e00[q], e01[q], p00, p01, p11, e10[q], e11[q]);
             rest[2] = r * product(e10[q], e11[q], p00, p01, p11, e10[q], e11[q]);
+            rest[3] = r * product(e00[q], e01[q], p00, p01, p11, b0[q], b1[q]);
+            rest[4] = r * product(e10[q], e11[q], p00, p01, p11, b0[q], b1[q]);
             q--;
         }
         return q;
@@ -169,12 +184,17 @@ final class ChainFactor implements Serializable {
         return sound;
     }
 
-    /** Solves for λ; b is used up. */
+    /** Solves for λ with the last factors; b is used up. */
     void solve() {
         forward();
+        back();
+    }
+
+    /** Solves for λ, given L⁻¹ b in the place of b. */
+    void back() {
         Lanes.dot(i00, b0, i01, b1, z0);
         Lanes.dot(i01, b0, i11, b1, z1);
-        back();
+        substitute();
     }
 
     private void forward() {
@@ -206,7 +226,7 @@ final class ChainFactor implements Serializable {
         b1[middle] -= s1 + t1;
     }
 
-    private void back() {
+    private void substitute() {
         double x0 = z0[middle];
         double x1 = z1[middle];
         double y0 = x0;

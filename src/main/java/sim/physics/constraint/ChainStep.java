@@ -133,8 +133,7 @@ final class ChainStep implements Serializable {
     private void accelerate(int s) {
         chain.turnArms();
         chain.askAcceleration(fallX, fallY);
-        chain.factor();
-        chain.solve(fallX, fallY, ax[s], ay[s], turn[s]);
+        chain.factorAndSolve(fallX, fallY, ax[s], ay[s], turn[s]);
     }
 
     private void finish(double h) {
@@ -153,7 +152,7 @@ final class ChainStep implements Serializable {
         for (int corrections = 0; corrections < CORRECTIONS; corrections++) {
             chain.askPosition();
             boolean closed = corrections == 0 && chain.largest() <= rounding;
-            chain.factor();
+            chain.factorAndSolve(zero, zero, ax[0], ay[0], turn[0]);
             if (corrections == 0 && !chain.isSound()) {
                 return false;
             }
@@ -206,7 +205,6 @@ final class ChainStep implements Serializable {
 
     /** Moves the bodies by the solution; returns how far, in rad or relative to the size of the bodies. */
     private double correctPlaces() {
-        chain.solve(zero, zero, ax[0], ay[0], turn[0]);
         Lanes.add(chain.x, ax[0], chain.x);
         Lanes.add(chain.y, ay[0], chain.y);
         Lanes.add(chain.angle, turn[0], chain.angle);

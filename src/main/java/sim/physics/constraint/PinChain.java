@@ -207,8 +207,8 @@ final class PinChain implements Serializable {
         return Lanes.most(factor.b0, factor.b1);
     }
 
-    /** A = J W Jᵀ at the present arms, factored. */
-    void factor() {
+    /** A = J W Jᵀ at the present arms, factored, and the first half of its solution for what was asked for. */
+    private void factor() {
         Lanes.entry(mass, inertia, nextY, nextY, one);
         Lanes.entry(mass, inertia, lastY, lastY, two);
         Lanes.addNext(one, two, factor.d00);
@@ -231,7 +231,22 @@ final class PinChain implements Serializable {
     }
 
     /**
-     * Solves for what was asked for, with the last factors: f + W Jᵀ λ.
+     * Solves for what was asked for, at the present arms: f + W Jᵀ λ.
+     *
+     * @param fx f
+     * @param fy f
+     * @param outX gets the result
+     * @param outY gets the result
+     * @param outTurn gets the result
+     */
+    void factorAndSolve(double[] fx, double[] fy, double[] outX, double[] outY, double[] outTurn) {
+        factor();
+        factor.back();
+        push(fx, fy, outX, outY, outTurn);
+    }
+
+    /**
+     * The same with the last factors.
      *
      * @param fx f
      * @param fy f
@@ -241,6 +256,10 @@ final class PinChain implements Serializable {
      */
     void solve(double[] fx, double[] fy, double[] outX, double[] outY, double[] outTurn) {
         factor.solve();
+        push(fx, fy, outX, outY, outTurn);
+    }
+
+    private void push(double[] fx, double[] fy, double[] outX, double[] outY, double[] outTurn) {
         Lanes.push(fx, mass, factor.lambdaX, outX);
         Lanes.push(fy, mass, factor.lambdaY, outY);
         Lanes.turnNext(inertia, nextX, nextY, factor.lambdaX, factor.lambdaY, outTurn);
