@@ -6,6 +6,9 @@ import java.util.Arrays;
 
 /** Finds out whether the pins of an island form a chain, and lays it out from one end to the other. */
 final class ChainLayout {
+    /** Pins from which the many short loops of a {@link PinChain} take less time than the general code. */
+    private static final int FEWEST = 4;
+
     private final Island island;
     private final double[] arms;
 
@@ -29,9 +32,12 @@ final class ChainLayout {
      *
      * @param island its constraints are all pins
      * @param arms by node: the arms of both bodies; places in the world for what does not move
-     * @return null if the pins do not form a chain
+     * @return null if the pins do not form a chain, or one too short to be worth it
      */
     static PinChain find(Island island, double[] arms) {
+        if (island.nodes < FEWEST) {
+            return null;
+        }
         ChainLayout layout = new ChainLayout(island, arms);
         int end = layout.end();
         return end < 0 ? null : layout.follow(end);
