@@ -7,7 +7,6 @@ import java.util.Arrays;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.Pairs;
-import sim.physics.collision.narrow.Manifold;
 import sim.physics.collision.narrow.NarrowPhase;
 import sim.physics.collision.narrow.ShapeTable;
 import sim.physics.internal.Agenda;
@@ -52,6 +51,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private double[] holdsUntil = new double[8];
 
     private boolean[] known = new boolean[8];
+
+    /** Bodies none of whose pairs need be looked at. */
+    private boolean[] idle = new boolean[8];
     private double pathEnd;
 
     private final PairMarks marks = new PairMarks();
@@ -120,9 +122,11 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         if (body >= endTime.length) {
             endTime = Arrays.copyOf(endTime, Math.max(2 * endTime.length, body + 1));
             known = Arrays.copyOf(known, endTime.length);
+            idle = Arrays.copyOf(idle, endTime.length);
             holdsUntil = Arrays.copyOf(holdsUntil, endTime.length);
         }
         known[body] = true;
+        idle[body] = false;
         endTime[body] = Double.NaN;
         holdsUntil[body] = h;
         enclose(body, tau);
@@ -208,12 +212,19 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
                 bodyAgenda.schedule(body, date);
             }
         }
+        if (idle[body]) {
+            return;
+        }
         IntList of = pairs.of(body);
+        boolean watched = false;
         for (int k = 0; of != null && k < of.size; k++) {
-            if (of.values[k] != except) {
-                examine(of.values[k], tau);
+            int pair = of.values[k];
+            watched |= pair == except || !marks.isUnseen(pair);
+            if (pair != except) {
+                examine(pair, tau);
             }
         }
+        idle[body] = !watched;
     }
 
     /**
@@ -226,6 +237,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         for (int k = 0; of != null && k < of.size; k++) {
             int p = of.values[k];
             marks.ignore(p, !filter.allows(state.body(pairs.first(p)), state.body(pairs.second(p))));
+            watch(p);
         }
     }
 
@@ -246,6 +258,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      */
     public void hold(int pair, boolean yes) {
         marks.hold(pair, yes);
+        watch(pair);
         impactTime[pair] = Double.NaN;
     }
 
@@ -323,18 +336,13 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
 
     /** Puts a body into a new box that holds its path to the end of the step, with room to go on. */
     private void enclose(int body, double tau) {
-        if (boxes.isFixed(body)) {
-            encloseFixed(body);
+        if (boxes.isFixed(body)) { // its box fits its vertices
+            shapes.encloseFixed(body, trajectories.data(), body * Trajectories.STRIDE, boxes);
+            bodyAgenda.schedule(body, Agenda.NEVER);
             return;
         }
         room.enclose(body, tau, end(body));
         bodyAgenda.schedule(body, Math.max(step + 1, room.leavingDate(body, tau, step, h)));
-    }
-
-    /** A fixed body's box fits its vertices. */
-    private void encloseFixed(int body) {
-        shapes.encloseFixed(body, trajectories.data(), body * Trajectories.STRIDE, boxes);
-        bodyAgenda.schedule(body, Agenda.NEVER);
     }
 
     /**
@@ -388,14 +396,14 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @return true if there is an impact or the end of a path
      */
     public boolean hasEvent() {
-        while (!queue.isEmpty() && isStale(queue.firstItem(), queue.firstTime())) {
+        while (!queue.isEmpty()) {
+            int item = queue.firstItem();
+            if (queue.firstTime() == (item >= 0 ? impactTime[item] : endTime[~item])) {
+                return true;
+            }
             queue.removeFirst(); // planned before a later change of course
         }
-        return !queue.isEmpty();
-    }
-
-    private boolean isStale(int item, double time) {
-        return item >= 0 ? impactTime[item] != time : endTime[~item] != time;
+        return false;
     }
 
     /**
@@ -449,17 +457,6 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         return together;
     }
 
-    /**
-     * Where a pair touches.
-     *
-     * @param pair its number
-     * @param tau offset in the present step
-     * @param contact filled
-     */
-    public void contact(int pair, double tau, Manifold contact) {
-        narrowPhase.contact(pair, tau, contact);
-    }
-
     @Override
     public void pairBegan(int pair) {
         if (pair >= impactTime.length) {
@@ -469,7 +466,13 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         narrowPhase.forget(pair);
         impactTime[pair] = Double.NaN;
         marks.begin(pair, !filter.allows(state.body(pairs.first(pair)), state.body(pairs.second(pair))));
+        watch(pair);
         fresh.add(pair);
+    }
+
+    private void watch(int pair) {
+        idle[pairs.first(pair)] = false;
+        idle[pairs.second(pair)] = false;
     }
 
     @Override

@@ -95,6 +95,11 @@ final class Room implements Serializable {
 
     /** Whether a body surely stays in its box to the end of the step. */
     boolean holds(int body, double tau, double h) {
+        double[] m = trajectories.data();
+        int at = body * Trajectories.STRIDE;
+        if (m[at + Trajectories.OFFSET] == tau && m[at + Trajectories.STEP] == trajectories.step()) {
+            return holdsFromAnchor(body, h - tau);
+        }
         double[] d = boxes.data();
         int o = body * Trajectories.STRIDE;
         int b = body * Boxes.STRIDE;
@@ -105,6 +110,22 @@ final class Room implements Serializable {
         double y = place(o + 1, time);
         double wayX = radius + rest * Math.abs(speed(o, time)) + pathBound(o, time, rest);
         double wayY = radius + rest * Math.abs(speed(o + 1, time)) + pathBound(o + 1, time, rest);
+        return x - wayX >= d[b] && y - wayY >= d[b + 1] && x + wayX <= d[b + 2] && y + wayY <= d[b + 3];
+    }
+
+    /** The same where the body's anchor is at the present instant, as that of a driven body is. */
+    private boolean holdsFromAnchor(int body, double rest) {
+        double[] d = boxes.data();
+        double[] m = trajectories.data();
+        int o = body * Trajectories.STRIDE;
+        int b = body * Boxes.STRIDE;
+        double ax = Math.abs(m[o + Trajectories.AX]) + 3 * Math.abs(m[o + Trajectories.JX]) * rest;
+        double ay = Math.abs(m[o + Trajectories.AY]) + 3 * Math.abs(m[o + Trajectories.JY]) * rest;
+        double radius = m[o + Trajectories.RADIUS];
+        double wayX = radius + rest * (Math.abs(m[o + Trajectories.VX]) + ax * rest);
+        double wayY = radius + rest * (Math.abs(m[o + Trajectories.VY]) + ay * rest);
+        double x = m[o];
+        double y = m[o + 1];
         return x - wayX >= d[b] && y - wayY >= d[b + 1] && x + wayX <= d[b + 2] && y + wayY <= d[b + 3];
     }
 

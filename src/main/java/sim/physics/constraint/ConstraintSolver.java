@@ -31,6 +31,17 @@ public abstract class ConstraintSolver implements Serializable {
     abstract void correct(Island island, double[] w, double[] u, double[] g);
 
     /**
+     * Whether an island's equations are well enough conditioned to be solved without refinement, in what order ever.
+     *
+     * @param island any
+     * @param w the diagonal of W
+     * @return false if only this solver's own way will do
+     */
+    boolean isPlain(Island island, double[] w) {
+        return false;
+    }
+
+    /**
      * Both at once.
      *
      * @param island evaluated

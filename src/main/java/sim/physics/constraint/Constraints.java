@@ -301,6 +301,13 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
+    public boolean advance(IntList bodies, double gx, double gy, double h) {
+        Island one = islandOf(bodies.values[0]);
+        boolean isOne = one != null && one.bodies == bodies && !stabilization.isFeedback();
+        return isOne && one.chain != null && one.chain.advance(state, solver, gx, gy, h);
+    }
+
+    @Override
     public boolean project(IntList bodies) {
         if (stabilization.isFeedback()) {
             return true;
@@ -395,18 +402,7 @@ public final class Constraints implements Ties, Serializable {
      * @return those that break; empty if none does
      */
     public List<Constraint> overloaded(IntList bodies) {
-        Island island = islandOf(bodies.values[0]);
-        List<Constraint> breaking = new ArrayList<>();
-        for (Constraint c : island.inOrder) {
-            if (c instanceof Joint joint && joint.isBreakable()) {
-                Reaction load = island.reaction(c);
-                double torque = c instanceof PinJoint ? 0 : Math.abs(load.torque());
-                if (load.force() > joint.getBreakingForce() || torque > joint.getBreakingTorque()) {
-                    breaking.add(c);
-                }
-            }
-        }
-        return breaking;
+        return islandOf(bodies.values[0]).overloaded();
     }
 
     /**

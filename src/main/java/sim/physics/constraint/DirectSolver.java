@@ -40,6 +40,11 @@ public final class DirectSolver extends ConstraintSolver {
     }
 
     @Override
+    boolean isPlain(Island island, double[] w) {
+        return !island.isRedundant && !(island.spread(w) > SPREAD);
+    }
+
+    @Override
     void prepare(Island island, double[] w) {
         island.factor(w, 0, least(island, w));
         boolean redundant = island.redundant() > 0;
@@ -67,7 +72,7 @@ public final class DirectSolver extends ConstraintSolver {
             right = new double[2 * island.nodes];
         }
         double[] lambda = island.lambda;
-        if (!island.isRedundant && !(island.spread(w) > SPREAD)) {
+        if (isPlain(island, w)) {
             island.residual(u, g, lambda);
             island.solve(lambda);
             island.apply(w, lambda, u);
@@ -99,7 +104,7 @@ public final class DirectSolver extends ConstraintSolver {
 
     @Override
     void prepareAndCorrect(Island island, double[] w, double[] u, double[] g) {
-        if (!island.hasOnlyPins() || island.isRedundant || island.spread(w) > SPREAD) {
+        if (!island.hasOnlyPins() || !isPlain(island, w)) {
             super.prepareAndCorrect(island, w, u, g);
             return;
         }

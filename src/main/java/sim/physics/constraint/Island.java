@@ -75,6 +75,10 @@ final class Island implements Serializable {
     private final PinRows pins;
 
     private final boolean onlyPins;
+
+    /** Null unless the constraints are pins that form a chain. */
+    final ChainStep chain;
+
     final Switches switches;
     final Invariants invariants;
     final Shake shake;
@@ -150,6 +154,7 @@ final class Island implements Serializable {
         if (onlyPins) {
             pins.setShared(shared);
         }
+        chain = onlyPins ? pins.chain() : null;
         switches = new Switches(this);
         invariants = new Invariants(this);
         shake = new Shake(this);
@@ -390,9 +395,27 @@ final class Island implements Serializable {
         return new Reaction(f[0], f[1], f[2]);
     }
 
+    /** The joints whose load is greater than they bear, as the last solve left it. */
+    List<Constraint> overloaded() {
+        List<Constraint> breaking = new ArrayList<>();
+        for (Constraint k : inOrder) {
+            if (k instanceof Joint joint && joint.isBreakable()) {
+                Reaction load = reaction(k);
+                double torque = k instanceof PinJoint ? 0 : Math.abs(load.torque());
+                if (load.force() > joint.getBreakingForce() || torque > joint.getBreakingTorque()) {
+                    breaking.add(k);
+                }
+            }
+        }
+        return breaking;
+    }
+
     void forgetMasses() {
         spread = 0;
         pins.forgetMasses();
+        if (chain != null) {
+            chain.forgetMasses();
+        }
     }
 
     /** Ratio of the largest mass to the smallest one. */

@@ -75,6 +75,12 @@ final class PinRows implements Serializable {
         }
     }
 
+    /** The steps of the pins if they form a chain, or null. */
+    ChainStep chain() {
+        PinChain chain = ChainLayout.find(island, arms);
+        return chain == null ? null : new ChainStep(island, chain);
+    }
+
     /** Whether all constraints are pins, so that node k is pin k. */
     boolean areAll() {
         return pins.length == isPin.length;

@@ -20,16 +20,16 @@ final class Projection implements Serializable {
     private static final long serialVersionUID = 1L;
 
     private static final int CORRECTIONS = 40;
-    private static final int VELOCITY_CORRECTIONS = 4;
+    static final int VELOCITY_CORRECTIONS = 4;
 
     /** Rounding of C, relative to the coordinates that it is computed from. */
-    private static final double ROUNDING = 4 * 0x1p-52;
+    static final double ROUNDING = 4 * 0x1p-52;
 
     /** Correction of a step, relative to the size of the bodies or in rad, from which the step was too long. */
-    private static final double ROUGH = 5e-3;
+    static final double ROUGH = 5e-3;
 
     /** Size of a correction whose square is less than rounding. */
-    private static final double SMOOTH = 1e-9;
+    static final double SMOOTH = 1e-9;
 
     private double[] move = {};
     private int corrections;

@@ -338,9 +338,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         return ties != null && (generators.coupled || isTied(group.values[0]));
     }
 
-    /**
-     * Anchors driven bodies at the start of a step where the last one left them.
-     */
+    /** Anchors driven bodies at the start of a step where the last one left them. */
     public void anchorDriven() {
         for (int k = 0; k < driven.size; k++) {
             trajectories.anchor(driven.values[k], 0, state);
@@ -423,6 +421,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
         return pushed.size > 0 || generators.isAny();
     }
 
+    /** The uniform fields, if nothing but them acts, or null. */
+    Generators fields() {
+        return pushed.size == 0 && !generators.drive() ? generators : null;
+    }
+
     /** Length of the present step. */
     double step() {
         return trajectories.h();
@@ -447,7 +450,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     @Override
     public void acceleration(IntList bodies, double t, double[] a) {
-        if (pushed.size == 0 && !generators.drive()) {
+        if (fields() != null) {
             generators.fall(bodies, a);
         } else {
             force(bodies, t, a);

@@ -87,6 +87,18 @@ public final class Path implements Serializable {
         j[b] = 0;
     }
 
+    /** The cubic through both ends; the last is the reciprocal of the step. */
+    void cubicPer(int b, double mean, double start, double end, double per) {
+        double bend = start + end - 2 * mean;
+        if (Math.abs(bend) <= ROUNDING * (Math.abs(start) + Math.abs(end))) {
+            a[b] = 0.5 * per * (end - start);
+            j[b] = 0;
+            return;
+        }
+        a[b] = per * (3 * mean - 2 * start - end);
+        j[b] = per * per * bend;
+    }
+
     /** The cubic through both ends, given the mean velocity of the step and the velocities at its ends. */
     void cubic(int b, double mean, double start, double end, double h) {
         double bend = start + end - 2 * mean;

@@ -136,6 +136,7 @@ final class TiedMotion implements Serializable {
             return;
         }
         begin(group);
+        path.ensure(state.x().length);
         if (motion.getIntegrator().isAdaptive()) {
             for (double done = 0; done != length; ) {
                 double left = length - done;
@@ -148,7 +149,7 @@ final class TiedMotion implements Serializable {
                 again(group);
                 parts *= 2;
             }
-            if (parts == 1 && Math.abs(length) < SHORT * motion.step()) {
+            if (parts == 1 && Math.abs(length) < SHORT * trajectories.h()) {
                 return; // the integrator's own path: the ends are too near for a difference
             }
         }
@@ -168,11 +169,14 @@ final class TiedMotion implements Serializable {
 
     /** The cubics from the start to where the bodies are now. */
     private void join(Motion motion, IntList group, double length, Path path) {
+        double[] x = state.x();
+        double[] v = state.v();
+        double per = 1 / length;
         for (int k = 0; k < group.size; k++) {
             int b = State.BLOCK * group.values[k];
-            for (int end = b + State.BLOCK; b < end; b++) {
-                path.cubic(b, (state.x()[b] - startX[b]) / length, startV[b], state.v()[b], length);
-            }
+            path.cubicPer(b, (x[b] - startX[b]) * per, startV[b], v[b], per);
+            path.cubicPer(b + 1, (x[b + 1] - startX[b + 1]) * per, startV[b + 1], v[b + 1], per);
+            path.cubicPer(b + 2, (x[b + 2] - startX[b + 2]) * per, startV[b + 2], v[b + 2], per);
         }
     }
 
@@ -198,6 +202,12 @@ final class TiedMotion implements Serializable {
     }
 
     private boolean advance(Motion motion, IntList group, double t, double length, int parts, Path path) {
+        Generators fields = motion.fields();
+        if (parts == 1 && fields != null && motion.getIntegrator() instanceof RungeKutta4
+                && Math.abs(length) >= SHORT * trajectories.h()
+                && ties.advance(group, fields.gravityX, fields.gravityY, length)) {
+            return true;
+        }
         for (int k = 0; k < parts; k++) {
             double from = length * k / parts;
             double to = length * (k + 1) / parts;

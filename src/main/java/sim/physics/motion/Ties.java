@@ -51,6 +51,17 @@ public interface Ties extends Serializable {
     void begin(IntList bodies, boolean isFree);
 
     /**
+     * Makes a step of RK4 under a uniform field and projects, at once, if there is a quick way to do so.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @param gx acceleration of the field
+     * @param gy acceleration of the field
+     * @param h step, of either sign
+     * @return false if there is no such way; then nothing has changed
+     */
+    boolean advance(IntList bodies, double gx, double gy, double h);
+
+    /**
      * Moves some bodies of the state vectors by the least amount, and changes their velocities by the least amount, that
      * the ties ask for.
      *

@@ -158,11 +158,23 @@ public final class Trajectories implements Serializable {
     public void anchor(int body, double tau, State state) {
         int o = body * STRIDE;
         int b = body * State.BLOCK;
-        System.arraycopy(state.x(), b, data, o, State.BLOCK);
-        System.arraycopy(state.v(), b, data, o + VX, State.BLOCK);
-        Arrays.fill(data, o + AX, o + STEP, 0);
-        data[o + STEP] = step;
-        data[o + OFFSET] = tau;
+        double[] m = data; // copied one by one: a call for three values takes longer
+        double[] x = state.x();
+        double[] v = state.v();
+        m[o] = x[b];
+        m[o + 1] = x[b + 1];
+        m[o + 2] = x[b + 2];
+        m[o + VX] = v[b];
+        m[o + VY] = v[b + 1];
+        m[o + OMEGA] = v[b + 2];
+        m[o + AX] = 0;
+        m[o + AY] = 0;
+        m[o + ATHETA] = 0;
+        m[o + JX] = 0;
+        m[o + JY] = 0;
+        m[o + JTHETA] = 0;
+        m[o + STEP] = step;
+        m[o + OFFSET] = tau;
     }
 
     /**
@@ -238,7 +250,7 @@ public final class Trajectories implements Serializable {
     }
 
     /**
-     * Writes positions and velocities at an instant into the state vectors.
+     * Writes positions and velocities of the bodies that are not driven, at an instant, into the state vectors.
      *
      * @param tau offset in the present step
      * @param state the vectors
@@ -249,6 +261,9 @@ public final class Trajectories implements Serializable {
         double[] m = data;
         int n = state.size();
         for (int i = 0, o = 0, b = 0; i < n; i++, o += STRIDE, b += State.BLOCK) {
+            if (m[o + DRIVEN] != 0) {
+                continue;
+            }
             double d = (step - m[o + STEP]) * h + (tau - m[o + OFFSET]);
             x[b] = m[o] + d * (m[o + VX] + d * (m[o + AX] + d * m[o + JX]));
             x[b + 1] = m[o + 1] + d * (m[o + VY] + d * (m[o + AY] + d * m[o + JY]));

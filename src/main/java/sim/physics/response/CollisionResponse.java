@@ -109,7 +109,7 @@ public final class CollisionResponse implements Serializable {
     private void locate(int pair, double tau) {
         motion.bring(pairs.first(pair), tau);
         motion.bring(pairs.second(pair), tau);
-        detection.contact(pair, tau, manifold);
+        detection.narrowPhase().contact(pair, tau, manifold);
     }
 
     private void respondToOne(int pair, double tau) {
