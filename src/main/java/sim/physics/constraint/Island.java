@@ -79,6 +79,9 @@ final class Island implements Serializable {
     final Invariants invariants;
     final Shake shake;
 
+    /** What is done near singular poses. */
+    final Passage passage;
+
     /** The constraints of each body: those of body k are around[aroundStart[k]] … */
     private final int[] aroundStart;
 
@@ -153,6 +156,7 @@ final class Island implements Serializable {
         switches = new Switches(this);
         invariants = new Invariants(this);
         shake = new Shake(this);
+        passage = new Passage(this);
         isBreakable = those.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());
     }
 
@@ -412,6 +416,11 @@ final class Island implements Serializable {
     /** Number of rows that depend on others, as the last factorization found. */
     int redundant() {
         return factor.redundant();
+    }
+
+    /** Number of rows that depend on others, or nearly so, as the last factorization found. */
+    int near() {
+        return factor.near();
     }
 
     /** Solves A λ = b in place. */
