@@ -68,7 +68,8 @@ public final class DirectSolver extends ConstraintSolver {
             right = new double[2 * island.nodes];
         }
         double[] lambda = island.lambda;
-        if (!island.isRedundant && !(island.spread(w) > SPREAD)) {
+        boolean isRough = island.near() > 0 && !island.isProjected;
+        if (!island.isRedundant && !(island.spread(w) > SPREAD) && !isRough) {
             island.residual(u, g, lambda);
             island.solve(lambda);
             island.apply(w, lambda, u);
@@ -135,7 +136,7 @@ public final class DirectSolver extends ConstraintSolver {
         if (!isSpread && island.passage.isNear() && island.passage.accelerate(state, this, a)) {
             return;
         }
-        if (isSolved) {
+        if (isSolved && island.near() == 0) {
             island.apply(w, island.lambda, a);
         } else {
             correct(island, w, a, island.rate);
