@@ -15,6 +15,9 @@ final class BlockFactor implements Serializable {
     /** Pivots below this part of their diagonal are noise. */
     static final double NOISE = 1e-14;
 
+    /** Pivots below this part of their diagonal are known to few digits only, if they are not redundant. */
+    static final double NEAR = 1e-7;
+
     private final int n;
 
     /** Blocks below the diagonal by columns: those of column p are start[p] … start[p + 1] − 1, with their rows. */
@@ -34,6 +37,8 @@ final class BlockFactor implements Serializable {
     private final double[] below;
 
     private int redundant;
+    private int near;
+    private double noise;
     private double floor;
 
     /**
@@ -92,6 +97,11 @@ final class BlockFactor implements Serializable {
         return redundant;
     }
 
+    /** Number of pivots that are redundant or nearly so. */
+    int near() {
+        return near;
+    }
+
     void clear() {
         Arrays.fill(below, 0);
     }
@@ -103,13 +113,11 @@ final class BlockFactor implements Serializable {
      * @param least pivots below this part of their diagonal are redundant
      */
     void factor(double relaxation, double least) {
-        floor = least;
-        note();
+        start(least);
         double most = 0;
         for (int k = 0; relaxation > 0 && k < size.length; k++) {
             most = Math.max(most, size[k]);
         }
-        redundant = 0;
         int u = 0;
         for (int p = 0; p < n; p++) {
             invert(p, relaxation * most);
@@ -127,9 +135,7 @@ final class BlockFactor implements Serializable {
      * @param least pivots below this part of their diagonal are redundant
      */
     void factor(double[] x, double least) {
-        floor = least;
-        note();
-        redundant = 0;
+        start(least);
         int u = 0;
         double[] b = below;
         for (int p = 0; p < n; p++) {
@@ -147,7 +153,11 @@ final class BlockFactor implements Serializable {
     }
 
     /** Keeps the diagonal values, by which small pivots are known. */
-    private void note() {
+    private void start(double least) {
+        noise = least;
+        floor = Math.max(least, NEAR);
+        redundant = 0;
+        near = 0;
         double[] d = diagonal;
         for (int p = 0; p < n; p++) {
             size[2 * p] = d[3 * p];
@@ -161,23 +171,22 @@ final class BlockFactor implements Serializable {
         double d00 = d[3 * p] + extra;
         double d01 = d[3 * p + 1];
         double d11 = d[3 * p + 2] + extra;
-        double i0 = 0;
-        if (d00 > floor * size[2 * p]) {
-            i0 = 1 / d00;
-        } else {
-            redundant++;
-        }
+        double i0 = d00 > floor * size[2 * p] ? 1 / d00 : invertSmall(d00, size[2 * p]);
         double q = d01 * i0;
         double s = d11 - d01 * q;
-        double i1 = 0;
-        if (s > floor * size[2 * p + 1]) {
-            i1 = 1 / s;
-        } else {
-            redundant++;
-        }
+        double i1 = s > floor * size[2 * p + 1] ? 1 / s : invertSmall(s, size[2 * p + 1]);
         d[3 * p] = i0 + q * q * i1;
         d[3 * p + 1] = -q * i1;
         d[3 * p + 2] = i1;
+    }
+
+    private double invertSmall(double pivot, double whole) {
+        near++;
+        if (pivot > noise * whole) {
+            return 1 / pivot;
+        }
+        redundant++;
+        return 0;
     }
 
     /** Forms L of one block, and subtracts its products with the later blocks of the column. */

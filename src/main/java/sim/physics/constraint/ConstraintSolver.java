@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import sim.physics.motion.State;
 
 /** Solves J W Jᵀ λ = −J W F − J̇ ẋ, (41): {@link DirectSolver} or {@link GlobalSolver}. */
 public abstract class ConstraintSolver implements Serializable {
@@ -52,5 +53,16 @@ public abstract class ConstraintSolver implements Serializable {
     void prepareAndCorrect(Island island, double[] w, double[] u, double[] g) {
         prepare(island, w);
         correct(island, w, u, g);
+    }
+
+    /**
+     * Finds the multipliers of the accelerations, (41), and adds W Jᵀ λ to them.
+     *
+     * @param island evaluated
+     * @param state where the island is; changed for the time of the call only
+     * @param a accelerations without those of the constraints
+     */
+    void accelerate(Island island, State state, double[] a) {
+        prepareAndCorrect(island, state.w().values(), a, island.rate);
     }
 }

@@ -279,7 +279,6 @@ public final class Constraints implements Ties, Serializable {
 
     /** Adds W Jᵀ λ, (37) with (40), where λ keeps C″ = J a + J̇ ẋ = 0, (36). */
     private void accelerate(Island island, double[] a) {
-        double[] w = state.w().values();
         island.invariants.note(a);
         if (!island.switches.isEmpty()) {
             island.switches.accelerate(state, solver, a);
@@ -289,7 +288,7 @@ public final class Constraints implements Ties, Serializable {
         if (stabilization.isFeedback()) {
             island.feedBack(state.v(), stabilization.position(), stabilization.velocity());
         }
-        solver.prepareAndCorrect(island, w, a, island.rate); // (38), (39), (41)
+        solver.accelerate(island, state, a); // (38), (39), (41)
     }
 
     @Override

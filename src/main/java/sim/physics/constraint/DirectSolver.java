@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.util.Arrays;
+import sim.physics.motion.State;
 
 /**
  * Block elimination in the order of the island's tree: O(n) for trees, and the least fill-in that minimum degree finds
@@ -72,7 +73,8 @@ public final class DirectSolver extends ConstraintSolver {
             right = new double[2 * island.nodes];
         }
         double[] lambda = island.lambda;
-        if (isPlain(island, w)) {
+        boolean isRough = island.near() > 0 && !island.isProjected;
+        if (isPlain(island, w) && !isRough) {
             island.residual(u, g, lambda);
             island.solve(lambda);
             island.apply(w, lambda, u);
@@ -108,17 +110,42 @@ public final class DirectSolver extends ConstraintSolver {
             super.prepareAndCorrect(island, w, u, g);
             return;
         }
-        double[] lambda = island.lambda;
-        island.residual(u, g, lambda);
-        island.factorAndSolve(w, lambda, least(island, w));
-        if (island.redundant() > 0) {
+        if (solveAtOnce(island, w, u, g)) {
+            island.apply(w, island.lambda, u);
+        } else {
             super.prepareAndCorrect(island, w, u, g);
-            return;
+        }
+    }
+
+    private boolean solveAtOnce(Island island, double[] w, double[] u, double[] g) {
+        island.residual(u, g, island.lambda);
+        island.factorAndSolve(w, island.lambda, least(island, w));
+        if (island.redundant() > 0) {
+            return false;
         }
         if (!island.isProjected) {
             island.redundantRows = 0;
         }
-        island.apply(w, lambda, u);
+        return true;
+    }
+
+    @Override
+    void accelerate(Island island, State state, double[] a) {
+        double[] w = state.w().values();
+        boolean isSpread = island.spread(w) > SPREAD;
+        boolean isSolved =
+                island.hasOnlyPins() && !island.isRedundant && !isSpread && solveAtOnce(island, w, a, island.rate);
+        if (!isSolved) {
+            prepare(island, w);
+        }
+        if (!isSpread && island.passage.isNear() && island.passage.accelerate(state, this, a)) {
+            return;
+        }
+        if (isSolved && island.near() == 0) {
+            island.apply(w, island.lambda, a);
+        } else {
+            correct(island, w, a, island.rate);
+        }
     }
 
     /** high + low = u + W Jᵀ λ, by bodies of the island. */

@@ -83,6 +83,9 @@ final class Island implements Serializable {
     final Invariants invariants;
     final Shake shake;
 
+    /** What is done near singular poses. */
+    final Passage passage;
+
     /** The constraints of each body: those of body k are around[aroundStart[k]] … */
     private final int[] aroundStart;
 
@@ -137,14 +140,8 @@ final class Island implements Serializable {
         c = new double[2 * nodes];
         rate = new double[2 * nodes];
         lambda = new double[2 * nodes];
-        double least = Double.POSITIVE_INFINITY;
-        double most = 0;
-        for (int k = 0; k < n; k++) {
-            least = Math.min(least, constraints[k].getSize());
-            most = Math.max(most, constraints[k].getSize());
-        }
-        leastSize = least;
-        mostSize = most;
+        leastSize = those.stream().mapToDouble(Constraint::getSize).min().orElse(Double.POSITIVE_INFINITY);
+        mostSize = those.stream().mapToDouble(Constraint::getSize).max().orElse(0);
         factor = factor(elimination, place);
         shared = shared();
         aroundStart = new int[bodies.size + 1];
@@ -158,6 +155,7 @@ final class Island implements Serializable {
         switches = new Switches(this);
         invariants = new Invariants(this);
         shake = new Shake(this);
+        passage = new Passage(this);
         isBreakable = those.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());
     }
 
@@ -435,6 +433,11 @@ final class Island implements Serializable {
     /** Number of rows that depend on others, as the last factorization found. */
     int redundant() {
         return factor.redundant();
+    }
+
+    /** Number of rows that depend on others, or nearly so, as the last factorization found. */
+    int near() {
+        return factor.near();
     }
 
     /** Solves A λ = b in place. */

@@ -87,8 +87,7 @@ final class Switches implements Serializable {
                     rows[k].push(rows[k].forceNow, w, a, island.blockA[nodes[k]], island.blockB[nodes[k]]);
                 }
             }
-            solver.prepare(island, w);
-            solver.correct(island, w, a, island.rate);
+            solver.accelerate(island, state, a);
             for (int k = 0; k < rows.length; k++) {
                 changed |= rows[k].isOnNow && limit(rows[k], island.lambda[2 * nodes[k]]);
             }

@@ -3,6 +3,7 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
+import sim.physics.internal.DenseFactor;
 import sim.physics.internal.IntList;
 
 /** The workspace of an implicit method for a group of bodies: derivatives of its accelerations, factors, and stages. */

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
-package sim.physics.motion;
+package sim.physics.internal;
 
 /** Gauss's elimination with pivots from the column, of dense real and complex matrices by rows. */
-final class DenseFactor {
+public final class DenseFactor {
     private DenseFactor() {}
 
-    /** Factors in place; false if the matrix is singular or not finite. */
-    static boolean factor(double[] a, int n, int[] pivots) {
+    /**
+     * Factors in place.
+     *
+     * @param a the matrix by rows; its factors afterwards
+     * @param n rows
+     * @param pivots takes the row that each was exchanged with
+     * @return false if the matrix is singular or not finite
+     */
+    public static boolean factor(double[] a, int n, int[] pivots) {
         for (int k = 0; k < n; k++) {
             int p = k;
             for (int row = k + 1; row < n; row++) {
@@ -38,7 +45,15 @@ final class DenseFactor {
         }
     }
 
-    static void solve(double[] a, int n, int[] pivots, double[] x) {
+    /**
+     * Solves in place.
+     *
+     * @param a factors
+     * @param n rows
+     * @param pivots of the factorization
+     * @param x the right side before, the solution afterwards
+     */
+    public static void solve(double[] a, int n, int[] pivots, double[] x) {
         for (int k = 0; k < n; k++) {
             double other = x[k];
             x[k] = x[pivots[k]];
@@ -60,8 +75,16 @@ final class DenseFactor {
         }
     }
 
-    /** Factors a complex matrix, given by its real and imaginary parts. */
-    static boolean factor(double[] a, double[] b, int n, int[] pivots) {
+    /**
+     * Factors a complex matrix in place.
+     *
+     * @param a its real part by rows
+     * @param b its imaginary part
+     * @param n rows
+     * @param pivots takes the row that each was exchanged with
+     * @return false if the matrix is singular or not finite
+     */
+    public static boolean factor(double[] a, double[] b, int n, int[] pivots) {
         for (int k = 0; k < n; k++) {
             int p = k;
             for (int row = k + 1; row < n; row++) {
@@ -95,7 +118,17 @@ final class DenseFactor {
         return Math.abs(a[o]) + Math.abs(b[o]);
     }
 
-    static void solve(double[] a, double[] b, int n, int[] pivots, double[] x, double[] y) {
+    /**
+     * Solves with a complex matrix in place.
+     *
+     * @param a real part of the factors
+     * @param b imaginary part of the factors
+     * @param n rows
+     * @param pivots of the factorization
+     * @param x real part of the right side before, of the solution afterwards
+     * @param y the imaginary part
+     */
+    public static void solve(double[] a, double[] b, int n, int[] pivots, double[] x, double[] y) {
         for (int k = 0; k < n; k++) {
             double re = x[k];
             double im = y[k];

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.motion.State;
+
+/**
+ * The accelerations of an island that moves through a singular pose: one in which rows of J, independent before and after,
+ * depend on one another, as those of a parallelogram with all bars in one line.
+ *
+ * <p>Near such a pose λ grows like 1/φ, where φ is how far it is, and the force W Jᵀ λ stays what it is; but of the digits of
+ * a deviation y from the motion, J W Jᵀ λ = … makes y/φ². So the force is not computed there: it is extrapolated from those at
+ * poses on the way, a little before and a little after. Their mean is an even function of the way, so that three of them
+ * leave an error of its sixth power.
+ *
+ * <p>Rows that depend on one another there, too, do so always; they are left to the solver.
+ */
+final class Passage implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** The way to either side, in rad or relative to the size of the bodies. */
+    private static final double WAY = 1e-3;
+
+    private static final int LENGTHENINGS = 4;
+
+    /** What the means at one, two and three ways weigh: the parabola in the square of the way through them, at 0. */
+    private static final double[] WEIGHTS = {1.5, -0.6, 0.1};
+
+    /** Change of the mean from the first way to the second one, relative, from which the motion is too slow for this. */
+    private static final double SMOOTH = 1e-2;
+
+    private final Island island;
+
+    /** Rows that depend on others wherever the island is. */
+    private int lasting;
+
+    private Projection projection;
+    private double[] x = {};
+    private double[] v = {};
+    private double[] u = {};
+    private double[] mean = {};
+    private double[] change = {};
+    private double[] lambda = {};
+
+    Passage(Island island) {
+        this.island = island;
+    }
+
+    /** Whether the matrix that was just factored says that the pose is near a singular one. */
+    boolean isNear() {
+        int near = island.near();
+        if (near < lasting) {
+            lasting = near;
+        }
+        return near > lasting;
+    }
+
+    /**
+     * Finds the accelerations from both sides.
+     *
+     * @param state positions and velocities; put back
+     * @param a accelerations without those of the constraints, and with them afterwards
+     * @return false if there are none: the island is at rest, or its rows depend on one another along its way
+     */
+    boolean accelerate(State state, DirectSolver solver, double[] a) {
+        int near = island.near();
+        double speed = keep(state);
+        boolean found = false;
+        double time = WAY / speed;
+        for (int k = 0; k < LENGTHENINGS && speed > 0 && !found; k++, time *= 2) {
+            Arrays.fill(mean, 0);
+            Arrays.fill(change, 0);
+            Arrays.fill(lambda, 0);
+            found = true;
+            for (int way = 1; way <= WEIGHTS.length && found; way++) {
+                found = look(state, solver, a, way, time) && look(state, solver, a, way, -time);
+            }
+        }
+        boolean isSmooth = found && isSmooth();
+        restore(state);
+        island.evaluate(state);
+        // that the velocities can be projected, as after a step
+        island.isProjected = isSmooth;
+        solver.prepare(island, state.w().values());
+        island.isProjected = false;
+        lasting = found ? lasting : near;
+        if (!isSmooth) {
+            return false;
+        }
+        System.arraycopy(lambda, 0, island.lambda, 0, lambda.length);
+        for (int k = 0; k < mean.length; k++) {
+            a[slot(k)] = mean[k];
+        }
+        return true;
+    }
+
+    private boolean isSmooth() {
+        double most = 0;
+        double mostChange = 0;
+        for (int k = 0; k < mean.length; k++) {
+            double unit = k % State.BLOCK == State.THETA ? island.leastSize : 1;
+            most = Math.max(most, unit * Math.abs(mean[k]));
+            mostChange = Math.max(mostChange, unit * Math.abs(change[k]));
+        }
+        return mostChange <= SMOOTH * most;
+    }
+
+    /** Adds the accelerations at a pose on the way to the mean; false if that is singular, too. */
+    private boolean look(State state, DirectSolver solver, double[] a, int way, double time) {
+        restore(state);
+        for (int k = 0; k < mean.length; k++) {
+            state.x()[slot(k)] += way * time * v[k];
+        }
+        double[] w = state.w().values();
+        if (!projection.project(island, state, solver, false)) {
+            return false;
+        }
+        island.evaluate(state);
+        solver.prepare(island, w);
+        if (island.near() > lasting) {
+            return false;
+        }
+        for (int k = 0; k < mean.length; k++) {
+            u[slot(k)] = a[slot(k)];
+        }
+        solver.correct(island, w, u, island.rate);
+        double weight = 0.5 * WEIGHTS[way - 1];
+        for (int k = 0; k < mean.length; k++) {
+            mean[k] += weight * u[slot(k)];
+            change[k] += way == 1 ? 0.5 * u[slot(k)] : way == 2 ? -0.5 * u[slot(k)] : 0;
+        }
+        for (int k = 0; k < lambda.length; k++) {
+            lambda[k] += weight * island.lambda[k];
+        }
+        return true;
+    }
+
+    /** Where the island's k-th coordinate is in the state vectors. */
+    private int slot(int k) {
+        return State.BLOCK * island.bodies.values[k / State.BLOCK] + k % State.BLOCK;
+    }
+
+    /** Keeps positions and velocities; returns the speed, in rad or relative to the size of the bodies. */
+    private double keep(State state) {
+        int n = State.BLOCK * island.bodies.size;
+        if (mean.length == 0) {
+            projection = new Projection();
+            x = new double[n];
+            v = new double[n];
+            mean = new double[n];
+            change = new double[n];
+            lambda = new double[island.lambda.length];
+        }
+        if (u.length < state.x().length) {
+            u = new double[state.x().length];
+        }
+        double speed = 0;
+        for (int k = 0; k < n; k++) {
+            int s = slot(k);
+            x[k] = state.x()[s];
+            v[k] = state.v()[s];
+            speed = Math.max(speed, Math.abs(v[k]) / (k % State.BLOCK == State.THETA ? 1 : island.leastSize));
+        }
+        return speed;
+    }
+
+    private void restore(State state) {
+        for (int k = 0; k < x.length; k++) {
+            int s = slot(k);
+            state.x()[s] = x[k];
+            state.v()[s] = v[k];
+        }
+    }
+}
