@@ -128,6 +128,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void begin(double startOfStep) {
         time = startOfStep;
+        state.setUnsettled(true);
     }
 
     /**
@@ -207,6 +208,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
                 view.clearApplied();
             }
         }
+        state.setUnsettled(false);
     }
 
     private void setDriven(int body, boolean yes) {
