@@ -21,8 +21,8 @@ import sim.physics.shape.Rectangle;
 /**
  * Times questions about where bodies are, in the gas of half circles and half rectangles that covers a fifth of the area,
  * with its four walls: by the cells and by a look at all bodies, interleaved, on the same questions. Printed are the
- * medians over the rounds of the thread's CPU time a question, and the ratio's; then the time to lay the grid once. Both ways
- * must give the same sum of answers.
+ * medians over the rounds of the thread's CPU time a question, and the ratio's; then the time to lay the grid once, and
+ * that of some rays after all bodies have moved. Both ways must give the same sum of answers.
  *
  * <pre>
  * QueryRun rounds n ...
@@ -146,6 +146,29 @@ public final class QueryRun {
         System.out.printf(Locale.ROOT, "%7d laying %.1f us, %.0f ns a body%n", n, median(nanos) / 1000, median(nanos) / n);
     }
 
+    /** Time of some rays after all bodies have moved, with what they cause. */
+    private void afterChange(int rays, int rounds) {
+        Queries[] ways = {new Queries(state), Ways.cells(state), Ways.all(state)};
+        double[][] nanos = new double[3][rounds];
+        int times = Math.max(20, (int) (WORK / n / (rays + 10)));
+        for (int round = -3; round < rounds; round++) {
+            for (int way = 0; way < 3; way++) {
+                int question = 0;
+                long start = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+                for (int k = 0; k < times; k++) {
+                    state.placedAll();
+                    for (int m = 0; m < rays; m++) {
+                        ask(ways[way], Question.RAY, question++ & QUESTIONS - 1);
+                    }
+                }
+                nanos[way][Math.max(0, round)] =
+                        (ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - start) / (double) times / 1000;
+            }
+        }
+        System.out.printf(Locale.ROOT, "%7d %5d rays after a change: usual %9.2f us   cells %9.2f us   all %9.2f us%n",
+                n, rays, median(nanos[0]), median(nanos[1]), median(nanos[2]));
+    }
+
     private static double median(double[] values) {
         double[] sorted = values.clone();
         Arrays.sort(sorted);
@@ -164,6 +187,9 @@ public final class QueryRun {
                 run.compare(what, Integer.parseInt(args[0]));
             }
             run.lay(Integer.parseInt(args[0]));
+            for (int rays : new int[] {1, 4, 7, 8, 16, 64, 256}) {
+                run.afterChange(rays, Integer.parseInt(args[0]));
+            }
         }
     }
 }

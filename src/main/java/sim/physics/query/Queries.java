@@ -17,7 +17,7 @@ import sim.physics.motion.State;
  * step, in a listener, those of bodies that have no part in the collision are still of the step's start. All shapes are
  * exact. Among equals the body of the lower block comes first.
  *
- * <p>The first questions after a step look at the circles around all bodies, some nanoseconds for each. From the eighth on,
+ * <p>The first questions after a step look at the circles around all bodies, some nanoseconds for each. From the tenth on,
  * and from the first if so many came last time, a grid of cells is laid, and questions look at bodies of the cells
  * concerned only. The answers are the same, to the bit. What {@link Body#setPosition} and {@link Body#setAngle} move, and
  * what is added or removed, is noticed at once. Within a step, and among few bodies, all are looked at.

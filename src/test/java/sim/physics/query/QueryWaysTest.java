@@ -363,7 +363,7 @@ class QueryWaysTest {
     @Test
     void laysTheGridOnlyWhenItPays() {
         scatter(Scene.CROWD, 100);
-        for (int k = 0; k < 7; k++) {
+        for (int k = 1; k < Cells.LAYING; k++) {
             assertThat(usual.cells.columns).isZero();
             usual.rayCast(0, 0, 1, 0, 5, null);
         }
