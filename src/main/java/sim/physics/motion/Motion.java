@@ -340,9 +340,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         return ties != null && (generators.coupled || isTied(group.values[0]));
     }
 
-    /**
-     * Anchors driven bodies at the start of a step where the last one left them.
-     */
+    /** Anchors driven bodies at the start of a step where the last one left them. */
     public void anchorDriven() {
         for (int k = 0; k < driven.size; k++) {
             trajectories.anchor(driven.values[k], 0, state);
