@@ -273,6 +273,7 @@ final class Admission implements Presence, Serializable {
         } catch (ConstraintException e) {
             System.arraycopy(x, 0, state.x(), 0, x.length);
             System.arraycopy(v, 0, state.v(), 0, v.length);
+            state.placedAll();
             for (Constraint c : those) {
                 constraints.remove(c);
             }

@@ -60,7 +60,9 @@ final class Projection implements Serializable {
      */
     boolean project(Island island, State state, ConstraintSolver solver, boolean gentle) {
         island.isProjected = gentle;
+        state.placedAll(); // also if it fails half-way
         boolean done = close(island, state, solver, gentle);
+        state.placedAll();
         island.isProjected = false;
         return done;
     }

@@ -214,6 +214,7 @@ public class Body implements Serializable {
         state.touch(index);
         state.x()[State.BLOCK * index + State.X] = x;
         state.x()[State.BLOCK * index + State.Y] = y;
+        state.placed(index);
     }
 
     /**
@@ -226,6 +227,7 @@ public class Body implements Serializable {
         Check.finite("angle", angle);
         state.touch(index);
         state.x()[State.BLOCK * index + State.THETA] = angle;
+        state.placed(index);
     }
 
     /**

@@ -23,6 +23,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
     private final Forces forces;
     private final Generators generators = new Generators();
     private Integrator integrator = new RungeKutta4();
+    private double time;
 
     /** Driven bodies in ascending order; bodies with an applied force in this step. */
     private final IntList driven = new IntList();
@@ -38,8 +39,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     /** Bodies at rest that static friction holds. */
     private boolean[] held = new boolean[8];
-
-    private double time;
 
     /**
      * Makes the motion of an engine.
@@ -128,6 +127,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void begin(double startOfStep) {
         time = startOfStep;
+        state.setUnsettled(true);
     }
 
     /**
@@ -207,6 +207,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
                 view.clearApplied();
             }
         }
+        state.setUnsettled(false);
     }
 
     private void setDriven(int body, boolean yes) {

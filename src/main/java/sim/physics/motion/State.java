@@ -65,6 +65,12 @@ public final class State implements Serializable {
     /** Null between steps. */
     private Presence presence;
 
+    /** Null until somebody follows it, so that a scene which nobody asks about pays nothing. */
+    private transient PlaceLog placeLog;
+
+    /** Whether positions change without notice, as they do within a step. */
+    private transient boolean unsettled;
+
     /** Whether this is the state of one body that belongs to no engine. */
     private final boolean own;
 
@@ -93,7 +99,8 @@ public final class State implements Serializable {
     }
 
     /**
-     * The position vector x itself, not a copy; longer than {@code BLOCK * size()}.
+     * The position vector x itself, not a copy; longer than {@code BLOCK * size()}. Who writes it between steps must call
+     * {@link #placed(int)} or {@link #placedAll()}.
      *
      * @return x, [x, y, θ] per body, length and rad
      */
@@ -186,6 +193,7 @@ public final class State implements Serializable {
         bodies[index] = body;
         body.bind(this, index);
         touch(index);
+        placed(index);
         return index;
     }
 
@@ -209,6 +217,7 @@ public final class State implements Serializable {
         Arrays.fill(f, from, from + BLOCK, 0);
         Arrays.fill(w.values(), from, from + BLOCK, 0);
         bodies[index] = null;
+        placed(index);
         if (freeCount == free.length) {
             free = Arrays.copyOf(free, 2 * freeCount);
         }
@@ -278,6 +287,53 @@ public final class State implements Serializable {
             isTouched[touched[k]] = false;
         }
         touchedCount = 0;
+    }
+
+    /**
+     * What tells which blocks were placed.
+     *
+     * @return notes from the first call on; one for all callers
+     */
+    public PlaceLog placeLog() {
+        placeLog = placeLog == null ? new PlaceLog() : placeLog;
+        return placeLog;
+    }
+
+    /**
+     * Notes that a block's position is written, between steps.
+     *
+     * @param index the block
+     */
+    public void placed(int index) {
+        if (placeLog != null) {
+            placeLog.note(index);
+        }
+    }
+
+    /** Notes that any positions may be written, between steps. */
+    public void placedAll() {
+        if (placeLog != null) {
+            placeLog.noteAll();
+        }
+    }
+
+    /**
+     * Notes that a step begins or ends, within which positions change without notice.
+     *
+     * @param unsettled true at its start
+     */
+    void setUnsettled(boolean unsettled) {
+        this.unsettled = unsettled;
+        placedAll();
+    }
+
+    /**
+     * Whether positions may change without notice in the log.
+     *
+     * @return true within a step, and after one that failed until the next one is over
+     */
+    public boolean isUnsettled() {
+        return unsettled;
     }
 
     private void grow(int capacity) {

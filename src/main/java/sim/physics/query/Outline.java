@@ -19,6 +19,13 @@ final class Outline {
     double nx;
     double ny;
 
+    /** The box around a polygon, in the world. */
+    double leastX;
+
+    double leastY;
+    double mostX;
+    double mostY;
+
     void of(Body body) {
         shape = body.getShape();
         x = body.getX();
@@ -159,10 +166,16 @@ final class Outline {
     }
 
     private boolean isBeside(double lowX, double lowY, double highX, double highY) {
-        double leastX = Double.POSITIVE_INFINITY;
-        double leastY = Double.POSITIVE_INFINITY;
-        double mostX = Double.NEGATIVE_INFINITY;
-        double mostY = Double.NEGATIVE_INFINITY;
+        bound();
+        return mostX < lowX || leastX > highX || mostY < lowY || leastY > highY;
+    }
+
+    /** Finds the box around a polygon. */
+    void bound() {
+        leastX = Double.POSITIVE_INFINITY;
+        leastY = Double.POSITIVE_INFINITY;
+        mostX = Double.NEGATIVE_INFINITY;
+        mostY = Double.NEGATIVE_INFINITY;
         for (int k = 0; k < shape.vertexCount(); k++) {
             double vx = x + turn[0] * shape.vertexX(k) - turn[1] * shape.vertexY(k);
             double vy = y + turn[1] * shape.vertexX(k) + turn[0] * shape.vertexY(k);
@@ -171,7 +184,6 @@ final class Outline {
             mostX = Math.max(mostX, vx);
             mostY = Math.max(mostY, vy);
         }
-        return mostX < lowX || leastX > highX || mostY < lowY || leastY > highY;
     }
 
     private boolean edgeParts(double lowX, double lowY, double highX, double highY) {

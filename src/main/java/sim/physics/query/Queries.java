@@ -15,19 +15,29 @@ import sim.physics.motion.State;
 /**
  * Where bodies are: what a robot senses. Answers are about the places that the bodies' getters give, between steps; within a
  * step, in a listener, those of bodies that have no part in the collision are still of the step's start. All shapes are
- * exact. Each question looks at the circle around every body once, so it costs some nanoseconds for each. Among equals the
- * body that was added first comes first.
+ * exact. Among equals the body of the lower block comes first.
  *
- * <p>A filter says which bodies count, {@code body -> body != this} for one; null for all.
+ * <p>The first questions after a step look at the circles around all bodies, some nanoseconds for each. From the tenth on,
+ * and from the first if so many came last time, a grid of cells is laid, and questions look at bodies of the cells
+ * concerned only. The answers are the same, to the bit. What {@link Body#setPosition} and {@link Body#setAngle} move, and
+ * what is added or removed, is noticed at once. Within a step, and among few bodies, all are looked at.
+ *
+ * <p>A filter says which bodies count, {@code body -> body != this} for one; null for all. It may ask questions itself.
  */
 public final class Queries {
+    private static final Comparator<Hit> NEARER =
+            Comparator.comparingDouble(Hit::distance).thenComparingInt(hit -> hit.body().index());
+
     private final State state;
+    final Cells cells;
+    private final RayWalk ray;
+    private final Surroundings surroundings;
     private final Outline outline = new Outline();
 
-    /** The bodies that were there when last asked, and the radii around them. */
-    private Body[] known = {};
+    /** Whether a question is being answered: filters that ask are answered by another. */
+    private boolean busy;
 
-    private double[] radii = {};
+    private Queries inner;
 
     /**
      * Makes queries.
@@ -35,7 +45,26 @@ public final class Queries {
      * @param state the bodies
      */
     public Queries(State state) {
+        this(state, Cells.FEW, Cells.LAYING);
+    }
+
+    /**
+     * Makes queries that choose otherwise, to compare both ways.
+     *
+     * @param few up to so many bodies all are looked at
+     * @param laying the question, counted since all bodies may have moved, that lays the grid
+     */
+    Queries(State state, int few, int laying) {
         this.state = state;
+        Census census = new Census(state);
+        cells = new Cells(census, few, laying);
+        ray = new RayWalk(census, cells);
+        surroundings = new Surroundings(census, cells);
+    }
+
+    private Queries inner() {
+        inner = inner == null ? new Queries(state) : inner;
+        return inner;
     }
 
     /**
@@ -52,28 +81,64 @@ public final class Queries {
      */
     public Hit rayCast(
             double x, double y, double directionX, double directionY, double range, Predicate<? super Body> filter) {
-        double length = checkRay(x, y, directionX, directionY, range);
-        double dx = directionX / length;
-        double dy = directionY / length;
-        Body first = null;
-        double nearest = range;
-        double nx = 0;
-        double ny = 0;
-        learn();
-        for (int i = 0; i < state.size(); i++) {
-            Body body = known[i];
-            if (!isNear(i, x, y, dx, dy, nearest) || filter != null && !filter.test(body)) {
-                continue;
-            }
-            outline.of(body);
-            if (outline.enters(x, y, dx, dy, nearest) && (first == null || outline.distance < nearest)) {
-                first = body;
-                nearest = outline.distance;
-                nx = outline.nx;
-                ny = outline.ny;
-            }
+        RayWalk answer = cast(x, y, directionX, directionY, range, filter, null);
+        if (answer.body == null) {
+            return null;
         }
-        return first == null ? null : new Hit(first, x + nearest * dx, y + nearest * dy, nx, ny, nearest);
+        double d = answer.distance;
+        return new Hit(answer.body, answer.hitX(), answer.hitY(), answer.nx, answer.ny, d);
+    }
+
+    /**
+     * The first body that a ray enters, without garbage.
+     *
+     * @param x start
+     * @param y start
+     * @param directionX of any length
+     * @param directionY of any length
+     * @param range length of the ray, may be infinite
+     * @param filter which bodies count, or null
+     * @param into takes the answer
+     * @return false if there is none
+     * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
+     */
+    public boolean rayCast(
+            double x,
+            double y,
+            double directionX,
+            double directionY,
+            double range,
+            Predicate<? super Body> filter,
+            RayHit into) {
+        RayWalk answer = cast(x, y, directionX, directionY, range, filter, null);
+        if (answer.body == null) {
+            into.set(null, 0, 0, 0, 0, range);
+            return false;
+        }
+        into.set(answer.body, answer.hitX(), answer.hitY(), answer.nx, answer.ny, answer.distance);
+        return true;
+    }
+
+    /** The walk that has cast a ray; its answer holds until the next question. */
+    private RayWalk cast(
+            double x,
+            double y,
+            double directionX,
+            double directionY,
+            double range,
+            Predicate<? super Body> filter,
+            List<Hit> all) {
+        if (busy) {
+            return inner().cast(x, y, directionX, directionY, range, filter, all);
+        }
+        double length = checkRay(x, y, directionX, directionY, range);
+        busy = true;
+        try {
+            ray.cast(x, y, directionX / length, directionY / length, range, filter, all);
+        } finally {
+            busy = false;
+        }
+        return ray;
     }
 
     /**
@@ -90,23 +155,9 @@ public final class Queries {
      */
     public List<Hit> rayCastAll(
             double x, double y, double directionX, double directionY, double range, Predicate<? super Body> filter) {
-        double length = checkRay(x, y, directionX, directionY, range);
-        double dx = directionX / length;
-        double dy = directionY / length;
         List<Hit> hits = new ArrayList<>();
-        learn();
-        for (int i = 0; i < state.size(); i++) {
-            Body body = known[i];
-            if (!isNear(i, x, y, dx, dy, range) || filter != null && !filter.test(body)) {
-                continue;
-            }
-            outline.of(body);
-            if (outline.enters(x, y, dx, dy, range)) {
-                double d = outline.distance;
-                hits.add(new Hit(body, x + d * dx, y + d * dy, outline.nx, outline.ny, d));
-            }
-        }
-        hits.sort(Comparator.comparingDouble(Hit::distance));
+        cast(x, y, directionX, directionY, range, filter, hits);
+        hits.sort(NEARER);
         return hits;
     }
 
@@ -123,35 +174,6 @@ public final class Queries {
             throw new IllegalArgumentException("direction is (" + directionX + ", " + directionY + "): it must not be zero");
         }
         return length;
-    }
-
-    /** Takes note of bodies that have come or gone. */
-    private void learn() {
-        int n = state.size();
-        if (known.length < n) {
-            known = Arrays.copyOf(known, 2 * n);
-            radii = Arrays.copyOf(radii, 2 * n);
-        }
-        for (int i = 0; i < n; i++) {
-            Body body = state.body(i);
-            if (body != known[i]) {
-                known[i] = body;
-                radii[i] = body == null ? -1 : body.getShape().boundingRadius() * (1 + 1e-12);
-            }
-        }
-    }
-
-    /** Whether a ray comes into the circle around a body; not into that of none. */
-    private boolean isNear(int body, double x, double y, double dx, double dy, double range) {
-        double px = state.x()[State.BLOCK * body] - x;
-        double py = state.x()[State.BLOCK * body + 1] - y;
-        double radius = radii[body];
-        double across = px * dy - py * dx;
-        if (Math.abs(across) > radius) {
-            return false;
-        }
-        double along = px * dx + py * dy;
-        return along >= -radius && along - range <= radius;
     }
 
     /**
@@ -173,10 +195,8 @@ public final class Queries {
         double step = distances.length < 2 ? 0 : (to - from) / (distances.length - 1);
         for (int k = 0; k < distances.length; k++) {
             double angle = from + k * step;
-            double dx = Trig.cos(angle);
-            double dy = Trig.sin(angle);
-            Hit hit = rayCast(x, y, dx, dy, range, filter);
-            distances[k] = hit == null ? range : hit.distance();
+            cells.announce(distances.length - 1 - k);
+            distances[k] = cast(x, y, Trig.cos(angle), Trig.sin(angle), range, filter, null).distance;
         }
     }
 
@@ -204,27 +224,35 @@ public final class Queries {
      * @throws IllegalArgumentException if a number is not finite or the distance negative
      */
     public List<Body> within(double x, double y, double distance, Predicate<? super Body> filter) {
-        Check.finite("x", x);
-        Check.finite("y", y);
-        Check.notNegative("distance", distance);
         List<Body> found = new ArrayList<>();
-        for (int i = 0; i < state.size(); i++) {
-            Body body = state.body(i);
-            if (body != null && far(body, x, y) <= distance && (filter == null || filter.test(body))) {
-                outline.of(body);
-                if (outline.distance(x, y) <= distance) {
-                    found.add(body);
-                }
-            }
-        }
+        within(x, y, distance, filter, found);
         return found;
     }
 
-    /** Distance of a point from the circle around a body, or a little less; negative inside. */
-    private static double far(Body body, double x, double y) {
-        double px = body.getX() - x;
-        double py = body.getY() - y;
-        return Math.sqrt(px * px + py * py) * (1 - 1e-12) - body.getShape().boundingRadius();
+    /**
+     * The bodies that are not farther from a point than a distance, without garbage if the list has room.
+     *
+     * @param x point
+     * @param y point
+     * @param distance length; 0: the bodies at that point
+     * @param filter which bodies count, or null
+     * @param into gets them at its end, in the order of their blocks
+     * @throws IllegalArgumentException if a number is not finite or the distance negative
+     */
+    public void within(double x, double y, double distance, Predicate<? super Body> filter, List<? super Body> into) {
+        Check.finite("x", x);
+        Check.finite("y", y);
+        Check.notNegative("distance", distance);
+        if (busy) {
+            inner().within(x, y, distance, filter, into);
+            return;
+        }
+        busy = true;
+        try {
+            surroundings.within(x, y, distance, filter, into);
+        } finally {
+            busy = false;
+        }
     }
 
     /**
@@ -238,32 +266,35 @@ public final class Queries {
      * @throws IllegalArgumentException if a number is not finite or the count negative
      */
     public List<Body> nearest(double x, double y, int count, Predicate<? super Body> filter) {
+        List<Body> found = new ArrayList<>();
+        nearest(x, y, count, filter, found);
+        return found;
+    }
+
+    /**
+     * The bodies that are nearest to a point, without garbage if the list has room.
+     *
+     * @param x point
+     * @param y point
+     * @param count how many at most, not negative
+     * @param filter which bodies count, or null
+     * @param into gets them at its end, nearest first
+     * @throws IllegalArgumentException if a number is not finite or the count negative
+     */
+    public void nearest(double x, double y, int count, Predicate<? super Body> filter, List<? super Body> into) {
         Check.finite("x", x);
         Check.finite("y", y);
         Check.notNegative("count", count);
-        List<Body> found = new ArrayList<>(count + 1);
-        List<Double> distances = new ArrayList<>(count + 1);
-        for (int i = 0; i < state.size() && count > 0; i++) {
-            Body body = state.body(i);
-            double most = found.size() < count ? Double.POSITIVE_INFINITY : distances.get(count - 1);
-            if (body == null || far(body, x, y) > most || filter != null && !filter.test(body)) {
-                continue;
-            }
-            double d = distance(body, x, y);
-            if (d < most) {
-                int k = found.size();
-                while (k > 0 && distances.get(k - 1) > d) {
-                    k--;
-                }
-                found.add(k, body);
-                distances.add(k, d);
-                if (found.size() > count) {
-                    found.remove(count);
-                    distances.remove(count);
-                }
-            }
+        if (busy) {
+            inner().nearest(x, y, count, filter, into);
+            return;
         }
-        return found;
+        busy = true;
+        try {
+            surroundings.nearest(x, y, count, filter, into);
+        } finally {
+            busy = false;
+        }
     }
 
     /**
@@ -278,27 +309,38 @@ public final class Queries {
      * @throws IllegalArgumentException if a number is not finite, or the sides are the wrong way round
      */
     public List<Body> inBox(double lowX, double lowY, double highX, double highY, Predicate<? super Body> filter) {
+        List<Body> found = new ArrayList<>();
+        inBox(lowX, lowY, highX, highY, filter, found);
+        return found;
+    }
+
+    /**
+     * The bodies that meet a box with sides along the axes, without garbage if the list has room.
+     *
+     * @param lowX its left side
+     * @param lowY its lower side
+     * @param highX its right side, not less than the left one
+     * @param highY its upper side, not less than the lower one
+     * @param filter which bodies count, or null
+     * @param into gets them at its end, in the order of their blocks
+     * @throws IllegalArgumentException if a number is not finite, or the sides are the wrong way round
+     */
+    public void inBox(
+            double lowX, double lowY, double highX, double highY, Predicate<? super Body> filter, List<? super Body> into) {
         Check.finite("lowX", lowX);
         Check.finite("lowY", lowY);
         Check.notNegative("highX - lowX", Check.finite("highX", highX) - lowX);
         Check.notNegative("highY - lowY", Check.finite("highY", highY) - lowY);
-        List<Body> found = new ArrayList<>();
-        for (int i = 0; i < state.size(); i++) {
-            Body body = state.body(i);
-            if (body == null) {
-                continue;
-            }
-            double radius = body.getShape().boundingRadius();
-            boolean near = body.getX() + radius >= lowX && body.getX() - radius <= highX
-                    && body.getY() + radius >= lowY && body.getY() - radius <= highY;
-            if (near && (filter == null || filter.test(body))) {
-                outline.of(body);
-                if (outline.meets(lowX, lowY, highX, highY)) {
-                    found.add(body);
-                }
-            }
+        if (busy) {
+            inner().inBox(lowX, lowY, highX, highY, filter, into);
+            return;
         }
-        return found;
+        busy = true;
+        try {
+            surroundings.inBox(lowX, lowY, highX, highY, filter, into);
+        } finally {
+            busy = false;
+        }
     }
 
     /**
@@ -323,15 +365,18 @@ public final class Queries {
         double sin = Trig.sin(direction);
         double edge = Trig.cos(halfAngle);
         List<Body> found = new ArrayList<>();
-        for (Body body : within(x, y, range, filter)) {
+        List<Body> near = within(x, y, range, filter);
+        cells.announce(near.size());
+        for (Body body : near) {
             double dx = body.getX() - x;
             double dy = body.getY() - y;
             double far = Math.sqrt(dx * dx + dy * dy);
             boolean inField = far <= range && dx * cos + dy * sin >= edge * far;
-            if (inField && (far == 0 || rayCast(x, y, dx, dy, far, filter).body() == body)) {
+            if (inField && (far == 0 || cast(x, y, dx, dy, far, filter, null).body == body)) {
                 found.add(body);
             }
         }
+        cells.announce(0);
         found.sort(Comparator.comparingDouble(b -> square(b, x, y)));
         return found;
     }
