@@ -146,6 +146,7 @@ public final class PhysicsEngine implements Steppable {
                 follow(driven.values[k]);
             }
         }
+        groups.clear();
     }
 
     /** Gives a driven body, and those that move with it, new paths from their anchors on. */
@@ -159,7 +160,7 @@ public final class PhysicsEngine implements Steppable {
     }
 
     private void advance(int body, boolean fine) {
-        double until = motion.advance(body, fine);
+        double until = Math.min(motion.advance(body, fine), response.heaps().until(body));
         IntList group = motion.companions(body);
         double tau = trajectories.offset(body);
         for (int k = 0; k < group.size; k++) {
@@ -192,6 +193,7 @@ public final class PhysicsEngine implements Steppable {
     private void respond() {
         double tau = detection.nextTime();
         IntList touching = detection.nextImpacts();
+        if (Boolean.getBoolean("ev")) { System.out.print("ev " + steps + " " + tau); for (int k=0;k<touching.size;k++) System.out.print(" " + detection.pairs().first(touching.values[k]) + "-" + detection.pairs().second(touching.values[k])+ " gap " + detection.narrowPhase().gap(touching.values[k], tau) + (detection.marks().slack(touching.values[k])>0?"L":"")); System.out.println(" impacts " + response.impacts()); }
         int pair = touching.size == 1 ? touching.values[0] : -1;
         now = getTime() + tau;
         admission.setNow(tau);
@@ -236,7 +238,11 @@ public final class PhysicsEngine implements Steppable {
     private void settleHeaps(double tau) {
         IntList settled = response.heaps().settle(tau);
         for (int k = 0; k < settled.size; k++) {
-            detection.moved(settled.values[k], tau, false, -1);
+            if (trajectories.isDriven(settled.values[k])) {
+                noteGroup(settled.values[k]);
+            } else {
+                detection.moved(settled.values[k], tau, false, -1);
+            }
         }
         response.heaps().told();
     }
@@ -249,9 +255,11 @@ public final class PhysicsEngine implements Steppable {
             settle(tau);
             return;
         }
+        if (Boolean.getBoolean("ev")) System.out.println("pe " + steps + " " + tau + " body " + body + " heap " + response.heaps().has(body));
         if (response.heaps().has(body)) {
             response.heaps().again(body);
             settleHeaps(tau);
+            followGroups();
             return;
         }
         motion.bring(body, tau);

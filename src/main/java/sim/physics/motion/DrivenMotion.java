@@ -90,6 +90,11 @@ final class DrivenMotion implements Serializable {
         return publish(group, tau, length == rest ? trajectories.h() : tau + length);
     }
 
+    /** Integrates a group from its anchors into the state vectors; returns how far. */
+    double probe(IntList group, double length) {
+        return stride(group, trajectories.offset(group.values[0]), length);
+    }
+
     /** The step that the integrator makes of itself with a body, at most that of the engine. */
     double pace(int body) {
         return pace[body];

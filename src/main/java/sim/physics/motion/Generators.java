@@ -100,6 +100,15 @@ final class Generators implements Serializable {
         return false;
     }
 
+    /** Whether static friction holds a body at rest against uniform fields, and nothing else acts on it. */
+    boolean hold(Body body) {
+        if (surface == null || coupled || drivesOtherThan(surface, body)) {
+            return false;
+        }
+        double mass = body.getMass();
+        return surface.actsOn(body) && surface.holds(body, mass * gravityX, mass * gravityY, 0);
+    }
+
     /** Adds the forces on a body, but for those of uniform fields. */
     void addForces(Body body, double time, Forces forces) {
         for (ForceGenerator g : driving) {

@@ -3,7 +3,6 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.internal.IntList;
@@ -34,11 +33,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
     /** Null while nothing ties bodies together. */
     private Ties ties;
 
-    /** Accelerations that contacts at rest give to bodies, 3n. */
-    private double[] support = new double[24];
-
-    /** Bodies at rest that static friction holds. */
-    private boolean[] held = new boolean[8];
+    private final Rest rest = new Rest();
 
     /**
      * Makes the motion of an engine.
@@ -128,6 +123,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
     public void begin(double startOfStep) {
         time = startOfStep;
         state.setUnsettled(true);
+        rest.isDriven = false;
     }
 
     /**
@@ -137,14 +133,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @param tau offset in the present step
      */
     public void admit(int body, double tau) {
-        if (support.length < State.BLOCK * state.size()) {
-            support = Arrays.copyOf(support, 2 * State.BLOCK * state.size());
-            held = Arrays.copyOf(held, 2 * state.size());
-        }
+        rest.ensure(state.size());
         trajectories.anchor(body, tau, state);
         drivenMotion.forget(body);
         Body view = state.body(body);
-        release(body);
+        rest.release(body);
         setDriven(body, !view.isFixed() && isDriven(view));
         if (view.isFixed()) {
             return;
@@ -166,16 +159,16 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (trajectories.isDriven(body)) {
             return;
         }
-        if (held[body]) {
+        if (rest.held[body]) {
             trajectories.accelerate(body, 0, 0, 0);
             return;
         }
         double[] w = state.w().values();
         int b = State.BLOCK * body;
         Body view = state.body(body);
-        double ax = generators.gravityX + w[b] * view.appliedX() + support[b]; // (5)
-        double ay = generators.gravityY + w[b] * view.appliedY() + support[b + 1];
-        double alpha = w[b + State.THETA] * view.appliedTorque() + support[b + 2]; // (6)
+        double ax = generators.gravityX + w[b] * view.appliedX() + rest.support[b]; // (5)
+        double ay = generators.gravityY + w[b] * view.appliedY() + rest.support[b + 1];
+        double alpha = w[b + State.THETA] * view.appliedTorque() + rest.support[b + 2]; // (6)
         trajectories.accelerate(body, ax, ay, alpha);
     }
 
@@ -237,7 +230,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void remove(int body) {
         setDriven(body, false);
-        release(body);
+        rest.release(body);
     }
 
     /**
@@ -324,6 +317,27 @@ public final class Motion implements EquationsOfMotion, Serializable {
         drivenMotion.restore(group);
     }
 
+    /**
+     * Moves driven bodies of the state vectors from their anchors on, without paths.
+     *
+     * @param body index of one of them
+     * @param length time
+     * @return how far they came at once
+     */
+    public double probe(int body, double length) {
+        return drivenMotion.probe(companions(body), length);
+    }
+
+    /**
+     * Whether contact forces may act on a body for a while, beside what drives it.
+     *
+     * @param body index
+     * @return false if forces couple bodies, surface friction acts, or it has joints with stops or motors
+     */
+    public boolean isSupportable(int body) {
+        return !generators.coupled && generators.surface == null && !(isTied(body) && ties.isSwitched(ties.island(body)));
+    }
+
     /** The simulated time of an offset in the present step. */
     double time(double tau) {
         return time + tau;
@@ -347,17 +361,15 @@ public final class Motion implements EquationsOfMotion, Serializable {
     }
 
     /**
-     * Sets the acceleration that contacts at rest give to a body.
+     * Sets the acceleration that contacts at rest give to a body; a driven one must be advanced anew.
      *
-     * @param body index of a body that is not driven, anchored at the present instant
+     * @param body index, anchored at the present instant
      * @param ax length/time²
      * @param ay length/time²
      * @param alpha rad/time²
      */
     public void support(int body, double ax, double ay, double alpha) {
-        support[State.BLOCK * body] = ax;
-        support[State.BLOCK * body + 1] = ay;
-        support[State.BLOCK * body + 2] = alpha;
+        rest.support(body, ax, ay, alpha, trajectories.isDriven(body));
         course(body);
     }
 
@@ -372,20 +384,9 @@ public final class Motion implements EquationsOfMotion, Serializable {
         int b = State.BLOCK * body;
         double[] w = state.w().values();
         Body view = state.body(body);
-        a[at] = held[body] ? 0 : generators.gravityX + w[b] * view.appliedX();
-        a[at + 1] = held[body] ? 0 : generators.gravityY + w[b] * view.appliedY();
-        a[at + 2] = held[body] ? 0 : w[b + State.THETA] * view.appliedTorque();
-    }
-
-    /** Ends a body's rest; false if it did not rest. */
-    private boolean release(int body) {
-        int b = State.BLOCK * body;
-        boolean rested = held[body] || support[b] != 0 || support[b + 1] != 0 || support[b + 2] != 0;
-        support[b] = 0;
-        support[b + 1] = 0;
-        support[b + 2] = 0;
-        held[body] = false;
-        return rested;
+        a[at] = rest.held[body] ? 0 : generators.gravityX + w[b] * view.appliedX();
+        a[at + 1] = rest.held[body] ? 0 : generators.gravityY + w[b] * view.appliedY();
+        a[at + 2] = rest.held[body] ? 0 : w[b + State.THETA] * view.appliedTorque();
     }
 
     /**
@@ -395,7 +396,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void deflect(int body) {
         drivenMotion.forget(body);
-        if (release(body)) {
+        if (rest.release(body)) {
             setDriven(body, isDriven(state.body(body)));
             course(body);
         }
@@ -412,19 +413,19 @@ public final class Motion implements EquationsOfMotion, Serializable {
             return false;
         }
         setDriven(body, false);
-        held[body] = true;
+        rest.held[body] = true;
         course(body);
         return true;
     }
 
     /** Whether some force may act on bodies beside that of their ties. */
     boolean hasForces() {
-        return pushed.size > 0 || generators.isAny();
+        return pushed.size > 0 || generators.isAny() || rest.isDriven;
     }
 
     /** The uniform fields, if nothing but them acts, or null. */
     Generators fields() {
-        return pushed.size == 0 && !generators.drive() ? generators : null;
+        return pushed.size == 0 && !generators.drive() && !rest.isDriven ? generators : null;
     }
 
     /** Length of the present step. */
@@ -437,16 +438,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         double[] m = trajectories.data();
         Body view = state.body(body);
         boolean moves = m[o + Trajectories.VX] != 0 || m[o + Trajectories.VY] != 0 || m[o + Trajectories.OMEGA] != 0;
-        SurfaceFriction surface = generators.surface;
-        if (surface == null || generators.coupled || moves || view.isPushed() || isTied(body)) {
-            return false;
-        }
-        if (generators.drivesOtherThan(surface, view)) {
-            return false;
-        }
-        double mass = view.getMass();
-        return surface.actsOn(view)
-                && surface.holds(view, mass * generators.gravityX, mass * generators.gravityY, 0);
+        return !moves && !view.isPushed() && !isTied(body) && generators.hold(view);
     }
 
     @Override
@@ -492,9 +484,9 @@ public final class Motion implements EquationsOfMotion, Serializable {
             f[b + 1] = body.appliedY();
             f[b + 2] = body.appliedTorque();
             generators.addForces(body, t, forces);
-            a[b] = generators.gravityX + w[b] * f[b]; // (5), (7)
-            a[b + 1] = generators.gravityY + w[b + 1] * f[b + 1];
-            a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
+            a[b] = generators.gravityX + w[b] * f[b] + rest.support[b]; // (5), (7)
+            a[b + 1] = generators.gravityY + w[b + 1] * f[b + 1] + rest.support[b + 1];
+            a[b + 2] = w[b + 2] * f[b + 2] + rest.support[b + 2]; // (6), (8)
         }
     }
 }

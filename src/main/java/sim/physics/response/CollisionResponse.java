@@ -104,6 +104,7 @@ public final class CollisionResponse implements Serializable {
     public void setTies(Ties ties) {
         jointed = ties == null ? null : new JointedBodies(state, trajectories, motion, ties);
         simultaneous.setTies(ties);
+        heaps.setTies(ties);
     }
 
     private void locate(int pair, double tau) {
@@ -164,16 +165,13 @@ public final class CollisionResponse implements Serializable {
         }
         if (bounds) {
             heaps.end(pair);
-        } else {
-            heaps.close(pair);
         }
-        return !bounds;
+        return !bounds && heaps.close(pair);
     }
 
     /** Lets a pair lie on one another from now on if its bounces have become too many and too short. */
     private boolean startsToLie(int pair, int a, int b) {
-        boolean canLie = !trajectories.isDriven(a) && !trajectories.isDriven(b);
-        if (!canLie || !bounces.jams(pair, a, b, impact, heaps.has(a) || heaps.has(b))) {
+        if (!heaps.mayLie(a, b) || !bounces.jams(pair, a, b, impact, heaps.has(a) || heaps.has(b))) {
             return false;
         }
         heaps.add(pair);

@@ -9,7 +9,9 @@ import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
+import sim.physics.motion.Ties;
 import sim.physics.motion.Trajectories;
+import sim.physics.shape.Circle;
 
 /**
  * The heap that is being solved: finds its bodies and points, and gives it new velocities. One solution holds for a step, or
@@ -26,6 +28,15 @@ final class Heap implements Serializable {
 
     /** Gap that is kept, relative to the smaller body, beside what turning and sliding take of it. */
     private static final double CUSHION = 1e-10;
+
+    /** The same where paths are not quite the motion. */
+    private static final double DRIVEN_CUSHION = 1e-7;
+
+    /** Speed at which points hardly close, relative to the bodies'. */
+    private static final double HARDLY = 1e-12;
+
+    /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
+    private static final double MOST_SHARE = 100;
 
     /** Part of a missing gap that a solution regains. */
     private static final double REGAIN = 0.2;
@@ -65,6 +76,15 @@ final class Heap implements Serializable {
     private double until;
 
     private boolean isFresh;
+
+    /** Whether bodies of the heap are driven. */
+    private boolean isDriven;
+
+    /** Null while nothing ties bodies together. */
+    private Ties ties;
+
+    private double[] velocities = {};
+    private double[] alone = {};
     private boolean halts;
     private double scale;
 
@@ -94,7 +114,9 @@ final class Heap implements Serializable {
         }
         if (!lasts(pair)) {
             double size = size(detection.pairs().first(pair), detection.pairs().second(pair));
-            detection.marks().setSlack(pair, CUSHION * size);
+            boolean driven = trajectories.isDriven(detection.pairs().first(pair))
+                    || trajectories.isDriven(detection.pairs().second(pair));
+            detection.marks().setSlack(pair, (driven ? DRIVEN_CUSHION : CUSHION) * size);
             Arrays.fill(forces, 4 * pair, 4 * pair + 4, 0);
         }
     }
@@ -109,10 +131,21 @@ final class Heap implements Serializable {
         motion.support(body, -fall[0], -fall[1], -fall[2]);
     }
 
+    void setTies(Ties those) {
+        ties = those;
+    }
+
     /** Solves the heap of a body; notes those whose courses change. */
     void settle(int seed, double tau, IntList changed) {
         find(seed, tau);
+        if (isDriven) {
+            unpay(tau);
+        }
         gather(tau);
+        if (isDriven) {
+            strike(tau);
+            drive(tau);
+        }
         solve(tau);
         publish(tau, changed);
     }
@@ -120,13 +153,14 @@ final class Heap implements Serializable {
     /** Finds the bodies that lie on one another with a body, and until when their velocities are to hold. */
     private void find(int seed, double tau) {
         heap.clear();
+        isDriven = false;
         include(seed);
         double spin = 0;
         boolean struck = false;
         double paid = trajectories.h();
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
-            trajectories.bring(body, tau);
+            motion.bring(body, tau);
             detection.unplan(body);
             struck |= by.paidUntil[body] > tau;
             paid = by.paidUntil[body] > tau ? Math.min(paid, by.paidUntil[body]) : paid;
@@ -142,9 +176,10 @@ final class Heap implements Serializable {
             }
         }
         double h = trajectories.h();
-        double length = Math.max(spin * h > TURN ? TURN / spin : h, h / SOLUTIONS);
+        double length = spin * h > TURN ? TURN / spin : h;
+        length = Math.max(isDriven ? Math.min(length, pace()) : length, h / SOLUTIONS);
         isFresh = !struck;
-        until = Math.min(paid, tau + length);
+        until = Math.min(isDriven ? h : paid, tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
     }
 
@@ -155,15 +190,120 @@ final class Heap implements Serializable {
         int ob = b * Trajectories.STRIDE;
         double vx = d[ob + Trajectories.VX] - d[oa + Trajectories.VX];
         double vy = d[ob + Trajectories.VY] - d[oa + Trajectories.VY];
-        double turn = Math.max(Math.abs(d[oa + Trajectories.OMEGA]), Math.abs(d[ob + Trajectories.OMEGA]));
+        double turnA = isRound(a) ? 0 : Math.abs(d[oa + Trajectories.OMEGA]);
+        double turn = Math.max(turnA, isRound(b) ? 0 : Math.abs(d[ob + Trajectories.OMEGA]));
         double slide = Math.sqrt(vx * vx + vy * vy) / size(a, b);
         return Math.sqrt(turn * (turn + slide));
     }
 
+    /** Whether a body looks the same when it turns. */
+    private boolean isRound(int body) {
+        return state.body(body).getShape() instanceof Circle;
+    }
+
+    /** Includes a body, and those that move with it. */
     private void include(int body) {
+        if (!trajectories.isDriven(body)) {
+            includeOne(body);
+            return;
+        }
+        isDriven = true;
+        IntList group = motion.companions(body);
+        for (int k = 0; k < group.size; k++) {
+            by.ensure(group.values[k]);
+            includeOne(group.values[k]);
+        }
+    }
+
+    private void includeOne(int body) {
         heap.add(body);
         by.place[body] = heap.size;
         by.isDirty[body] = false;
+    }
+
+    /** Takes from bodies what forces have given them for the time that is left: it is found anew, with those of driven ones. */
+    private void unpay(double tau) {
+        double[] d = trajectories.data();
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            if (by.paidUntil[body] > tau && !trajectories.isDriven(body)) {
+                double part = (by.paidUntil[body] - tau) / (by.paidUntil[body] - by.paidFrom[body]);
+                for (int c = 0; c < State.BLOCK; c++) {
+                    d[body * Trajectories.STRIDE + Trajectories.VX + c] -= part * by.paid[3 * body + c];
+                }
+            }
+            by.paidUntil[body] = 0;
+            if (motion.isTied(body) && isFirst(k)) {
+                motion.restore(ties.island(body));
+                ties.prepareImpact(ties.island(body));
+            }
+        }
+        isFresh = true;
+    }
+
+    /** For how long forces are to hold on driven bodies: half as long where points have closed too early. */
+    private double pace() {
+        double h = trajectories.h();
+        double least = h;
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            double pace = by.pace[body] == 0 ? h : by.pace[body];
+            least = Math.min(least, by.hasClosed[body] ? 0.5 * pace : 2 * pace);
+        }
+        for (int k = 0; k < heap.size; k++) {
+            by.pace[heap.values[k]] = least;
+            by.hasClosed[heap.values[k]] = false;
+        }
+        return least;
+    }
+
+    /** Whether a body of the heap is the first of those that move with it. */
+    private boolean isFirst(int k) {
+        int body = heap.values[k];
+        return trajectories.isDriven(body) && motion.companions(body).values[0] == body;
+    }
+
+    /** Changes the velocities at once where points close too fast, before forces act. */
+    private void strike(double tau) {
+        double speed = 0;
+        for (int k = 0; k < heap.size; k++) {
+            speed = Math.max(speed, speed(k));
+        }
+        if (!system.isStruck(HARDLY * speed)) {
+            return;
+        }
+        system.solve(Math.max(speed, scale), false);
+        for (int k = 0; k < heap.size; k++) {
+            int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
+            System.arraycopy(system.v, 3 * k, trajectories.data(), o, State.BLOCK);
+        }
+    }
+
+    /** Finds the velocities with which the bodies would be at the end without the heap, and takes up its last forces. */
+    private void drive(double tau) {
+        for (int k = 0; k < heap.size; k++) {
+            motion.support(heap.values[k], 0, 0, 0);
+        }
+        double length = until - tau;
+        double[] d = trajectories.data();
+        double share = 1;
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            int o = body * Trajectories.STRIDE + Trajectories.VX;
+            boolean driven = trajectories.isDriven(body);
+            if (isFirst(k)) {
+                share = Math.min(MOST_SHARE, length / motion.probe(body, length)); // it may end early, at a stop
+            }
+            motion.fall(body, fall, 0);
+            for (int c = 0; c < State.BLOCK; c++) {
+                double gained = driven ? share * (state.v()[State.BLOCK * body + c] - d[o + c]) : fall[c] * length;
+                system.v[3 * k + c] = d[o + c] + gained;
+            }
+        }
+        for (int p = 0; p < system.size(); p++) {
+            int at = origin.values[p];
+            system.start(p, (until - tau) * forces[at], (until - tau) * forces[at + 1]);
+        }
     }
 
     /** Takes in the bodies of the heap and their points. */
@@ -201,7 +341,7 @@ final class Heap implements Serializable {
         double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
         double time = until - Math.max(tau, by.paidUntil[body]);
-        for (int c = 0; c < State.BLOCK && time > 0; c++) {
+        for (int c = 0; c < State.BLOCK && time > 0 && !isDriven; c++) {
             system.v[3 * k + c] += fall[c] * time;
         }
     }
@@ -221,18 +361,40 @@ final class Heap implements Serializable {
         double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
         for (int k = 0; k < manifold.count; k++) {
             response.load(manifold, a, b, k, point);
-            double room = CUSHION * size + bend(a, b, left);
+            double room = detection.marks().slack(pair) + bend(a, b, left);
             int p = system.size();
             system.add(number(a), number(b), point);
+            if (isDriven) {
+                reply(p, 0, a, -1, point.leverA, point.armA);
+                reply(p, 1, b, 1, point.leverB, point.armB);
+                system.measure(p);
+            }
             origin.add(4 * pair + 2 * k);
             double gap = manifold.gaps[k];
             double least = isFresh ? room : 0.5 * room;
             system.bound(p, gap < least ? REGAIN * (room - gap) / left : (least - gap) / left);
-            if (isFresh) {
+            if (isFresh && !isDriven) {
                 double[] f = forces;
                 system.start(p, left * f[4 * pair + 2 * k], left * f[4 * pair + 2 * k + 1]);
             }
         }
+    }
+
+    /** Finds what a point's impulses do to a body that is tied to others. */
+    private void reply(int p, int side, int body, double sign, double lever, double arm) {
+        if (!motion.isTied(body)) {
+            return;
+        }
+        if (velocities.length < state.x().length) {
+            velocities = new double[state.x().length];
+        }
+        IntList island = ties.island(body);
+        int first = by.place[island.values[0]] - 1;
+        HeapReplies replies = system.replies();
+        ties.reply(body, sign * point.nx, sign * point.ny, sign * lever, velocities);
+        replies.set(2 * p + side, first, island, velocities, false);
+        ties.reply(body, -sign * point.ny, sign * point.nx, sign * arm, velocities);
+        replies.set(2 * p + side, first, island, velocities, true);
     }
 
     private int number(int body) {
@@ -261,8 +423,8 @@ final class Heap implements Serializable {
 
     /** What the turning and sliding of the loaded point's bodies may take of their gap in the step. */
     private double bend(int a, int b, double h) {
-        double turnA = h * Math.abs(point.omegaA);
-        double turnB = h * Math.abs(point.omegaB);
+        double turnA = manifold.roundA ? 0 : h * Math.abs(point.omegaA);
+        double turnB = manifold.roundB ? 0 : h * Math.abs(point.omegaB);
         double slide = h * Math.abs(point.tangentVelocity());
         double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * radius(a)) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * radius(b));
         return Math.min(bend + slide * (turnA + turnB), 1e-3 * size(a, b));
@@ -283,7 +445,7 @@ final class Heap implements Serializable {
             forces[origin.values[p]] = done ? system.normalImpulse(p) / (until - tau) : 0;
             forces[origin.values[p] + 1] = done ? system.tangentImpulse(p) / (until - tau) : 0;
         }
-        halts = most > MOST;
+        halts = most > MOST && !isDriven;
         if (halts) {
             system.halt();
         }
@@ -306,6 +468,16 @@ final class Heap implements Serializable {
         return Math.max(way, radius(heap.values[k]) * Math.abs(system.v[3 * k + 2]));
     }
 
+    /** What the impulses would do to bodies that nothing ties; their ties reply when they are driven. */
+    private double[] pushes() {
+        if (isDriven) {
+            alone = alone.length < 3 * heap.size ? new double[6 * heap.size] : alone;
+            Arrays.fill(alone, 0, 3 * heap.size, 0);
+            system.pushAlone(alone);
+        }
+        return alone;
+    }
+
     private void publish(double tau, IntList changed) {
         double pull = 0;
         double most = 0;
@@ -313,11 +485,12 @@ final class Heap implements Serializable {
             pull = Math.max(pull, pull(heap.values[k]));
             most = Math.max(most, speed(k));
         }
-        boolean still = system.size() > 0 && !halts && isFresh && most <= STILL * pull * (until - tau);
+        boolean still = system.size() > 0 && !halts && isFresh && !isDriven && most <= STILL * pull * (until - tau);
         if (!still && until < trajectories.h()) {
             detection.plan(heap.values[0], until);
         }
         double[] d = trajectories.data();
+        double[] pushes = pushes();
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             by.place[body] = 0;
@@ -331,10 +504,18 @@ final class Heap implements Serializable {
                 changed.add(body);
                 continue;
             }
+            if (trajectories.isDriven(body)) {
+                double time = until - tau;
+                motion.support(body, pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
+                by.paidUntil[body] = until;
+                changed.add(body);
+                continue;
+            }
             int o = body * Trajectories.STRIDE + Trajectories.VX;
             boolean same = by.paidUntil[body] > tau && Arrays.equals(d, o, o + 3, system.v, 3 * k, 3 * k + 3);
             by.paidUntil[body] = still ? 0 : Math.max(by.paidUntil[body], until);
             if (!same) {
+                by.pay(body, tau, d, o, system.v, 3 * k);
                 System.arraycopy(system.v, 3 * k, d, o, 3);
                 coast(body);
                 changed.add(body);

@@ -18,6 +18,19 @@ final class HeapBodies implements Serializable {
     /** Until when it has got what the forces give it, as an offset in the step. */
     double[] paidUntil = {};
 
+    /** From when on, and how much that is with the heap's impulses, 3 each. */
+    double[] paidFrom = {};
+
+    double[] paid = {};
+
+    /** Of driven bodies: for how long forces hold, 0 for the step; and whether a point has closed before that. */
+    double[] pace = {};
+
+    boolean[] hasClosed = {};
+
+    /** The number of the step before which it does not lie on anything, because it was struck too often. */
+    double[] givenUp = {};
+
     /** How often something has happened to it in this step, and the energy that it has lost in heaps. */
     int[] turns = {};
 
@@ -28,6 +41,10 @@ final class HeapBodies implements Serializable {
 
     HeapBodies() {
         // empty until something lies on something
+    }
+
+    boolean knows(int body) {
+        return body < lies.length;
     }
 
     boolean has(int body) {
@@ -41,9 +58,22 @@ final class HeapBodies implements Serializable {
             isStill = Arrays.copyOf(isStill, n);
             isDirty = Arrays.copyOf(isDirty, n);
             paidUntil = Arrays.copyOf(paidUntil, n);
+            paidFrom = Arrays.copyOf(paidFrom, n);
+            paid = Arrays.copyOf(paid, 3 * n);
+            pace = Arrays.copyOf(pace, n);
+            hasClosed = Arrays.copyOf(hasClosed, n);
+            givenUp = Arrays.copyOf(givenUp, n);
             turns = Arrays.copyOf(turns, n);
             lost = Arrays.copyOf(lost, n);
             place = Arrays.copyOf(place, n);
+        }
+    }
+
+    /** Takes note of a change of velocity. */
+    void pay(int body, double tau, double[] from, int o, double[] to, int at) {
+        paidFrom[body] = tau;
+        for (int c = 0; c < 3; c++) {
+            paid[3 * body + c] = to[at + c] - from[o + c];
         }
     }
 
