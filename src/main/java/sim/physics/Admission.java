@@ -120,7 +120,11 @@ final class Admission implements Presence, Serializable {
 
     private void admit(int index, double tau) {
         resting.forget(index);
-        heaps.forget(index);
+        if (isWhereItWas(index, tau)) {
+            heaps.struck(index);
+        } else {
+            heaps.forget(index);
+        }
         motion.admit(index, tau);
         if (detection.knows(index)) {
             detection.refilter(index);
@@ -131,6 +135,11 @@ final class Admission implements Presence, Serializable {
         if (trajectories.isDriven(index)) {
             driven.add(index);
         }
+    }
+
+    /** Whether a body that was written has not been moved: forces are set in each step, and change no contact. */
+    private boolean isWhereItWas(int index, double tau) {
+        return heaps.has(index) && trajectories.isAt(index, tau, state);
     }
 
     /** Forms islands anew where constraints have changed, and closes the joints of bodies that were written. */

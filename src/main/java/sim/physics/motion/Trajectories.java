@@ -275,6 +275,25 @@ public final class Trajectories implements Serializable {
     }
 
     /**
+     * Whether a body is where the state vectors have it.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     * @param state the vectors
+     * @return true if the positions are the same to the bit
+     */
+    public boolean isAt(int body, double tau, State state) {
+        int o = body * STRIDE;
+        double d = duration(body, tau);
+        boolean same = true;
+        for (int c = 0; c < State.BLOCK; c++) {
+            double x = data[o + c] + d * (data[o + VX + c] + d * (data[o + AX + c] + d * data[o + JX + c]));
+            same &= x == state.x()[State.BLOCK * body + c];
+        }
+        return same;
+    }
+
+    /**
      * Writes one body's position and velocity at an instant into the state vectors.
      *
      * @param body index

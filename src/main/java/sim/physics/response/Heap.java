@@ -10,6 +10,7 @@ import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
+import sim.physics.shape.Circle;
 
 /**
  * The heap that is being solved: finds its bodies and points, and gives it new velocities. One solution holds for a step, or
@@ -155,9 +156,15 @@ final class Heap implements Serializable {
         int ob = b * Trajectories.STRIDE;
         double vx = d[ob + Trajectories.VX] - d[oa + Trajectories.VX];
         double vy = d[ob + Trajectories.VY] - d[oa + Trajectories.VY];
-        double turn = Math.max(Math.abs(d[oa + Trajectories.OMEGA]), Math.abs(d[ob + Trajectories.OMEGA]));
+        double turnA = isRound(a) ? 0 : Math.abs(d[oa + Trajectories.OMEGA]);
+        double turn = Math.max(turnA, isRound(b) ? 0 : Math.abs(d[ob + Trajectories.OMEGA]));
         double slide = Math.sqrt(vx * vx + vy * vy) / size(a, b);
         return Math.sqrt(turn * (turn + slide));
+    }
+
+    /** Whether a body looks the same when it turns. */
+    private boolean isRound(int body) {
+        return state.body(body).getShape() instanceof Circle;
     }
 
     private void include(int body) {
@@ -261,8 +268,8 @@ final class Heap implements Serializable {
 
     /** What the turning and sliding of the loaded point's bodies may take of their gap in the step. */
     private double bend(int a, int b, double h) {
-        double turnA = h * Math.abs(point.omegaA);
-        double turnB = h * Math.abs(point.omegaB);
+        double turnA = manifold.roundA ? 0 : h * Math.abs(point.omegaA);
+        double turnB = manifold.roundB ? 0 : h * Math.abs(point.omegaB);
         double slide = h * Math.abs(point.tangentVelocity());
         double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * radius(a)) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * radius(b));
         return Math.min(bend + slide * (turnA + turnB), 1e-3 * size(a, b));
