@@ -23,6 +23,9 @@ final class Passage implements Serializable {
     /** The way to either side, in rad or relative to the size of the bodies. */
     private static final double WAY = 1e-3;
 
+    /** Error of C, in units of its rounding, up to which the constraints count as closed. */
+    private static final double CLOSED = 1e3;
+
     private static final int LENGTHENINGS = 4;
 
     /** What the means at one, two and three ways weigh: the parabola in the square of the way through them, at 0. */
@@ -33,8 +36,13 @@ final class Passage implements Serializable {
 
     private final Island island;
 
+    /** Times that it is tried to find out which rows are always redundant. */
+    private static final int MOST_LESSONS = 8;
+
     /** Rows that depend on others wherever the island is. */
     private int lasting;
+
+    private int lessons;
 
     private Projection projection;
     private double[] x = {};
@@ -55,6 +63,70 @@ final class Passage implements Serializable {
             lasting = near;
         }
         return near > lasting;
+    }
+
+    /**
+     * Finds out which rows are redundant always: those that are so on the way before and after, too. Says whether that has
+     * become known, or is not true any more, so that the matrix is to be factored again.
+     *
+     * <p>Rows of motors and stops come and go, and what is redundant with them.
+     */
+    boolean learns(State state, DirectSolver solver) {
+        BlockFactor factor = island.factor;
+        boolean isKnown = factor.lasting() > 0;
+        if (isKnown && factor.strays() == 0 || !island.switches.isEmpty() || lessons >= MOST_LESSONS) {
+            return false;
+        }
+        if (Slack.error(island, state, Projection.ROUNDING) > CLOSED) {
+            return false;
+        }
+        if (isKnown) {
+            factor.forgetRedundant();
+            lasting = 0;
+            return true;
+        }
+        double speed = keep(state);
+        if (speed == 0) {
+            return false;
+        }
+        lessons++;
+        int before = go(state, solver, -WAY / speed) ? redundant(state) : 0;
+        int after = before > 0 && go(state, solver, WAY / speed) ? redundant(state) : 0;
+        if (after > 0 && after == before) {
+            factor.keepRedundant();
+            lasting = after;
+        }
+        restore(state);
+        island.evaluate(state);
+        return true;
+    }
+
+    /** The redundant rows of a pose on the way; 0 if that is the pose of before, which lets the island move by rounding only. */
+    private int redundant(State state) {
+        double moved = 0;
+        for (int k = 0; k < x.length; k++) {
+            double way = Math.abs(state.x()[slot(k)] - x[k]);
+            moved = Math.max(moved, k % State.BLOCK == State.THETA ? way : way / island.leastSize);
+        }
+        if (moved < 0.5 * WAY) {
+            return 0;
+        }
+        island.factor(state.w().values(), 0, BlockFactor.NOISE, false);
+        return island.redundant();
+    }
+
+    /** Goes a time along the velocities, and back onto the constraints; false if that fails. */
+    private boolean go(State state, DirectSolver solver, double time) {
+        restore(state);
+        for (int k = 0; k < x.length; k++) {
+            state.x()[slot(k)] += time * v[k];
+        }
+        if (!projection.project(island, state, solver, false)) {
+            return false;
+        }
+        island.evaluate(state);
+        solver.prepare(island, state.w().values());
+        return true;
     }
 
     /**
@@ -109,19 +181,10 @@ final class Passage implements Serializable {
 
     /** Adds the accelerations at a pose on the way to the mean; false if that is singular, too. */
     private boolean look(State state, DirectSolver solver, double[] a, int way, double time) {
-        restore(state);
-        for (int k = 0; k < mean.length; k++) {
-            state.x()[slot(k)] += way * time * v[k];
+        if (!go(state, solver, way * time) || island.near() > lasting) {
+            return false;
         }
         double[] w = state.w().values();
-        if (!projection.project(island, state, solver, false)) {
-            return false;
-        }
-        island.evaluate(state);
-        solver.prepare(island, w);
-        if (island.near() > lasting) {
-            return false;
-        }
         for (int k = 0; k < mean.length; k++) {
             u[slot(k)] = a[slot(k)];
         }
