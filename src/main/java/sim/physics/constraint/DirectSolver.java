@@ -132,6 +132,16 @@ public final class DirectSolver extends ConstraintSolver {
 
     @Override
     void accelerate(Island island, State state, double[] a) {
+        solve(island, state, a);
+        if (island.redundantRows > 0 && island.passage.stands(state, this, a)) {
+            for (int k = 0; k < island.bodies.size; k++) {
+                int s = State.BLOCK * island.bodies.values[k];
+                Arrays.fill(a, s, s + State.BLOCK, 0);
+            }
+        }
+    }
+
+    private void solve(Island island, State state, double[] a) {
         double[] w = state.w().values();
         boolean isSpread = island.spread(w) > SPREAD;
         boolean isSolved =

@@ -410,6 +410,7 @@ final class Island implements Serializable {
 
     void forgetMasses() {
         spread = 0;
+        passage.forget();
         pins.forgetMasses();
         if (chain != null) {
             chain.forgetMasses();

@@ -9,7 +9,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.function.DoubleFunction;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Disabled;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -259,23 +259,54 @@ class SingularPoseTest {
         for (int k = 0; k < 200; k++) {
             engine.step();
             most = Math.max(most, Math.abs(left.getY() + 0.5 * StrictMath.sin(left.getAngle())));
-            assertThat(engine.getReaction(middle).force()).isLessThan(1e7);
+            assertThat(engine.getReaction(middle).force()).isLessThan(10);
         }
         return most;
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {0, 1e-12, -1e-12})
-    void rodsInALineBearASideLoad(double wider) {
-        assertThat(deflection(wider)).isLessThan(1e-5);
+    void rodsInALineHardlyGiveWay(double wider) {
+        assertThat(deflection(wider)).isLessThan(1e-8);
+        assertThat(engine.getRedundantEquations()).isOne();
     }
 
     @ParameterizedTest
-    @ValueSource(doubles = {0, 1e-12, -1e-12})
-    @Disabled("6e-6: the projection is damped near singular poses, so that mechanisms can pass them; no warning is given")
-    void rodsInALineHardlyGiveWay(double wider) {
-        assertThat(deflection(wider)).isLessThan(1e-8 + StrictMath.sqrt(2 * Math.max(0, -wider)));
-        assertThat(engine.getRedundantEquations()).isPositive();
+    @ValueSource(doubles = {1e-3, 1, 30})
+    void rodsInALineThatAreStruckStand(double speed) {
+        Body left = rod(0, 0, 1, 0).moving(0, 0.5 * speed, speed);
+        Body right = rod(1, 0, 2, 0).moving(0, 0.5 * speed, -speed);
+        engine.add(new PinJoint(left, 0, 0));
+        engine.add(new PinJoint(left, right, 1, 0));
+        engine.add(new PinJoint(right, 0.5, 0, null, 2, 0));
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+            assertThat(Math.abs(left.getY() + 0.5 * StrictMath.sin(left.getAngle()))).isLessThan(1e-8);
+        }
+    }
+
+    /** It hangs in equilibrium, where accelerations are rounding errors; then it is pushed. */
+    @Test
+    void aBarOnThreeCranksThatHangsDoesNotStickThere() {
+        engine.setTimeStep(1e-3);
+        engine.add(new Gravity(0, -G));
+        Body bar = rod(0, -1, 2, -1);
+        Body[] cranks = new Body[3];
+        for (int k = 0; k < 3; k++) {
+            cranks[k] = rod(k, 0, k, -1);
+            cranks[k].setMass(1, 0.1);
+            engine.add(new PinJoint(cranks[k], k, 0));
+            engine.add(new PinJoint(cranks[k], bar, k, -1));
+        }
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+        }
+        bar.addForce(10, 0);
+        engine.step();
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+        }
+        assertThat(bar.getX()).isGreaterThan(1 + 1e-4);
     }
 
     /** A knee that is nearly straight presses with 1 / (2 tan α) times its load. */
