@@ -37,6 +37,14 @@ public final class Path implements Serializable {
     /** The step that such a method would make next, by the first body of a group; 0: not known. */
     double[] next = {};
 
+    /** The longest step that it would have made lately, and when. */
+    double[] pace = {};
+
+    double[] paceTime = {};
+
+    /** Number of steps since then that were much shorter. */
+    int[] hasty = {};
+
     /** Null unless a method that chooses by stiffness is used. */
     Stiffness stiffness;
 
@@ -59,6 +67,9 @@ public final class Path implements Serializable {
             sumV = Arrays.copyOf(sumV, length);
             first = Arrays.copyOf(first, length);
             next = Arrays.copyOf(next, length / State.BLOCK);
+            pace = Arrays.copyOf(pace, next.length);
+            hasty = Arrays.copyOf(hasty, next.length);
+            paceTime = Arrays.copyOf(paceTime, next.length);
         }
     }
 
