@@ -45,6 +45,9 @@ public final class Path implements Serializable {
     /** Number of steps since then that were much shorter. */
     int[] hasty = {};
 
+    /** Number of steps to come that an implicit method takes for shorter than they should be. */
+    private int[] shortSteps = {};
+
     /** Null unless a method that chooses by stiffness is used. */
     Stiffness stiffness;
 
@@ -68,9 +71,18 @@ public final class Path implements Serializable {
             first = Arrays.copyOf(first, length);
             next = Arrays.copyOf(next, length / State.BLOCK);
             pace = Arrays.copyOf(pace, next.length);
+            shortSteps = Arrays.copyOf(shortSteps, next.length);
             hasty = Arrays.copyOf(hasty, next.length);
             paceTime = Arrays.copyOf(paceTime, next.length);
         }
+    }
+
+    void shorten(int first, int steps) {
+        shortSteps[first] = steps;
+    }
+
+    boolean isShort(int first) {
+        return shortSteps[first] > 0 && shortSteps[first]-- > 0;
     }
 
     /** Keeps where the bodies are at the start. */
