@@ -34,6 +34,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private final Room room;
     private final Pairs pairs = new Pairs();
     private final NarrowPhase narrowPhase;
+    private final Companions companions;
     private BroadPhase broadPhase;
     private final CollisionFilter filter = new CollisionFilter();
 
@@ -75,6 +76,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         this.broadPhase = broadPhase;
         this.room = new Room(trajectories, boxes);
         this.narrowPhase = new NarrowPhase(pairs, trajectories, shapes);
+        this.companions = new Companions(trajectories, boxes, pairs, marks, narrowPhase);
         pairs.setListener(this);
     }
 
@@ -447,13 +449,15 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      */
     public IntList nextImpacts() {
         together.clear();
-        double until = queue.firstTime() + Tolerances.SIMULTANEOUS * h;
+        double tau = queue.firstTime();
+        double until = tau + Tolerances.SIMULTANEOUS * h;
         while (hasEvent() && queue.firstTime() <= until && queue.firstItem() >= 0) {
             int pair = queue.firstItem();
             queue.removeFirst();
             impactTime[pair] = Double.NaN;
             together.add(pair);
         }
+        companions.gather(together, tau, impactTime);
         return together;
     }
 

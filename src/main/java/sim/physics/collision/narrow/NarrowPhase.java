@@ -96,7 +96,24 @@ public final class NarrowPhase implements Serializable {
             codes[pair] = timeOfImpact.code;
             touching = timeOfImpact.touching;
         }
-        return found;
+        return touching && !isCircle(i) && !isCircle(j) ? beyondGrazes(pair, found, end) : found;
+    }
+
+    /** Goes on from an instant at which two polygons touch for as long as they only graze one another. */
+    private double beyondGrazes(int pair, double tau, double end) {
+        pose.load(pairs.first(pair), pairs.second(pair));
+        double t = tau;
+        while (touching) {
+            double next = timeOfImpact.graze(t, end);
+            touching = timeOfImpact.touching;
+            if (touching || !(next < end)) {
+                return next;
+            }
+            t = timeOfImpact.search(next, end, codes[pair]);
+            codes[pair] = timeOfImpact.code;
+            touching = timeOfImpact.touching;
+        }
+        return t;
     }
 
     /**
@@ -228,6 +245,18 @@ public final class NarrowPhase implements Serializable {
     public double gap(int pair, double tau) {
         place(pair, tau);
         return features.gap;
+    }
+
+    /**
+     * Whether a pair touches, but for the rounding of its bodies' coordinates.
+     *
+     * @param pair its number
+     * @param tau offset in the present step
+     * @return false if there is a gap
+     */
+    public boolean touches(int pair, double tau) {
+        place(pair, tau);
+        return features.gap <= 4 * Tolerances.GAP * pose.extent;
     }
 
     /**
