@@ -314,11 +314,16 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             pairAgenda.schedule(pair, Agenda.NEVER);
             return;
         }
+        double start = narrowPhase.boundingCircles(pair, tau);
+        if (start == Double.POSITIVE_INFINITY) {
+            pairAgenda.schedule(pair, Agenda.NEVER);
+            return;
+        }
         double end = Math.min(end(pairs.first(pair)), end(pairs.second(pair)));
         double slack = marks.slack(pair);
         double t = slack > 0
-                ? narrowPhase.firstContact(pair, tau, end, slack)
-                : narrowPhase.firstContact(pair, tau, end);
+                ? narrowPhase.firstContact(pair, tau, start, end, slack)
+                : narrowPhase.firstContact(pair, tau, start, end);
         if (narrowPhase.isApart()) {
             schedule(pair, t);
             return;

@@ -72,14 +72,14 @@ public final class NarrowPhase implements Serializable {
      *
      * @param pair its number
      * @param tau offset in the present step from which on to look; the bodies do not penetrate then
+     * @param start what {@link #boundingCircles(int, double)} has just returned for it, finite
      * @param end offset at which the search may stop
      * @return offset of the first contact with approaching surfaces if {@link #isTouching()}, else an offset up to
      *     which there is none: at least {@code end}, infinite if there never is one on the present trajectories
      */
-    public double firstContact(int pair, double tau, double end) {
+    public double firstContact(int pair, double tau, double start, double end) {
         int i = pairs.first(pair);
         int j = pairs.second(pair);
-        touching = false;
         apart = false;
         if (!continuous) {
             wake();
@@ -88,7 +88,6 @@ public final class NarrowPhase implements Serializable {
             touching = bisection.touching;
             return found;
         }
-        double start = boundingCircles(i, j, tau);
         if (touching || start >= end) {
             apart = start >= end;
             return start;
@@ -111,15 +110,16 @@ public final class NarrowPhase implements Serializable {
      *
      * @param pair its number
      * @param tau offset in the present step from which on to look
+     * @param start what {@link #boundingCircles(int, double)} has just returned for it, finite
      * @param end offset at which the search may stop
      * @param slack penetration that is let be, length
-     * @return as {@link #firstContact(int, double, double)}
+     * @return as {@link #firstContact(int, double, double, double)}
      */
-    public double firstContact(int pair, double tau, double end, double slack) {
+    public double firstContact(int pair, double tau, double start, double end, double slack) {
         int i = pairs.first(pair);
         int j = pairs.second(pair);
         if (!continuous || isCircle(i) && isCircle(j)) {
-            return firstContact(pair, tau, end);
+            return firstContact(pair, tau, start, end);
         }
         wake();
         apart = false;
@@ -171,7 +171,16 @@ public final class NarrowPhase implements Serializable {
     /**
      * When the bounding circles of two bodies on parabolas of equal acceleration meet: the root of a quadratic. For
      * two circles that is the contact itself.
+     *
+     * @param pair its number
+     * @param tau offset in the present step from which on to look
+     * @return an offset up to which the bodies are apart, infinite if they never meet on their present paths
      */
+    public double boundingCircles(int pair, double tau) {
+        touching = false;
+        return continuous ? boundingCircles(pairs.first(pair), pairs.second(pair), tau) : tau;
+    }
+
     private double boundingCircles(int i, int j, double tau) {
         double[] m = trajectories.data();
         int a = i * Trajectories.STRIDE;
