@@ -57,7 +57,10 @@ final class Room implements Serializable {
         double x = m[o] + time * (m[o + Trajectories.VX] + time * (a + time * j));
         double v = m[o + Trajectories.VX] + time * (2 * a + 3 * time * j);
         if (a == 0 && j == 0) {
-            return v == 0 ? (x >= low && x <= high ? Double.POSITIVE_INFINITY : 0) : v > 0 ? (high - x) / v : (low - x) / v;
+            if (v == 0) {
+                return x >= low && x <= high ? Double.POSITIVE_INFINITY : 0;
+            }
+            return Math.max((high - x) / v, (low - x) / v); // no branch by the direction, which nobody could foretell
         }
         double bound = Math.abs(a) + 3 * Math.abs(j) * h;
         double room = Math.min(high - x, x - low);
