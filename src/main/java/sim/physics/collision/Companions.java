@@ -78,7 +78,8 @@ final class Companions implements Serializable {
             return false;
         }
         // it would be an impact of the next step
-        double first = narrowPhase.firstContact(pair, tau, until);
+        double start = narrowPhase.boundingCircles(pair, tau);
+        double first = start == Double.POSITIVE_INFINITY ? start : narrowPhase.firstContact(pair, tau, start, until);
         return narrowPhase.isTouching() && first <= until && narrowPhase.touches(pair, tau);
     }
 }
