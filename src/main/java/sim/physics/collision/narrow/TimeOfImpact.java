@@ -54,6 +54,10 @@ final class TimeOfImpact {
     private double horizon;
 
     private double slowness;
+
+    /** Whether vertices beyond the ends of an edge count as those over it. */
+    private boolean wholeLine;
+
     private double s;
 
     /** Bound of |g‴|, or infinite if it is not known. */
@@ -120,7 +124,9 @@ final class TimeOfImpact {
         horizon = end - tau;
         double speed = speed();
         slowness = Tolerances.APPROACH * speed;
+        wholeLine = true;
         double most = Math.max(beyond(pose.a, pose.b, 1), beyond(pose.b, pose.a, -1));
+        wholeLine = false;
         touching = !(most * speed > GRAZE * pose.size);
         return touching ? tau : tau + most;
     }
@@ -194,7 +200,7 @@ final class TimeOfImpact {
                 closestRate = rate;
             }
             double onEdge = Math.max(0, Math.min(owner.length(edge), along));
-            if (j > 0 && g <= tolerance && onEdge != along) {
+            if (!wholeLine && j > 0 && g <= tolerance && onEdge != along) {
                 // the edges lie flush, and this vertex beyond the end: what counts is the end of the stretch
                 double share = (onEdge - closestAlong) / (along - closestAlong);
                 limitSlowly(g, closestRate + share * (rate - closestRate), 2 * bound);
