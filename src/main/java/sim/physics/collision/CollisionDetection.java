@@ -27,6 +27,9 @@ import sim.physics.motion.Trajectories;
 public final class CollisionDetection implements Pairs.Listener, Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** 1 less the rounding of an instant of a later step. */
+    private static final double ALMOST = 1 - 0x1p-51;
+
     private final State state;
     private final Trajectories trajectories;
     private final ShapeTable shapes = new ShapeTable();
@@ -34,6 +37,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private final Room room;
     private final Pairs pairs = new Pairs();
     private final NarrowPhase narrowPhase;
+    private final Companions companions;
     private BroadPhase broadPhase;
     private final CollisionFilter filter = new CollisionFilter();
 
@@ -41,7 +45,10 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private final Agenda pairAgenda = new Agenda();
     private final EventQueue queue = new EventQueue();
 
-    /** When a pair's impact in the present step is, or NaN. */
+    /**
+     * When a pair's impact in the present step is. If it is to be looked at in a later step: minus the offset in that step
+     * up to which it is known to be apart. NaN if nothing is known.
+     */
     private double[] impactTime = new double[16];
 
     /** When a body's path ends in the present step, or NaN. */
@@ -51,7 +58,6 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private double[] holdsUntil = new double[8];
 
     private boolean[] known = new boolean[8];
-
     /** Bodies none of whose pairs need be looked at. */
     private boolean[] idle = new boolean[8];
     private double pathEnd;
@@ -74,7 +80,8 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         this.trajectories = trajectories;
         this.broadPhase = broadPhase;
         this.room = new Room(trajectories, boxes);
-        this.narrowPhase = new NarrowPhase(pairs, trajectories, shapes);
+        this.narrowPhase = new NarrowPhase(pairs, trajectories, shapes, boxes);
+        this.companions = new Companions(trajectories, boxes, pairs, marks, narrowPhase);
         pairs.setListener(this);
     }
 
@@ -184,8 +191,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         }
         IntList due = pairAgenda.advance(step);
         for (int k = 0; k < due.size; k++) {
+            double apart = -impactTime[due.values[k]];
             if (pairs.first(due.values[k]) >= 0) {
-                examine(due.values[k], 0);
+                examine(due.values[k], apart > 0 ? apart : 0);
             }
         }
         examineFresh(0);
@@ -308,13 +316,18 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             pairAgenda.schedule(pair, Agenda.NEVER);
             return;
         }
+        double start = narrowPhase.boundingCircles(pair, tau);
+        if (start == Double.POSITIVE_INFINITY) {
+            pairAgenda.schedule(pair, Agenda.NEVER);
+            return;
+        }
         double end = Math.min(end(pairs.first(pair)), end(pairs.second(pair)));
         double slack = marks.slack(pair);
         double t = slack > 0
-                ? narrowPhase.firstContact(pair, tau, end, slack)
-                : narrowPhase.firstContact(pair, tau, end);
+                ? narrowPhase.firstContact(pair, tau, start, end, slack)
+                : narrowPhase.firstContact(pair, tau, start, end);
         if (narrowPhase.isApart()) {
-            pairAgenda.schedule(pair, t == Double.POSITIVE_INFINITY ? Agenda.NEVER : stepOf(t));
+            schedule(pair, t);
             return;
         }
         if (narrowPhase.isTouching() && t < end) {
@@ -326,12 +339,14 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         boolean driven = !narrowPhase.isContinuous()
                 || trajectories.isDriven(pairs.first(pair))
                 || trajectories.isDriven(pairs.second(pair));
-        pairAgenda.schedule(pair, driven ? step + 1 : stepOf(t));
+        schedule(pair, driven ? h : t);
     }
 
-    private long stepOf(double tau) {
-        double steps = Math.floor(tau / h);
-        return steps < 1e15 ? step + Math.max(1, (long) steps) : Agenda.NEVER;
+    /** Plans the next look at a pair that is apart up to an offset, which may be infinite. */
+    private void schedule(int pair, double tau) {
+        double later = Math.max(1, Math.floor(tau / h));
+        impactTime[pair] = later * h - tau * ALMOST; // the search goes on from there
+        pairAgenda.schedule(pair, later < 1e15 ? step + (long) later : Agenda.NEVER);
     }
 
     /** Puts a body into a new box that holds its path to the end of the step, with room to go on. */
@@ -447,13 +462,15 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      */
     public IntList nextImpacts() {
         together.clear();
-        double until = queue.firstTime() + Tolerances.SIMULTANEOUS * h;
+        double tau = queue.firstTime();
+        double until = tau + Tolerances.SIMULTANEOUS * h;
         while (hasEvent() && queue.firstTime() <= until && queue.firstItem() >= 0) {
             int pair = queue.firstItem();
             queue.removeFirst();
             impactTime[pair] = Double.NaN;
             together.add(pair);
         }
+        companions.gather(together, tau, impactTime);
         return together;
     }
 

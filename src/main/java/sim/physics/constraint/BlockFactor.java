@@ -36,8 +36,18 @@ final class BlockFactor implements Serializable {
 
     private final double[] below;
 
+    /** The rows that depended on others in the last factorization; and those that do so always, null if none are known. */
+    private final boolean[] isRedundant;
+
+    private boolean[] isLasting;
+    private int lasting;
+
+    /** The diagonal values of the rows that are always redundant. */
+    private double[] whole = {};
+
     private int redundant;
     private int near;
+    private int strays;
     private double noise;
     private double floor;
 
@@ -53,6 +63,7 @@ final class BlockFactor implements Serializable {
         n = start.length - 1;
         diagonal = new double[3 * n];
         size = new double[2 * n];
+        isRedundant = new boolean[2 * n];
         below = new double[4 * row.length];
         target = targets();
     }
@@ -102,6 +113,33 @@ final class BlockFactor implements Serializable {
         return near;
     }
 
+    /** Number of rows that are known to depend on others always. */
+    int lasting() {
+        return lasting;
+    }
+
+    /** Number of those that did not depend on others in the last factorization. */
+    int strays() {
+        return strays;
+    }
+
+    boolean isLasting(int k) {
+        return lasting > 0 && isLasting[k];
+    }
+
+    /** Notes that the rows that are redundant now are so always, and need no multiplier: the others imply them. */
+    void keepRedundant() {
+        isLasting = isRedundant.clone();
+        whole = new double[isLasting.length];
+        lasting = redundant;
+    }
+
+    /** Forgets which rows are always redundant. */
+    void forgetRedundant() {
+        isLasting = null;
+        lasting = 0;
+    }
+
     void clear() {
         Arrays.fill(below, 0);
     }
@@ -111,12 +149,16 @@ final class BlockFactor implements Serializable {
      *
      * @param relaxation added to the diagonal, relative to its largest value
      * @param least pivots below this part of their diagonal are redundant
+     * @param whole whether rows that are always redundant get multipliers, too
      */
-    void factor(double relaxation, double least) {
+    void factor(double relaxation, double least, boolean whole) {
         start(least);
         double most = 0;
         for (int k = 0; relaxation > 0 && k < size.length; k++) {
             most = Math.max(most, size[k]);
+        }
+        if (lasting > 0 && !whole) {
+            setAside();
         }
         int u = 0;
         for (int p = 0; p < n; p++) {
@@ -136,6 +178,9 @@ final class BlockFactor implements Serializable {
      */
     void factor(double[] x, double least) {
         start(least);
+        if (lasting > 0) {
+            setAside();
+        }
         int u = 0;
         double[] b = below;
         for (int p = 0; p < n; p++) {
@@ -156,12 +201,26 @@ final class BlockFactor implements Serializable {
     private void start(double least) {
         noise = least;
         floor = Math.max(least, NEAR);
+        if (redundant > 0) {
+            Arrays.fill(isRedundant, false);
+        }
         redundant = 0;
         near = 0;
+        strays = 0;
         double[] d = diagonal;
         for (int p = 0; p < n; p++) {
             size[2 * p] = d[3 * p];
             size[2 * p + 1] = d[3 * p + 2];
+        }
+    }
+
+    /** Makes the pivots of rows that are always redundant small, whatever they are. */
+    private void setAside() {
+        for (int k = 0; k < isLasting.length; k++) {
+            if (isLasting[k]) {
+                whole[k] = size[k];
+                size[k] = Double.POSITIVE_INFINITY;
+            }
         }
     }
 
@@ -171,21 +230,25 @@ final class BlockFactor implements Serializable {
         double d00 = d[3 * p] + extra;
         double d01 = d[3 * p + 1];
         double d11 = d[3 * p + 2] + extra;
-        double i0 = d00 > floor * size[2 * p] ? 1 / d00 : invertSmall(d00, size[2 * p]);
+        double i0 = d00 > floor * size[2 * p] ? 1 / d00 : invertSmall(d00, 2 * p);
         double q = d01 * i0;
         double s = d11 - d01 * q;
-        double i1 = s > floor * size[2 * p + 1] ? 1 / s : invertSmall(s, size[2 * p + 1]);
+        double i1 = s > floor * size[2 * p + 1] ? 1 / s : invertSmall(s, 2 * p + 1);
         d[3 * p] = i0 + q * q * i1;
         d[3 * p + 1] = -q * i1;
         d[3 * p + 2] = i1;
     }
 
-    private double invertSmall(double pivot, double whole) {
+    private double invertSmall(double pivot, int k) {
         near++;
-        if (pivot > noise * whole) {
+        if (pivot > noise * size[k]) {
             return 1 / pivot;
         }
+        if (size[k] == Double.POSITIVE_INFINITY && pivot > NEAR * whole[k]) {
+            strays++;
+        }
         redundant++;
+        isRedundant[k] = true;
         return 0;
     }
 

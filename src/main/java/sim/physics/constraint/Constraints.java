@@ -321,10 +321,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void assemble(IntList bodies) {
-        List<Island> those = of(bodies);
-        for (int k = 0; k < those.size(); k++) {
-            assemble(those.get(k));
-        }
+        of(bodies).forEach(this::assemble);
     }
 
     private void assemble(Island one) {
@@ -367,10 +364,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void settle(IntList bodies) {
-        List<Island> those = of(bodies);
-        for (int k = 0; k < those.size(); k++) {
-            projection.settle(those.get(k), state, solver);
-        }
+        of(bodies).forEach(island -> projection.settle(island, state, solver));
     }
 
     @Override
@@ -487,6 +481,15 @@ public final class Constraints implements Ties, Serializable {
         double least = Double.POSITIVE_INFINITY;
         for (Island island : of(bodies)) {
             least = Math.min(least, island.switches.watch(state));
+        }
+        return least;
+    }
+
+    @Override
+    public double push(IntList bodies, double[] a) {
+        double least = Double.POSITIVE_INFINITY;
+        for (Island island : of(bodies)) {
+            least = Math.min(least, island.switches.push(state, a));
         }
         return least;
     }

@@ -34,6 +34,7 @@ public final class DirectSolver extends ConstraintSolver {
     private double[] high = {};
     private double[] low = {};
     private double[] right = {};
+    private double[] pull = {};
 
     /** Makes a solver. */
     public DirectSolver() {
@@ -47,15 +48,15 @@ public final class DirectSolver extends ConstraintSolver {
 
     @Override
     void prepare(Island island, double[] w) {
-        island.factor(w, 0, least(island, w));
-        boolean redundant = island.redundant() > 0;
+        island.factor(w, 0, least(island, w), false);
+        boolean redundant = island.redundant() > island.factor.lasting();
         boolean damped = redundant && isDamped(island, w);
-        island.isRedundant = redundant && !damped;
+        island.isRedundant = island.redundant() > 0 && !damped;
         if (!island.isProjected) {
             island.redundantRows = island.redundant();
         }
         if (redundant) {
-            island.factor(w, damped ? DAMPING : RELAXATION, BlockFactor.NOISE);
+            island.factor(w, damped ? DAMPING : RELAXATION, BlockFactor.NOISE, !damped);
         }
     }
 
@@ -131,12 +132,29 @@ public final class DirectSolver extends ConstraintSolver {
 
     @Override
     void accelerate(Island island, State state, double[] a) {
+        solve(island, state, a);
+        if (island.redundantRows > 0 && island.passage.stands(state, this, a)) {
+            for (int k = 0; k < island.bodies.size; k++) {
+                int s = State.BLOCK * island.bodies.values[k];
+                Arrays.fill(a, s, s + State.BLOCK, 0);
+            }
+        }
+    }
+
+    private void solve(Island island, State state, double[] a) {
         double[] w = state.w().values();
         boolean isSpread = island.spread(w) > SPREAD;
         boolean isSolved =
                 island.hasOnlyPins() && !island.isRedundant && !isSpread && solveAtOnce(island, w, a, island.rate);
         if (!isSolved) {
             prepare(island, w);
+        }
+        if (island.redundantRows > 0 && island.passage.learns(state, this)) {
+            prepare(island, w);
+        }
+        if (island.factor.lasting() > 0) {
+            accelerateBesides(island, state, a, isSpread);
+            return;
         }
         if (!isSpread && island.passage.isNear() && island.passage.accelerate(state, this, a)) {
             return;
@@ -146,6 +164,32 @@ public final class DirectSolver extends ConstraintSolver {
         } else {
             correct(island, w, a, island.rate);
         }
+    }
+
+    /**
+     * The same where some rows are redundant always: the accelerations are found without them, as they are not quite
+     * redundant at the positions of a stage, where constraints are a little open. Then λ is shared by all rows.
+     */
+    private void accelerateBesides(Island island, State state, double[] a, boolean isSpread) {
+        double[] w = state.w().values();
+        if (pull.length < a.length) {
+            pull = new double[a.length];
+        }
+        System.arraycopy(a, 0, pull, 0, a.length);
+        if (isSpread || !island.passage.isNear() || !island.passage.accelerate(state, this, a)) {
+            correct(island, w, a, island.rate);
+        }
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            for (int c = s; c < s + State.BLOCK; c++) {
+                pull[c] -= a[c];
+            }
+        }
+        boolean was = island.isRedundant;
+        island.isRedundant = true;
+        island.factor(w, RELAXATION, BlockFactor.NOISE, true);
+        correct(island, w, pull, null);
+        island.isRedundant = was;
     }
 
     /** high + low = u + W Jᵀ λ, by bodies of the island. */

@@ -67,7 +67,7 @@ final class Island implements Serializable {
 
     int redundantRows;
 
-    private final BlockFactor factor;
+    final BlockFactor factor;
 
     /** Where two nodes that share a body add to A: block, nodes, sides (0 or 6), and the body's block. */
     private final int[] shared;
@@ -304,11 +304,11 @@ final class Island implements Serializable {
     }
 
     /** A = J W Jᵀ, (41), and its factors; rows that are zero get a 1 on the diagonal. */
-    void factor(double[] w, double relaxation, double least) {
+    void factor(double[] w, double relaxation, double least, boolean whole) {
         double[] d = factor.diagonal();
         if (onlyPins) {
             assemblePins(w);
-            factor.factor(relaxation, least);
+            factor.factor(relaxation, least, whole);
             return;
         }
         for (int p = 0; p < nodes; p++) {
@@ -330,7 +330,7 @@ final class Island implements Serializable {
             d[3 * p + 2] = d11 == 0 ? 1 : d11;
         }
         couple(w);
-        factor.factor(relaxation, least);
+        factor.factor(relaxation, least, whole);
     }
 
     private void assemblePins(double[] w) {
@@ -410,6 +410,7 @@ final class Island implements Serializable {
 
     void forgetMasses() {
         spread = 0;
+        passage.forget();
         pins.forgetMasses();
         if (chain != null) {
             chain.forgetMasses();

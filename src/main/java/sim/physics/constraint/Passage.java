@@ -23,6 +23,12 @@ final class Passage implements Serializable {
     /** The way to either side, in rad or relative to the size of the bodies. */
     private static final double WAY = 1e-3;
 
+    /** Error of C, in units of its rounding, up to which the constraints count as closed. */
+    private static final double CLOSED = 1e3;
+
+    /** The same, up to which a structure is taken as one that fits. */
+    private static final double NEARLY_CLOSED = 1e6;
+
     private static final int LENGTHENINGS = 4;
 
     /** What the means at one, two and three ways weigh: the parabola in the square of the way through them, at 0. */
@@ -33,12 +39,24 @@ final class Passage implements Serializable {
 
     private final Island island;
 
+    /** Times that it is tried to find out which rows are always redundant. */
+    private static final int MOST_LESSONS = 8;
+
     /** Rows that depend on others wherever the island is. */
     private int lasting;
+
+    private int lessons;
+
+    /** Whether the island is found to be a structure that can move to first order only. */
+    private boolean stands;
+
+    private double[] place = {};
+    private int examinations;
 
     private Projection projection;
     private double[] x = {};
     private double[] v = {};
+    private double[] along = {};
     private double[] u = {};
     private double[] mean = {};
     private double[] change = {};
@@ -55,6 +73,141 @@ final class Passage implements Serializable {
             lasting = near;
         }
         return near > lasting;
+    }
+
+    /**
+     * Finds out which rows are redundant always: those that are so on the way before and after, too. Says whether that has
+     * become known, or is not true any more, so that the matrix is to be factored again.
+     *
+     * <p>Rows of motors and stops come and go, and what is redundant with them.
+     */
+    boolean learns(State state, DirectSolver solver) {
+        BlockFactor factor = island.factor;
+        boolean isKnown = factor.lasting() > 0;
+        if (isKnown && factor.strays() == 0 || !island.switches.isEmpty() || lessons >= MOST_LESSONS) {
+            return false;
+        }
+        if (Slack.error(island, state, Projection.ROUNDING) > CLOSED) {
+            return false;
+        }
+        if (isKnown) {
+            factor.forgetRedundant();
+            lasting = 0;
+            return true;
+        }
+        double speed = keep(state);
+        if (speed == 0) {
+            return false;
+        }
+        lessons++;
+        int before = go(state, solver, -WAY / speed) ? redundant(state) : 0;
+        int after = before > 0 && go(state, solver, WAY / speed) ? redundant(state) : 0;
+        if (after > 0 && after == before) {
+            factor.keepRedundant();
+            lasting = after;
+        }
+        restore(state);
+        island.evaluate(state);
+        return true;
+    }
+
+    /** Whether the island is where it was before it went. */
+    private boolean isBack(State state) {
+        double moved = 0;
+        for (int k = 0; k < x.length; k++) {
+            double way = Math.abs(state.x()[slot(k)] - x[k]);
+            moved = Math.max(moved, k % State.BLOCK == State.THETA ? way : way / island.leastSize);
+        }
+        return moved < 0.5 * WAY;
+    }
+
+    /** The redundant rows of a pose on the way; 0 if that is the pose of before. */
+    private int redundant(State state) {
+        if (isBack(state)) {
+            return 0;
+        }
+        island.factor(state.w().values(), 0, BlockFactor.NOISE, false);
+        return island.redundant();
+    }
+
+    /**
+     * Whether the island is a structure that can move to first order only, as two rods in a line between two supports. Its
+     * rows allow one motion, and leave none a little way along it: then it stands.
+     *
+     * @param a accelerations
+     */
+    boolean stands(State state, DirectSolver solver, double[] a) {
+        if (stands || examinations >= MOST_LESSONS || !island.switches.isEmpty() || freedoms() != 1) {
+            return stands;
+        }
+        double speed = keep(state);
+        speed = speed > 0 ? speed : keep(a, along);
+        if (speed == 0 || Slack.error(island, state, Projection.ROUNDING) > NEARLY_CLOSED) {
+            return false;
+        }
+        examinations++;
+        double allowed = allowed(state, solver, speed);
+        if (allowed < 0.1) {
+            return false; // the forces do not drive it, and these are their rounding errors
+        }
+        double time = WAY / (allowed * speed);
+        stands = true;
+        for (int side = -1; side <= 1; side += 2) {
+            stands &= go(state, solver, side * time) && isBack(state);
+        }
+        restore(state);
+        island.evaluate(state);
+        solver.prepare(island, state.w().values());
+        place = stands ? x.clone() : place;
+        return stands;
+    }
+
+    /** Directions in which the bodies can move to first order, as the last solve found them. */
+    private int freedoms() {
+        int rows = 0;
+        for (Constraint k : island.constraints) {
+            rows += k.getRows();
+        }
+        return State.BLOCK * island.bodies.size - rows + island.redundantRows;
+    }
+
+    /** Makes the direction one that the rows allow; returns how much of it is left. */
+    private double allowed(State state, DirectSolver solver, double speed) {
+        for (int k = 0; k < along.length; k++) {
+            u[slot(k)] = along[k];
+        }
+        solver.prepare(island, state.w().values());
+        solver.correct(island, state.w().values(), u, null);
+        return keep(u, along) / speed;
+    }
+
+    /** Whether the island was found to stand; if so, puts it where it does. */
+    boolean putBack(State state) {
+        for (int k = 0; stands && k < place.length; k++) {
+            state.x()[slot(k)] = place[k];
+            state.v()[slot(k)] = 0;
+        }
+        return stands;
+    }
+
+    /** Forgets what was found: bodies were moved. */
+    void forget() {
+        stands = false;
+        examinations = 0;
+    }
+
+    /** Goes a time along the velocities, and back onto the constraints; false if that fails. */
+    private boolean go(State state, DirectSolver solver, double time) {
+        restore(state);
+        for (int k = 0; k < x.length; k++) {
+            state.x()[slot(k)] += time * along[k];
+        }
+        if (!projection.project(island, state, solver, false)) {
+            return false;
+        }
+        island.evaluate(state);
+        solver.prepare(island, state.w().values());
+        return true;
     }
 
     /**
@@ -109,19 +262,10 @@ final class Passage implements Serializable {
 
     /** Adds the accelerations at a pose on the way to the mean; false if that is singular, too. */
     private boolean look(State state, DirectSolver solver, double[] a, int way, double time) {
-        restore(state);
-        for (int k = 0; k < mean.length; k++) {
-            state.x()[slot(k)] += way * time * v[k];
+        if (!go(state, solver, way * time) || island.near() > lasting) {
+            return false;
         }
         double[] w = state.w().values();
-        if (!projection.project(island, state, solver, false)) {
-            return false;
-        }
-        island.evaluate(state);
-        solver.prepare(island, w);
-        if (island.near() > lasting) {
-            return false;
-        }
         for (int k = 0; k < mean.length; k++) {
             u[slot(k)] = a[slot(k)];
         }
@@ -149,6 +293,7 @@ final class Passage implements Serializable {
             projection = new Projection();
             x = new double[n];
             v = new double[n];
+            along = new double[n];
             mean = new double[n];
             change = new double[n];
             lambda = new double[island.lambda.length];
@@ -156,14 +301,21 @@ final class Passage implements Serializable {
         if (u.length < state.x().length) {
             u = new double[state.x().length];
         }
-        double speed = 0;
         for (int k = 0; k < n; k++) {
-            int s = slot(k);
-            x[k] = state.x()[s];
-            v[k] = state.v()[s];
-            speed = Math.max(speed, Math.abs(v[k]) / (k % State.BLOCK == State.THETA ? 1 : island.leastSize));
+            x[k] = state.x()[slot(k)];
         }
-        return speed;
+        keep(state.v(), v);
+        return keep(state.v(), along);
+    }
+
+    /** Keeps the island's part of a vector; returns its size, in rad or relative to the size of the bodies. */
+    private double keep(double[] from, double[] to) {
+        double most = 0;
+        for (int k = 0; k < to.length; k++) {
+            to[k] = from[slot(k)];
+            most = Math.max(most, Math.abs(to[k]) / (k % State.BLOCK == State.THETA ? 1 : island.leastSize));
+        }
+        return most;
     }
 
     private void restore(State state) {

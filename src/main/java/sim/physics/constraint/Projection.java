@@ -59,6 +59,9 @@ final class Projection implements Serializable {
      * @return false if it gave up, or if there is no position near enough that satisfies the constraints
      */
     boolean project(Island island, State state, ConstraintSolver solver, boolean gentle) {
+        if (gentle && island.passage.putBack(state)) {
+            return true;
+        }
         island.isProjected = gentle;
         state.placedAll(); // also if it fails half-way
         boolean done = close(island, state, solver, gentle);

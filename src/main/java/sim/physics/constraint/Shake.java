@@ -135,7 +135,7 @@ final class Shake implements Serializable {
             island.writeRows();
             assemble(state.w().values());
             for (int m = 0; m < n; m++) {
-                push[m] = -island.c[m];
+                push[m] = island.factor.isLasting(m) ? 0 : -island.c[m];
             }
             if (!(error < Double.POSITIVE_INFINITY) || !DenseFactor.factor(dense, n, pivots)) {
                 return false;
@@ -146,14 +146,15 @@ final class Shake implements Serializable {
         return false;
     }
 
-    /** J(x) W J₀ᵀ; rows that are zero get a 1 on the diagonal. */
+    /** J(x) W J₀ᵀ; rows that are zero, or implied by others always, get a 1 on the diagonal. */
     private void assemble(double[] w) {
         int n = push.length;
         for (int row = 0; row < n; row++) {
             double most = 0;
+            boolean isLasting = island.factor.isLasting(row);
             for (int column = 0; column < n; column++) {
                 double sum = 0;
-                for (int sides = 0; sides < 4; sides++) {
+                for (int sides = 0; !isLasting && sides < 4; sides++) {
                     sum += product(w, row, sides >> 1, column, sides & 1);
                 }
                 dense[row * n + column] = sum;

@@ -146,6 +146,19 @@ final class Switches implements Serializable {
         }
     }
 
+    /** The least time in which a motor that pushes reaches its speed, at the accelerations that were found last. */
+    double push(State state, double[] a) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < rows.length; k++) {
+            if (!rows[k].isOn && rows[k].force != 0) {
+                double rate = rows[k].speed(a, island.blockA[nodes[k]], island.blockB[nodes[k]]);
+                double time = (rows[k].target() - speed(k, state)) / rate;
+                least = time > 0 ? Math.min(least, time) : least;
+            }
+        }
+        return least;
+    }
+
     /** The least of the values that turn negative when a row must be decided anew. */
     double watch(State state) {
         island.evaluate(state);

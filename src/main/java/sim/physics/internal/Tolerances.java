@@ -34,6 +34,9 @@ public final class Tolerances {
     /** Time within which impacts count as simultaneous, relative to the step. */
     public static final double SIMULTANEOUS = 1e-14;
 
+    /** Time within which a body's impacts on fixed bodies may be simultaneous but for rounding, relative to the step. */
+    public static final double SOON = 1e-9;
+
     /**
      * Length of a bounce, relative to the step, from which a body comes to rest on a fixed surface that can bear it.
      * All the bounces that would follow are shorter, and together take this over 1 − e.

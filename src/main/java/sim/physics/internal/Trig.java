@@ -99,11 +99,13 @@ public final class Trig {
         double low = head - r - tail - turns * PART_3;
         double cos = cosine(r, low);
         double sin = sine(r, low);
-        int quarter = (int) turns & 3;
-        double c = (quarter & 1) == 0 ? cos : sin;
-        double s = (quarter & 1) == 0 ? sin : cos;
-        out[at] = quarter == 1 || quarter == 2 ? -c : c;
-        out[at + 1] = quarter >= 2 ? -s : s;
+        // no branches, since nobody could foretell the quarter of an angle: exchange by a mask, then the signs
+        long quarter = (long) turns;
+        long cosBits = Double.doubleToRawLongBits(cos);
+        long sinBits = Double.doubleToRawLongBits(sin);
+        long exchange = (cosBits ^ sinBits) & -(quarter & 1);
+        out[at] = Double.longBitsToDouble(cosBits ^ exchange ^ (quarter + 1 & 2) << 62);
+        out[at + 1] = Double.longBitsToDouble(sinBits ^ exchange ^ (quarter & 2) << 62);
     }
 
     /**

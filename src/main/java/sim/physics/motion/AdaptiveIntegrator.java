@@ -16,6 +16,18 @@ import sim.physics.internal.IntList;
 public abstract class AdaptiveIntegrator implements Integrator {
     private static final long serialVersionUID = 1L;
 
+    /** Part of the steps before from which a step is one that something sudden asks for. */
+    private static final double SUDDEN = 1.0 / 8;
+
+    /** What an estimate may be too small by where forces jump. */
+    private static final double CAUTION = 4;
+
+    /** How long the steps before count, in their lengths. */
+    private static final double MEMORY = 2;
+
+    /** Number of short steps after which it is not a jump that makes them short, but forces that are rough throughout. */
+    private static final int MOST_HASTY = 100;
+
     private static final double SMALLEST = 0x1p-50;
 
     /** Rounding of a coordinate, below which no step is made smaller. */
@@ -59,11 +71,13 @@ public abstract class AdaptiveIntegrator implements Integrator {
         while (true) {
             stages.isRetry = rejections > 0;
             stages.most = Math.max(1, Math.abs(h) / length);
+            stages.haste = haste(path, first, t, length);
             boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
             double proposal = length * stages.factor;
             if (done) {
                 stages.join(state, bodies, h < 0 ? -length : length, path);
                 path.next[first] = length == Math.abs(h) ? Math.max(wanted, proposal) : proposal;
+                remember(path, first, t, Math.min(proposal, Math.abs(h)));
                 return length == Math.abs(h) ? h : h < 0 ? -length : length;
             }
             rejections++;
@@ -73,6 +87,27 @@ public abstract class AdaptiveIntegrator implements Integrator {
                 throw new IllegalStateException("tolerance is " + tolerance + ": " + this
                         + " cannot meet it at time " + t + ", where the forces are not smooth or not finite");
             }
+        }
+    }
+
+    /**
+     * An error of a velocity is multiplied by the step, as the next one may correct it. What a force that jumps leaves is
+     * never corrected: in a step that was made short for it, the velocity counts as in the steps before.
+     */
+    private static double haste(Path path, int first, double t, double length) {
+        double pace = path.pace[first];
+        boolean counts = length < SUDDEN * pace && path.hasty[first] < MOST_HASTY && Math.abs(path.paceTime[first] - t) <= MEMORY * pace;
+        return counts ? CAUTION * pace / length : 1;
+    }
+
+    private static void remember(Path path, int first, double t, double length) {
+        double pace = path.pace[first];
+        if (!(length < pace && Math.abs(path.paceTime[first] - t) <= MEMORY * pace)) {
+            path.pace[first] = length;
+            path.paceTime[first] = t;
+            path.hasty[first] = 0;
+        } else if (length < SUDDEN * pace) {
+            path.hasty[first]++;
         }
     }
 

@@ -201,8 +201,8 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
                 x3 += THIRD_X[j] * a;
                 v3 += THIRD[j] * a;
             }
-            fifth = Math.max(fifth, s.weight[m] * Math.max(Math.abs(x5), Math.abs(v5)));
-            third = Math.max(third, s.weight[m] * Math.max(Math.abs(x3), Math.abs(v3)));
+            fifth = Math.max(fifth, s.weight[m] * Math.max(Math.abs(x5), s.haste * Math.abs(v5)));
+            third = Math.max(third, s.weight[m] * Math.max(Math.abs(x3), s.haste * Math.abs(v3)));
         }
         double both = fifth * fifth + 0.01 * third * third;
         return both == 0 ? 0 : h * h * fifth * fifth / Math.sqrt(both);

@@ -26,6 +26,12 @@ final class Implicit implements Serializable {
     double[] errorX = {};
     double[] errorV = {};
 
+    /** Corrections of the stages so far, the size of the last one, and of what is left. */
+    int iterations;
+
+    double change;
+    double left;
+
     private int n;
     private double[] byX = {};
     private double[] byV = {};
@@ -68,6 +74,8 @@ final class Implicit implements Serializable {
 
     /** The stages start where the step does. */
     void clear() {
+        iterations = 0;
+        left = Double.POSITIVE_INFINITY;
         for (int i = 0; i < 3; i++) {
             for (int m = 0; m < n; m++) {
                 stageX[i][m] = 0;

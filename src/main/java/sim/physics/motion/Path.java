@@ -37,6 +37,17 @@ public final class Path implements Serializable {
     /** The step that such a method would make next, by the first body of a group; 0: not known. */
     double[] next = {};
 
+    /** The longest step that it would have made lately, and when. */
+    double[] pace = {};
+
+    double[] paceTime = {};
+
+    /** Number of steps since then that were much shorter. */
+    int[] hasty = {};
+
+    /** Number of steps to come that an implicit method takes for shorter than they should be. */
+    private int[] shortSteps = {};
+
     /** Null unless a method that chooses by stiffness is used. */
     Stiffness stiffness;
 
@@ -59,7 +70,19 @@ public final class Path implements Serializable {
             sumV = Arrays.copyOf(sumV, length);
             first = Arrays.copyOf(first, length);
             next = Arrays.copyOf(next, length / State.BLOCK);
+            pace = Arrays.copyOf(pace, next.length);
+            shortSteps = Arrays.copyOf(shortSteps, next.length);
+            hasty = Arrays.copyOf(hasty, next.length);
+            paceTime = Arrays.copyOf(paceTime, next.length);
         }
+    }
+
+    void shorten(int first, int steps) {
+        shortSteps[first] = steps;
+    }
+
+    boolean isShort(int first) {
+        return shortSteps[first] > 0 && shortSteps[first]-- > 0;
     }
 
     /** Keeps where the bodies are at the start. */

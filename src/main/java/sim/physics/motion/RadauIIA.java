@@ -51,6 +51,12 @@ public final class RadauIIA extends AdaptiveIntegrator {
     /** Part of the tolerance to which the stages are solved. */
     private static final double SOLVED = 1e-2;
 
+    /** The same where steps are as short as Newton's method wants them: there are many, and what each leaves adds up. */
+    private static final double WELL_SOLVED = 1e-6;
+
+    /** Steps for which that counts, from one on for which it did not converge. */
+    private static final int SHORT = 200;
+
     private static final double SAFETY = 0.9;
     private static final double LEAST = 0.02;
     private static final double MOST = 8;
@@ -76,7 +82,13 @@ public final class RadauIIA extends AdaptiveIntegrator {
         if (!s.isRetry) {
             w.differentiate(equations, state, bodies, t, h, path);
         }
-        if (!w.factor(GAMMA / h, ALPHA / h, BETA / h) || !solve(equations, state, bodies, t, h, path, w)) {
+        w.clear();
+        int first = bodies.values[0];
+        double solved = path.isShort(first) ? WELL_SOLVED : SOLVED;
+        if (!w.factor(GAMMA / h, ALPHA / h, BETA / h) || !solve(equations, state, bodies, t, h, path, w, solved)) {
+            if (!s.isRetry && path.next[first] > 0) {
+                path.shorten(first, SHORT);
+            }
             s.factor = 0.25;
             return false;
         }
@@ -92,13 +104,12 @@ public final class RadauIIA extends AdaptiveIntegrator {
         return true;
     }
 
-    /** Newton's method for the stages; false if it does not converge. */
+    /** Newton's method for the stages, from where it is to a part of the tolerance; false if it does not converge. */
     private static boolean solve(
-            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, Implicit w) {
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, Implicit w,
+            double solved) {
         Stages s = path.stages;
-        w.clear();
-        double before = 0;
-        for (int k = 0; k < MOST_ITERATIONS; k++) {
+        for (int end = w.iterations + MOST_ITERATIONS; w.left > solved && w.iterations < end; w.iterations++) {
             for (int i = 0; i < NODE.length; i++) {
                 place(state, bodies, s, w.stageX[i], w.stageV[i], 1);
                 equations.acceleration(bodies, t + NODE[i] * h, path.stage);
@@ -108,16 +119,16 @@ public final class RadauIIA extends AdaptiveIntegrator {
                 }
             }
             double change = correct(s, w, h);
-            double rate = k == 0 ? 0.5 : change / before;
-            if (!(change < Double.POSITIVE_INFINITY) || k > 1 && rate > 1) {
-                return false;
+            double rate = w.iterations == 0 ? 0.5 : change / w.change;
+            if (!(change < Double.POSITIVE_INFINITY) || w.iterations > 1 && rate > 1) {
+                return w.left <= SOLVED; // then this is rounding
             }
-            if (change == 0 || k > 0 && rate / (1 - rate) * change <= SOLVED && rate < 1) {
-                return true;
+            if (w.iterations > 0 && rate < 1 || change == 0) {
+                w.left = rate / (1 - rate) * change;
             }
-            before = change;
+            w.change = change;
         }
-        return false;
+        return w.left <= SOLVED;
     }
 
     /** One correction of the stages; returns its size in units of the tolerance. */

@@ -33,6 +33,9 @@ final class Stages implements Serializable {
     /** Whether the step was tried before, longer. */
     boolean isRetry;
 
+    /** How much longer than this one steps were before, if much; else 1. */
+    double haste;
+
     /** By how much it can be longer at most. */
     double most;
 

@@ -18,6 +18,12 @@ final class TiedMotion implements Serializable {
     private static final int MOST_HALVINGS = 14;
     private static final int MOST_PARTS = 1 << MOST_HALVINGS;
 
+    /** Part of a step in which a motor that reaches its speed is too strong to be followed over the whole step. */
+    private static final double STRONG = 1.0 / 32;
+
+    /** How much longer than it should take until then that motor is followed. */
+    private static final double AMPLE = 4;
+
     /** Part of a step in which the correction at its end does not matter to the path. */
     private static final double SHORT = 1e-3;
 
@@ -53,7 +59,9 @@ final class TiedMotion implements Serializable {
         motion.acceleration(group, t, path.stage);
         ties.confirm(group, false);
         double first = ties.watch(group);
-        double length = stride(motion, group, t, limit, path);
+        double push = ties.push(group, path.stage);
+        double most = push < STRONG * limit ? AMPLE * push : limit;
+        double length = stride(motion, group, t, most, path);
         double last = ties.watch(group);
         if (last > -HALF) {
             return length;
@@ -64,7 +72,7 @@ final class TiedMotion implements Serializable {
             if (from == 0) {
                 again(group);
                 ties.confirm(group, true); // it is pressed against its stop
-                return stride(motion, group, t, limit, path);
+                return stride(motion, group, t, most, path);
             }
             first = 1;
         }

@@ -160,4 +160,13 @@ public interface Ties extends Serializable {
      * @return infinite if there is nothing to watch
      */
     double watch(IntList bodies);
+
+    /**
+     * An estimate of how long the ties that push will do so, at the accelerations that they cause.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @param a accelerations, as just found
+     * @return infinite if nothing pushes
+     */
+    double push(IntList bodies, double[] a);
 }

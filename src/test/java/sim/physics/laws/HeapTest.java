@@ -95,6 +95,21 @@ class HeapTest {
         assertThat(stack.get(3).getY()).isCloseTo(heights[3] - 1, within(1e-8));
     }
 
+    /** Four boxes on one another slide as one, with the force on the lowest less friction of them all. */
+    @Test
+    void aPushedStackSlidesByCoulombsLaw() {
+        List<Body> stack = stack(4, 0.3, 0.5, 0);
+        run(300);
+        for (int k = 0; k < 120; k++) {
+            stack.get(0).addForce(30, 0);
+            engine.step();
+        }
+        double speed = (30 / 4.0 - 0.5 * G) * 2;
+        assertThat(stack.get(0).getVelocityX()).isCloseTo(speed, within(1e-9));
+        assertThat(stack.get(3).getVelocityX()).isCloseTo(speed, within(1e-9));
+        assertThat(stack.get(3).getX()).isCloseTo(stack.get(0).getX(), within(1e-6));
+    }
+
     /** The lower block slides on a floor without friction: its momentum with the upper one stays, and heat is μ N s. */
     @Test
     void aBlockSlidesOnAMovableOneByCoulombsLaw() {

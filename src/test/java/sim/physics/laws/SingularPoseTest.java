@@ -9,7 +9,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.function.DoubleFunction;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Disabled;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -172,9 +172,27 @@ class SingularPoseTest {
     /** A bar on three cranks: one is too many, and in line all are. */
     @ParameterizedTest
     @ValueSource(doubles = {1e-2, 1e-3, 1e-4})
-    @Disabled("breaks down in line: rows that are redundant always are not told from those that become so at a stage")
     void aBarOnThreeCranksTurnsAsAPendulum(double step) {
         engine.setTimeStep(step);
+        assertThat(errorOfThreeCranks()).isLessThan(1e-10 + 1e3 * StrictMath.pow(step, 4));
+        assertThat(engine.getRedundantEquations()).isOne();
+    }
+
+    static Stream<Arguments> methodsForThreeCranks() {
+        return Stream.of(
+                Arguments.of(new DormandPrince853(1e-10), 0.05), Arguments.of(new GraggBulirschStoer(1e-12), 0.05),
+                Arguments.of(new RadauIIA(1e-10), 0.05), Arguments.of(new Rattle(4), 1e-3));
+    }
+
+    @ParameterizedTest
+    @MethodSource("methodsForThreeCranks")
+    void aBarOnThreeCranksTurnsUnderEveryMethod(Integrator method, double step) {
+        engine.setTimeStep(step);
+        engine.setIntegrator(method);
+        assertThat(errorOfThreeCranks()).isLessThan(3e-8);
+    }
+
+    private double errorOfThreeCranks() {
         engine.add(new Gravity(0, -G));
         Body bar = rod(0, 1, 2, 1).moving(1, 0);
         Body crank = null;
@@ -185,14 +203,14 @@ class SingularPoseTest {
         }
         EllipticPendulum exact = EllipticPendulum.overTheTop(new BigDecimal("12.2625"), -1); // 9.81 · (3/2 + 1) / (3/3 + 1)
         double worst = 0;
-        for (int k = 0; k < Math.round(4 / step); k++) {
+        for (int k = 0; k < Math.round(4 / engine.getTimeStep()); k++) {
             engine.step();
             double angle = exact.angle(engine.getTime());
             double dx = 2 * crank.getX() - StrictMath.sin(angle);
             double dy = 2 * crank.getY() + StrictMath.cos(angle);
             worst = Math.max(worst, StrictMath.hypot(dx, dy));
         }
-        assertThat(worst).isLessThan(1e-10 + 1e3 * StrictMath.pow(step, 4));
+        return worst;
     }
 
     @ParameterizedTest
@@ -241,23 +259,54 @@ class SingularPoseTest {
         for (int k = 0; k < 200; k++) {
             engine.step();
             most = Math.max(most, Math.abs(left.getY() + 0.5 * StrictMath.sin(left.getAngle())));
-            assertThat(engine.getReaction(middle).force()).isLessThan(1e7);
+            assertThat(engine.getReaction(middle).force()).isLessThan(10);
         }
         return most;
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {0, 1e-12, -1e-12})
-    void rodsInALineBearASideLoad(double wider) {
-        assertThat(deflection(wider)).isLessThan(1e-5);
+    void rodsInALineHardlyGiveWay(double wider) {
+        assertThat(deflection(wider)).isLessThan(1e-8);
+        assertThat(engine.getRedundantEquations()).isOne();
     }
 
     @ParameterizedTest
-    @ValueSource(doubles = {0, 1e-12, -1e-12})
-    @Disabled("6e-6: the projection is damped near singular poses, so that mechanisms can pass them; no warning is given")
-    void rodsInALineHardlyGiveWay(double wider) {
-        assertThat(deflection(wider)).isLessThan(1e-8 + StrictMath.sqrt(2 * Math.max(0, -wider)));
-        assertThat(engine.getRedundantEquations()).isPositive();
+    @ValueSource(doubles = {1e-3, 1, 30})
+    void rodsInALineThatAreStruckStand(double speed) {
+        Body left = rod(0, 0, 1, 0).moving(0, 0.5 * speed, speed);
+        Body right = rod(1, 0, 2, 0).moving(0, 0.5 * speed, -speed);
+        engine.add(new PinJoint(left, 0, 0));
+        engine.add(new PinJoint(left, right, 1, 0));
+        engine.add(new PinJoint(right, 0.5, 0, null, 2, 0));
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+            assertThat(Math.abs(left.getY() + 0.5 * StrictMath.sin(left.getAngle()))).isLessThan(1e-8);
+        }
+    }
+
+    /** It hangs in equilibrium, where accelerations are rounding errors; then it is pushed. */
+    @Test
+    void aBarOnThreeCranksThatHangsDoesNotStickThere() {
+        engine.setTimeStep(1e-3);
+        engine.add(new Gravity(0, -G));
+        Body bar = rod(0, -1, 2, -1);
+        Body[] cranks = new Body[3];
+        for (int k = 0; k < 3; k++) {
+            cranks[k] = rod(k, 0, k, -1);
+            cranks[k].setMass(1, 0.1);
+            engine.add(new PinJoint(cranks[k], k, 0));
+            engine.add(new PinJoint(cranks[k], bar, k, -1));
+        }
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+        }
+        bar.addForce(10, 0);
+        engine.step();
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+        }
+        assertThat(bar.getX()).isGreaterThan(1 + 1e-4);
     }
 
     /** A knee that is nearly straight presses with 1 / (2 tan α) times its load. */

@@ -93,17 +93,21 @@ public final class Boxes implements Serializable {
         return meets(b, data[i], data[i + 1], data[i + 2], data[i + 3]) && !(fixed[a] && fixed[b]);
     }
 
+    private boolean meets(int body, double minX, double minY, double maxX, double maxY) {
+        return met(body, minX, minY, maxX, maxY) != 0;
+    }
+
     /**
-     * Whether the box of a body and a given one overlap: one branch for four comparisons, which nobody could foretell,
+     * 1 if the box of a body and a given one overlap, else 0: no branch for four comparisons that nobody could foretell,
      * since what counts is that none of the differences is negative.
      */
-    boolean meets(int body, double minX, double minY, double maxX, double maxY) {
+    int met(int body, double minX, double minY, double maxX, double maxY) {
         int o = STRIDE * body;
         double[] d = data;
         long signs = Double.doubleToRawLongBits(d[o + 2] - minX)
                 | Double.doubleToRawLongBits(maxX - d[o])
                 | Double.doubleToRawLongBits(d[o + 3] - minY)
                 | Double.doubleToRawLongBits(maxY - d[o + 1]);
-        return signs >= 0;
+        return (int) (~signs >>> 63);
     }
 }

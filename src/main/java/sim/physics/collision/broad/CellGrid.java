@@ -17,7 +17,7 @@ import sim.physics.internal.IntList;
  * boxes do not fit, the grid is laid anew.
  */
 public final class CellGrid implements BroadPhase {
-    private static final long serialVersionUID = 2L;
+    private static final long serialVersionUID = 3L;
 
     private static final int NONE = -1;
 
@@ -47,6 +47,10 @@ public final class CellGrid implements BroadPhase {
     private int[] mark = new int[8];
 
     private int marking;
+
+    /** Bodies or pairs found in a look; one more than there can be. */
+    private int[] found = new int[9];
+
     private final IntList large = new IntList();
     private int count;
     private int largeMovable;
@@ -105,14 +109,22 @@ public final class CellGrid implements BroadPhase {
         if (of == null) {
             return;
         }
+        double[] d = boxes.data();
+        int o = Boxes.STRIDE * body;
+        double minX = d[o];
+        double minY = d[o + 1];
+        double maxX = d[o + 2];
+        double maxY = d[o + 3];
+        int apart = 0;
         for (int k = of.size - 1; k >= 0; k--) {
             int p = of.values[k];
             int other = pairs.other(p, body);
-            if (boxes.overlap(body, other)) {
-                mark[other] = marking;
-            } else {
-                pairs.end(p);
-            }
+            mark[other] = marking;
+            found[apart] = p;
+            apart += 1 - boxes.met(other, minX, minY, maxX, maxY);
+        }
+        for (int k = 0; k < apart; k++) {
+            pairs.end(found[k]);
         }
     }
 
@@ -127,20 +139,27 @@ public final class CellGrid implements BroadPhase {
             collectAll(body, boxes, pairs);
             return;
         }
+        double[] d = boxes.data();
         int o = Boxes.STRIDE * body;
-        double minX = boxes.data()[o];
-        double minY = boxes.data()[o + 1];
-        double maxX = boxes.data()[o + 2];
-        double maxY = boxes.data()[o + 3];
+        double minX = d[o];
+        double minY = d[o + 1];
+        double maxX = d[o + 2];
+        double maxY = d[o + 3];
+        int count = 0;
         for (int row = -1; row <= 1; row++) {
             int first = centre + row * rowStep - 1;
             for (int c = first; c <= first + 2; c++) {
                 for (int other = head[c & mask]; other != NONE; other = next[other]) {
-                    if (boxes.meets(other, minX, minY, maxX, maxY)) {
-                        beginIfOverlapping(body, other, boxes, pairs);
-                    }
+                    // counted without a branch, since nobody could foretell it
+                    int difference = mark[other] ^ marking;
+                    int isNew = (difference | -difference) >>> 31;
+                    found[count] = other;
+                    count += isNew & boxes.met(other, minX, minY, maxX, maxY);
                 }
             }
+        }
+        for (int k = 0; k < count; k++) {
+            beginIfOverlapping(body, found[k], boxes, pairs);
         }
     }
 
@@ -262,6 +281,7 @@ public final class CellGrid implements BroadPhase {
             next = Arrays.copyOf(next, length);
             previous = Arrays.copyOf(previous, length);
             mark = Arrays.copyOf(mark, length);
+            found = new int[length + 1];
             bucket = Arrays.copyOf(bucket, length);
             Arrays.fill(bucket, old, length, OUTSIDE);
         }

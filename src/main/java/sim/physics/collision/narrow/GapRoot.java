@@ -5,6 +5,9 @@ package sim.physics.collision.narrow;
 /** First roots of the lower bounds of {@link SeparatingLine}: polynomials of the fourth degree in time. */
 final class GapRoot {
     private static final int NEWTON = 3;
+    /** Part of the way to the root of a quadratic at which one of the whole polynomial is hardly passed. */
+    private static final double SHORT = 1 - 0x1p-9;
+
     private static final double INFINITE = Double.POSITIVE_INFINITY;
 
     /** Bound of the fourth derivative, by 24; not negative. */
@@ -30,19 +33,31 @@ final class GapRoot {
         double d = c1 * c1 - 4 * c2 * g;
         if (c1 < 0 && d > 0) {
             double s = 2 * g / (Math.sqrt(d) - c1);
+            double least = SHORT * s;
+            if (fourth * least * least * least * least > tolerance && isBefore(least, g, c1, c2, c3)) {
+                return Math.min(least, beyond); // it will not be sharp anyhow: the next look begins close enough to the root
+            }
             double f = g + s * (c1 + s * (c2 + s * (c3 - s * fourth)));
             for (int k = 0; k < NEWTON && Math.abs(f) > 0.25 * tolerance; k++) {
                 s -= f / (c1 + s * (2 * c2 + s * (3 * c3 - 4 * s * fourth)));
                 f = g + s * (c1 + s * (c2 + s * (c3 - s * fourth)));
             }
-            boolean falls = c1 + s * (2 * (c2 - fall(c2)) + 3 * s * (c3 - fall(c3))) < 0;
-            if (s > 0 && falls && Math.abs(f) <= 0.25 * tolerance) {
+            if (s > 0 && falls(s, c1, c2, c3) && Math.abs(f) <= 0.25 * tolerance) {
                 sharp = s < rest && fourth * s * s * s * s <= 0.25 * tolerance;
                 return Math.min(s, beyond);
             }
         }
         double far = boundedRoot(g, c1, c2, c3, beyond);
         return far >= rest ? far : Math.max(far, boundedRoot(g, c1, c2, c3, rest));
+    }
+
+    /** Whether the polynomial falls all the way to a time, and is positive there. */
+    private boolean isBefore(double s, double g, double c1, double c2, double c3) {
+        return falls(s, c1, c2, c3) && g + s * (c1 + s * (c2 + s * (c3 - s * fourth))) > 0;
+    }
+
+    private static boolean falls(double s, double c1, double c2, double c3) {
+        return c1 + s * (2 * (c2 - fall(c2)) + 3 * s * (c3 - fall(c3))) < 0;
     }
 
     /** The same up to a time, with one bound for all terms but the first two. */

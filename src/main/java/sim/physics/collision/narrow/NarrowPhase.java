@@ -4,6 +4,7 @@ package sim.physics.collision.narrow;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.collision.broad.Boxes;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.internal.Tolerances;
 import sim.physics.motion.Trajectories;
@@ -18,9 +19,13 @@ import sim.physics.motion.Trajectories;
 public final class NarrowPhase implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Part of the time to a wall's box after which the search begins, so that rounding does not make it late. */
+    private static final double BEFORE = 1 - 0x1p-20;
+
     private final Pairs pairs;
     private final Trajectories trajectories;
     private final ShapeTable shapes;
+    private final Boxes boxes;
 
     /** Closest features of each pair at the last look. */
     private int[] codes = new int[16];
@@ -41,11 +46,13 @@ public final class NarrowPhase implements Serializable {
      * @param pairs the possibly colliding pairs
      * @param trajectories the motion of the bodies
      * @param shapes their shapes
+     * @param boxes their boxes; those of fixed bodies fit
      */
-    public NarrowPhase(Pairs pairs, Trajectories trajectories, ShapeTable shapes) {
+    public NarrowPhase(Pairs pairs, Trajectories trajectories, ShapeTable shapes, Boxes boxes) {
         this.pairs = pairs;
         this.trajectories = trajectories;
         this.shapes = shapes;
+        this.boxes = boxes;
     }
 
     /**
@@ -65,14 +72,14 @@ public final class NarrowPhase implements Serializable {
      *
      * @param pair its number
      * @param tau offset in the present step from which on to look; the bodies do not penetrate then
+     * @param start what {@link #boundingCircles(int, double)} has just returned for it, finite
      * @param end offset at which the search may stop
      * @return offset of the first contact with approaching surfaces if {@link #isTouching()}, else an offset up to
      *     which there is none: at least {@code end}, infinite if there never is one on the present trajectories
      */
-    public double firstContact(int pair, double tau, double end) {
+    public double firstContact(int pair, double tau, double start, double end) {
         int i = pairs.first(pair);
         int j = pairs.second(pair);
-        touching = false;
         apart = false;
         if (!continuous) {
             wake();
@@ -81,7 +88,6 @@ public final class NarrowPhase implements Serializable {
             touching = bisection.touching;
             return found;
         }
-        double start = boundingCircles(i, j, tau);
         if (touching || start >= end) {
             apart = start >= end;
             return start;
@@ -96,7 +102,24 @@ public final class NarrowPhase implements Serializable {
             codes[pair] = timeOfImpact.code;
             touching = timeOfImpact.touching;
         }
-        return found;
+        return touching && !isCircle(i) && !isCircle(j) ? beyondGrazes(pair, found, end) : found;
+    }
+
+    /** Goes on from an instant at which two polygons touch for as long as they only graze one another. */
+    private double beyondGrazes(int pair, double tau, double end) {
+        pose.load(pairs.first(pair), pairs.second(pair));
+        double t = tau;
+        while (touching) {
+            double next = timeOfImpact.graze(t, end);
+            touching = timeOfImpact.touching;
+            if (touching || !(next < end)) {
+                return next;
+            }
+            t = timeOfImpact.search(next, end, codes[pair]);
+            codes[pair] = timeOfImpact.code;
+            touching = timeOfImpact.touching;
+        }
+        return t;
     }
 
     /**
@@ -104,15 +127,16 @@ public final class NarrowPhase implements Serializable {
      *
      * @param pair its number
      * @param tau offset in the present step from which on to look
+     * @param start what {@link #boundingCircles(int, double)} has just returned for it, finite
      * @param end offset at which the search may stop
      * @param slack penetration that is let be, length
-     * @return as {@link #firstContact(int, double, double)}
+     * @return as {@link #firstContact(int, double, double, double)}
      */
-    public double firstContact(int pair, double tau, double end, double slack) {
+    public double firstContact(int pair, double tau, double start, double end, double slack) {
         int i = pairs.first(pair);
         int j = pairs.second(pair);
         if (!continuous || isCircle(i) && isCircle(j)) {
-            return firstContact(pair, tau, end);
+            return firstContact(pair, tau, start, end);
         }
         wake();
         apart = false;
@@ -164,7 +188,16 @@ public final class NarrowPhase implements Serializable {
     /**
      * When the bounding circles of two bodies on parabolas of equal acceleration meet: the root of a quadratic. For
      * two circles that is the contact itself.
+     *
+     * @param pair its number
+     * @param tau offset in the present step from which on to look
+     * @return an offset up to which the bodies are apart, infinite if they never meet on their present paths
      */
+    public double boundingCircles(int pair, double tau) {
+        touching = false;
+        return continuous ? boundingCircles(pairs.first(pair), pairs.second(pair), tau) : tau;
+    }
+
     private double boundingCircles(int i, int j, double tau) {
         double[] m = trajectories.data();
         int a = i * Trajectories.STRIDE;
@@ -211,7 +244,43 @@ public final class NarrowPhase implements Serializable {
             touching = approach < -noise;
             return touching ? tau : Double.POSITIVE_INFINITY;
         }
+        if ((boxes.isFixed(i) || boxes.isFixed(j)) && ax == 0 && ay == 0) {
+            return tau + (boxes.isFixed(i) ? approach(i, b, db) : approach(j, a, da));
+        }
         return tau;
+    }
+
+    /**
+     * How long a body surely stays off the box of a fixed one: the circle around a wall is large, and nearly everybody is
+     * in it.
+     *
+     * @param fixed index of the fixed body
+     * @param o where the motion of the other one begins, which is straight
+     * @param d time since its anchor
+     */
+    private double approach(int fixed, int o, double d) {
+        double[] m = trajectories.data();
+        double[] box = boxes.data();
+        int k = Boxes.STRIDE * fixed;
+        double radius = m[o + Trajectories.RADIUS];
+        double vx = m[o + Trajectories.VX];
+        double vy = m[o + Trajectories.VY];
+        double x = m[o] + d * vx;
+        double y = m[o + 1] + d * vy;
+        return Math.max(
+                entering(box[k] - (x + radius), x - radius - box[k + 2], vx),
+                entering(box[k + 1] - (y + radius), y - radius - box[k + 3], vy));
+    }
+
+    /** The same along one axis, by how far the body is below and above the box. */
+    private static double entering(double below, double above, double v) {
+        if (below > 0) {
+            return v > 0 ? below / v * BEFORE : Double.POSITIVE_INFINITY;
+        }
+        if (above > 0) {
+            return v < 0 ? above / -v * BEFORE : Double.POSITIVE_INFINITY;
+        }
+        return 0;
     }
 
     private boolean isCircle(int body) {
@@ -228,6 +297,18 @@ public final class NarrowPhase implements Serializable {
     public double gap(int pair, double tau) {
         place(pair, tau);
         return features.gap;
+    }
+
+    /**
+     * Whether a pair touches, but for the rounding of its bodies' coordinates.
+     *
+     * @param pair its number
+     * @param tau offset in the present step
+     * @return false if there is a gap
+     */
+    public boolean touches(int pair, double tau) {
+        place(pair, tau);
+        return features.gap <= 4 * Tolerances.GAP * pose.extent;
     }
 
     /**

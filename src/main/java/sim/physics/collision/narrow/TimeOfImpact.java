@@ -31,6 +31,9 @@ final class TimeOfImpact {
     /** Parts of the step by which a search moves on that rounding has stopped; a contact is believed after them. */
     private static final double[] NUDGE = {1e-13, 1e-12, 1e-11, 1e-10};
 
+    /** Way that bodies graze one another without approaching, relative to their sizes, from which that is no contact. */
+    private static final double GRAZE = 1e-6;
+
     private static final int NUDGES = NUDGE.length;
 
     private final Pose pose;
@@ -51,6 +54,10 @@ final class TimeOfImpact {
     private double horizon;
 
     private double slowness;
+
+    /** Whether vertices beyond the ends of an edge count as those over it. */
+    private boolean wholeLine;
+
     private double s;
 
     /** Bound of |g‴|, or infinite if it is not known. */
@@ -101,12 +108,56 @@ final class TimeOfImpact {
         }
     }
 
-    /** Finds s, the time that surely passes before a contact, or notices that there is one. */
-    private void advance() {
-        double speed = Math.sqrt(pose.ux * pose.ux + pose.uy * pose.uy)
+    /**
+     * Whether bodies that touch only graze one another: there is an edge that has all of the other body on its line or
+     * beyond it, and no vertex there comes nearer, as between a box that slides over tiles and the tile ahead, which it
+     * meets corner to corner. That holds however fast they approach along other normals.
+     *
+     * @param tau offset at which the loaded pair touches
+     * @param end offset at which the search may stop
+     * @return offset up to which it surely does; τ if they collide
+     */
+    double graze(double tau, double end) {
+        pose.moveTo(tau);
+        pose.turn();
+        tolerance = Tolerances.GAP * pose.extent;
+        horizon = end - tau;
+        double speed = speed();
+        slowness = Tolerances.APPROACH * speed;
+        wholeLine = true;
+        double most = Math.max(beyond(pose.a, pose.b, 1), beyond(pose.b, pose.a, -1));
+        wholeLine = false;
+        touching = !(most * speed > GRAZE * pose.size);
+        return touching ? tau : tau + most;
+    }
+
+    /** The longest time for which all of a body surely stays beyond an edge of the other one; 0 if it does not. */
+    private double beyond(Pose.Placed owner, Pose.Placed other, int side) {
+        double most = 0;
+        for (int edge = 0; edge < owner.n && owner.n > 1; edge++) {
+            double ex = owner.normalX(edge);
+            double ey = owner.normalY(edge);
+            int k = other.support(-ex, -ey);
+            double height = (other.vx[k] - owner.vx[edge]) * ex + (other.vy[k] - owner.vy[edge]) * ey;
+            if (height - pose.rounding >= -tolerance) {
+                s = INFINITE;
+                touching = false;
+                advanceToEdge(owner, edge, other, k, side);
+                most = touching ? most : Math.max(most, s);
+            }
+        }
+        return most;
+    }
+
+    private double speed() {
+        return Math.sqrt(pose.ux * pose.ux + pose.uy * pose.uy)
                 + pose.a.maxOmega * pose.a.core
                 + pose.b.maxOmega * pose.b.core;
-        slowness = Tolerances.APPROACH * speed;
+    }
+
+    /** Finds s, the time that surely passes before a contact, or notices that there is one. */
+    private void advance() {
+        slowness = Tolerances.APPROACH * speed();
         s = INFINITE;
         if ((features.featureB & 1) != 0) {
             advanceToEdge(pose.b, features.featureB >> 1, pose.a, features.featureA >> 1, -1);
@@ -149,7 +200,7 @@ final class TimeOfImpact {
                 closestRate = rate;
             }
             double onEdge = Math.max(0, Math.min(owner.length(edge), along));
-            if (j > 0 && g <= tolerance && onEdge != along) {
+            if (!wholeLine && j > 0 && g <= tolerance && onEdge != along) {
                 // the edges lie flush, and this vertex beyond the end: what counts is the end of the stretch
                 double share = (onEdge - closestAlong) / (along - closestAlong);
                 limitSlowly(g, closestRate + share * (rate - closestRate), 2 * bound);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision;
+
+import java.io.Serializable;
+import sim.physics.collision.broad.Boxes;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.collision.narrow.NarrowPhase;
+import sim.physics.internal.IntList;
+import sim.physics.internal.Tolerances;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Finds the fixed bodies that a body touches at the instant at which it hits another one of them, as a box that lands flat
+ * on three tiles. By rounding it meets one a little before the others: by the rounding of a coordinate over its speed.
+ * Solved one after the other, these impacts would make it turn.
+ */
+final class Companions implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final Trajectories trajectories;
+    private final Boxes boxes;
+    private final Pairs pairs;
+    private final PairMarks marks;
+    private final NarrowPhase narrowPhase;
+
+    Companions(Trajectories trajectories, Boxes boxes, Pairs pairs, PairMarks marks, NarrowPhase narrowPhase) {
+        this.trajectories = trajectories;
+        this.boxes = boxes;
+        this.pairs = pairs;
+        this.marks = marks;
+        this.narrowPhase = narrowPhase;
+    }
+
+    /**
+     * Adds pairs to those that touch.
+     *
+     * @param together the pairs that touch; their planned impacts are NaN
+     * @param tau offset in the present step
+     * @param impactTime planned impacts by pair; NaN afterwards for those that were added
+     */
+    void gather(IntList together, double tau, double[] impactTime) {
+        for (int k = 0; k < together.size; k++) {
+            int a = pairs.first(together.values[k]);
+            int b = pairs.second(together.values[k]);
+            int body = boxes.isFixed(a) ? b : a;
+            if (boxes.isFixed(a) == boxes.isFixed(b) || trajectories.isDriven(body)) {
+                continue;
+            }
+            IntList of = pairs.of(body);
+            for (int m = 0; m < of.size; m++) {
+                int pair = of.values[m];
+                if (boxes.isFixed(pairs.other(pair, body))
+                        && !has(together, pair)
+                        && touches(pair, tau, impactTime[pair])) {
+                    impactTime[pair] = Double.NaN;
+                    together.add(pair);
+                }
+            }
+        }
+    }
+
+    private static boolean has(IntList list, int value) {
+        for (int k = 0; k < list.size; k++) {
+            if (list.values[k] == value) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean touches(int pair, double tau, double planned) {
+        double until = tau + Tolerances.SOON * trajectories.h();
+        if (planned <= until) {
+            return narrowPhase.touches(pair, tau);
+        }
+        if (until < trajectories.h() || marks.isUnseen(pair)) {
+            return false;
+        }
+        // it would be an impact of the next step
+        double start = narrowPhase.boundingCircles(pair, tau);
+        double first = start == Double.POSITIVE_INFINITY ? start : narrowPhase.firstContact(pair, tau, start, until);
+        return narrowPhase.isTouching() && first <= until && narrowPhase.touches(pair, tau);
+    }
+}
