@@ -151,8 +151,7 @@ public final class PhysicsEngine implements Steppable {
 
     /** Gives a driven body, and those that move with it, new paths from their anchors on. */
     private void follow(int body) {
-        boolean chooses = motion.getIntegrator().isAdaptive();
-        advance(body, chooses && detection.hasNeighbours(motion.companions(body)));
+        advance(body, detection.hasNeighbours(motion.companions(body)));
         if (motion.isCoarse() && detection.hasNeighbours(motion.companions(body))) {
             advance(body, true); // on its way it comes near others
         }
@@ -174,7 +173,9 @@ public final class PhysicsEngine implements Steppable {
     /** Lets the groups of driven bodies that were noted follow new paths. */
     private void followGroups() {
         for (int k = 0; k < groups.size; k++) {
-            follow(groups.values[k]);
+            if (trajectories.isDriven(groups.values[k])) { // or a listener has removed it
+                follow(groups.values[k]);
+            }
         }
         groups.clear();
     }

@@ -18,6 +18,12 @@ final class DrivenMotion implements Serializable {
     /** How far the path of a body that others are near may be from its motion, relative to its size. */
     private static final double FINE = 1e-7;
 
+    /** The same with steps of fixed length, where the instant of an impact is corrected by the motion itself. */
+    private static final double COARSE = 1e-4;
+
+    /** Part of such a step that is not divided. */
+    private static final double LEAST = 1.0 / 64;
+
     /** The path's error is of fourth order in its length; this much less than allowed is aimed at. */
     private static final double SAFE = 0.5;
 
@@ -71,18 +77,16 @@ final class DrivenMotion implements Serializable {
         double tau = trajectories.offset(first);
         double rest = trajectories.h() - tau;
         boolean chooses = motion.getIntegrator().isAdaptive();
-        double known = fine && chooses ? fineLength[first] : 0;
+        double known = fine ? fineLength[first] : 0;
         double length = stride(group, tau, known > 0 ? Math.min(known, rest) : rest);
-        isCoarse = false;
-        if (chooses) {
-            double error = pathError(group, length);
-            while (fine && error > 1) {
-                length = stride(group, tau, length * root(error));
-                error = pathError(group, length);
-            }
-            fineLength[first] = length * root(error);
-            isCoarse = error > 1;
+        double error = pathError(group, length);
+        double shortest = chooses ? 0 : LEAST * trajectories.h();
+        while (fine && error > 1 && length > shortest) {
+            length = stride(group, tau, length * root(error));
+            error = pathError(group, length);
         }
+        fineLength[first] = length * root(error);
+        isCoarse = error > 1;
         double step = chooses ? Math.min(trajectories.h(), Math.max(length, path.next[first])) : trajectories.h();
         for (int k = 0; k < group.size; k++) {
             pace[group.values[k]] = step;
@@ -108,6 +112,7 @@ final class DrivenMotion implements Serializable {
     /** Integrates a group from its anchors; returns how far. */
     private double stride(IntList group, double tau, double limit) {
         restore(group);
+        path.knowsFirst = false;
         double t = motion.time(tau);
         if (motion.isTiedGroup(group)) {
             return tied.advanceUntilSwitch(motion, group, t, tau, limit, path);
@@ -125,15 +130,22 @@ final class DrivenMotion implements Serializable {
      */
     private double pathError(IntList group, double length) {
         double[] m = trajectories.data();
+        boolean struck = trajectories.offset(group.values[0]) > 0;
+        double near = struck || motion.getIntegrator().isAdaptive() ? FINE : COARSE;
         double most = 0;
         for (int k = 0; k < group.size; k++) {
             int b = State.BLOCK * group.values[k];
+            if (!path.knowsFirst) {
+                double turn = length * Math.abs(m[Trajectories.STRIDE * group.values[k] + Trajectories.OMEGA]);
+                most = Math.max(most, turn * turn * turn * turn / (384 * near));
+                continue;
+            }
             double radius = m[Trajectories.STRIDE * group.values[k] + Trajectories.RADIUS];
             double way = Math.abs(path.first[b] - 2 * path.a[b]) + Math.abs(path.first[b + 1] - 2 * path.a[b + 1]);
             double turn = Math.abs(path.first[b + 2] - 2 * path.a[b + 2]);
             most = Math.max(most, Math.max(way / radius, turn));
         }
-        return most * length * length / (32 * FINE);
+        return path.knowsFirst ? most * length * length / (32 * near) : most;
     }
 
     private double publish(IntList group, double tau, double end) {

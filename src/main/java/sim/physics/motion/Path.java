@@ -31,8 +31,10 @@ public final class Path implements Serializable {
     double[] sumX = {};
     double[] sumV = {};
 
-    /** Accelerations at the start, 3n, of methods that choose their steps. */
+    /** Accelerations at the start, 3n, and whether they are known. */
     double[] first = {};
+
+    boolean knowsFirst;
 
     /** The step that such a method would make next, by the first body of a group; 0: not known. */
     double[] next = {};
@@ -75,6 +77,14 @@ public final class Path implements Serializable {
             hasty = Arrays.copyOf(hasty, next.length);
             paceTime = Arrays.copyOf(paceTime, next.length);
         }
+    }
+
+    /** Takes the accelerations of the stage for those at the start, unless these are known. */
+    void takeFirst(IntList bodies) {
+        for (int k = 0; k < bodies.size && !knowsFirst; k++) {
+            System.arraycopy(stage, State.BLOCK * bodies.values[k], first, State.BLOCK * bodies.values[k], State.BLOCK);
+        }
+        knowsFirst = true;
     }
 
     void shorten(int first, int steps) {

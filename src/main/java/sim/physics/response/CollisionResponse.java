@@ -48,6 +48,9 @@ public final class CollisionResponse implements Serializable {
     private final Heaps heaps;
     private transient Manifold manifold;
     private double now;
+
+    /** From when on the courses of the two hold that are brought to the instant of their impact. */
+    private double since;
     private long impacts;
     private double deepest;
     private double approach;
@@ -86,6 +89,7 @@ public final class CollisionResponse implements Serializable {
         now = time;
         if (touching.size == 1) {
             int pair = touching.values[0];
+            since = Math.max(trajectories.offset(pairs.first(pair)), trajectories.offset(pairs.second(pair)));
             locate(pair, tau);
             if (manifold.count == 1 && (jointed == null || !jointed.has(pairs.first(pair), pairs.second(pair)))) {
                 respondToOne(pair, tau);
@@ -235,8 +239,9 @@ public final class CollisionResponse implements Serializable {
             double speed = impact.normalVelocity();
             double next = t - manifold.gap / speed;
             boolean settled = Math.abs(manifold.gap) <= -speed * Tolerances.SIMULTANEOUS * t;
-            if (settled || !(speed < 0 && next <= trajectories.h() && Math.abs(next - tau) <= Tolerances.POLISH * h)) {
-                break; // or else events of others may lie between
+            boolean near = Math.abs(next - tau) <= Tolerances.POLISH * h;
+            if (settled || !(speed < 0 && near && next >= since && next <= trajectories.h())) {
+                break; // or else events of theirs or of others may lie between
             }
             double most = Math.max(0.5 * Math.abs(manifold.gap), -speed * Tolerances.REST * h);
             locate(pair, next);
