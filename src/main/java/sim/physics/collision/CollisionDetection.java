@@ -322,9 +322,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             return;
         }
         double end = Math.min(end(pairs.first(pair)), end(pairs.second(pair)));
-        double slack = marks.slack(pair);
-        double t = slack > 0
-                ? narrowPhase.firstContact(pair, tau, start, end, slack)
+        double depth = marks.depth(pair);
+        double t = depth > 0
+                ? narrowPhase.firstContact(pair, tau, start, end, depth)
                 : narrowPhase.firstContact(pair, tau, start, end);
         if (narrowPhase.isApart()) {
             schedule(pair, t);

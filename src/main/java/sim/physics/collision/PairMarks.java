@@ -14,8 +14,11 @@ public final class PairMarks implements Serializable {
     /** Pairs at rest on one another, which are not looked at. */
     private boolean[] held = new boolean[16];
 
-    /** How deep pairs in a heap may be; empty while there is none. */
-    private double[] slack = {};
+    /** How deep pairs may be; empty while none may. */
+    private double[] depth = {};
+
+    /** Pairs in a heap; empty while there is none. */
+    private boolean[] lasting = {};
 
     PairMarks() {
         // grows with the pairs
@@ -28,8 +31,11 @@ public final class PairMarks implements Serializable {
         }
         ignored[pair] = isIgnored;
         held[pair] = false;
-        if (pair < slack.length) {
-            slack[pair] = 0;
+        if (pair < depth.length) {
+            depth[pair] = 0;
+        }
+        if (pair < lasting.length) {
+            lasting[pair] = false;
         }
     }
 
@@ -76,13 +82,13 @@ public final class PairMarks implements Serializable {
      * Says how deep a pair may be before it counts as an impact.
      *
      * @param pair its number
-     * @param depth length; 0 until it is set, and when the pair begins anew
+     * @param most length; 0 until it is set, and when the pair begins anew
      */
-    public void setSlack(int pair, double depth) {
-        if (pair >= slack.length) {
-            slack = Arrays.copyOf(slack, Math.max(2 * slack.length, pair + 1));
+    public void setDepth(int pair, double most) {
+        if (pair >= depth.length) {
+            depth = Arrays.copyOf(depth, Math.max(2 * depth.length, pair + 1));
         }
-        slack[pair] = depth;
+        depth[pair] = most;
     }
 
     /**
@@ -91,7 +97,30 @@ public final class PairMarks implements Serializable {
      * @param pair its number
      * @return length, 0 for most
      */
-    public double slack(int pair) {
-        return pair < slack.length ? slack[pair] : 0;
+    public double depth(int pair) {
+        return pair < depth.length ? depth[pair] : 0;
+    }
+
+    /**
+     * Says whether the bodies of a pair lie on one another in a heap.
+     *
+     * @param pair its number
+     * @param yes whether they do; not any more when the pair begins anew
+     */
+    public void setLasting(int pair, boolean yes) {
+        if (pair >= lasting.length) {
+            lasting = Arrays.copyOf(lasting, Math.max(2 * lasting.length, pair + 1));
+        }
+        lasting[pair] = yes;
+    }
+
+    /**
+     * Whether the bodies of a pair lie on one another in a heap.
+     *
+     * @param pair its number
+     * @return false for most
+     */
+    public boolean isLasting(int pair) {
+        return pair < lasting.length && lasting[pair];
     }
 }

@@ -46,6 +46,7 @@ public final class CollisionResponse implements Serializable {
     private final Bounces bounces;
     private final RestingContacts resting;
     private final Heaps heaps;
+    private final Wedged wedged;
     private transient Manifold manifold;
     private double now;
 
@@ -73,6 +74,14 @@ public final class CollisionResponse implements Serializable {
         this.bounces = new Bounces(trajectories, motion);
         this.resting = new RestingContacts(state, trajectories, motion, detection, this);
         this.heaps = new Heaps(state, trajectories, motion, detection, this);
+        this.wedged = new Wedged(trajectories, detection);
+    }
+
+    /** Begins a step. */
+    public void begin() {
+        if (!wedged.isEmpty()) {
+            wedged.begin();
+        }
     }
 
     /**
@@ -121,6 +130,10 @@ public final class CollisionResponse implements Serializable {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
         load(a, b, 0);
+        if (isWedged(pair, a, b, tau)) {
+            goOn(a, b);
+            return;
+        }
         bounces.attend(a, b, tau);
         impact.sticky = false;
         if (heaps.lasts(pair) && closes(pair)) {
@@ -156,6 +169,11 @@ public final class CollisionResponse implements Serializable {
         if (!listeners.isEmpty()) {
             tell(a, b);
         }
+    }
+
+    private boolean isWedged(int pair, int a, int b, double tau) {
+        boolean driven = trajectories.isDriven(a) || trajectories.isDriven(b);
+        return driven && wedged.meet(pair, tau, manifold.gap, heaps.size(a, b));
     }
 
     /** Whether a lasting pair is left to its heap, because a bounce at the loaded points would be short, or one too many. */
@@ -394,6 +412,10 @@ public final class CollisionResponse implements Serializable {
         int b = pairs.second(pair);
         locate(pair, tau);
         load(a, b, 0);
+        if (isWedged(pair, a, b, tau)) {
+            goOn(a, b);
+            return;
+        }
         bounces.attend(a, b, tau);
         impact.sticky = false;
         if (heaps.lasts(pair) && closes(pair)) {

@@ -104,7 +104,7 @@ final class Heap implements Serializable {
     }
 
     boolean lasts(int pair) {
-        return detection.marks().slack(pair) > 0 && !detection.marks().isIgnored(pair);
+        return detection.marks().isLasting(pair) && !detection.marks().isIgnored(pair);
     }
 
     /** Lets a pair last. */
@@ -116,13 +116,15 @@ final class Heap implements Serializable {
             double size = size(detection.pairs().first(pair), detection.pairs().second(pair));
             boolean driven = trajectories.isDriven(detection.pairs().first(pair))
                     || trajectories.isDriven(detection.pairs().second(pair));
-            detection.marks().setSlack(pair, (driven ? DRIVEN_CUSHION : CUSHION) * size);
+            detection.marks().setLasting(pair, true);
+            detection.marks().setDepth(pair, (driven ? DRIVEN_CUSHION : CUSHION) * size);
             Arrays.fill(forces, 4 * pair, 4 * pair + 4, 0);
         }
     }
 
     void end(int pair) {
-        detection.marks().setSlack(pair, 0);
+        detection.marks().setLasting(pair, false);
+        detection.marks().setDepth(pair, 0);
     }
 
     /** Lets a body go on without acceleration: it has got already what the forces give it. */
@@ -361,7 +363,7 @@ final class Heap implements Serializable {
         double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
         for (int k = 0; k < manifold.count; k++) {
             response.load(manifold, a, b, k, point);
-            double room = detection.marks().slack(pair) + bend(a, b, left);
+            double room = detection.marks().depth(pair) + bend(a, b, left);
             int p = system.size();
             system.add(number(a), number(b), point);
             if (isDriven) {
