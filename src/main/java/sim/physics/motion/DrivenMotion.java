@@ -19,7 +19,7 @@ final class DrivenMotion implements Serializable {
     private static final double FINE = 1e-7;
 
     /** The same with steps of fixed length, where the instant of an impact is corrected by the motion itself. */
-    private static final double COARSE = 1e-4;
+    private static final double COARSE = 1e-6;
 
     /** Part of such a step that is not divided. */
     private static final double LEAST = 1.0 / 64;
@@ -51,6 +51,9 @@ final class DrivenMotion implements Serializable {
 
     /** The step that the integrator makes of itself, at most that of the engine, by body. */
     private double[] pace = {};
+
+    /** The step in which a body was struck last. */
+    private double[] struckIn = {};
 
     private boolean isCoarse;
 
@@ -130,7 +133,10 @@ final class DrivenMotion implements Serializable {
      */
     private double pathError(IntList group, double length) {
         double[] m = trajectories.data();
-        boolean struck = trajectories.offset(group.values[0]) > 0;
+        boolean struck = false;
+        for (int k = 0; k < group.size; k++) {
+            struck |= struckIn[group.values[k]] == trajectories.step();
+        }
         double near = struck || motion.getIntegrator().isAdaptive() ? FINE : COARSE;
         double most = 0;
         for (int k = 0; k < group.size; k++) {
@@ -232,6 +238,7 @@ final class DrivenMotion implements Serializable {
     void forget(int body) {
         if (body < endAt.length) {
             endAt[body] = Double.NaN;
+            struckIn[body] = trajectories.step();
         }
     }
 
@@ -245,6 +252,8 @@ final class DrivenMotion implements Serializable {
             Arrays.fill(endAt, bodies, endAt.length, Double.NaN);
             fineLength = Arrays.copyOf(fineLength, n / State.BLOCK);
             pace = Arrays.copyOf(pace, n / State.BLOCK);
+            struckIn = Arrays.copyOf(struckIn, n / State.BLOCK);
+            Arrays.fill(struckIn, bodies, endAt.length, Double.NaN);
         }
     }
 }

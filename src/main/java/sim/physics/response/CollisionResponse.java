@@ -4,6 +4,7 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.collision.CollisionDetection;
@@ -52,6 +53,11 @@ public final class CollisionResponse implements Serializable {
 
     /** From when on the courses of the two hold that are brought to the instant of their impact. */
     private double since;
+
+    /** The step in which a body's velocity has changed last, and when. */
+    private double[] struckIn = {};
+
+    private double[] struckAt = {};
     private long impacts;
     private double deepest;
     private double approach;
@@ -98,15 +104,37 @@ public final class CollisionResponse implements Serializable {
         now = time;
         if (touching.size == 1) {
             int pair = touching.values[0];
-            since = Math.max(trajectories.offset(pairs.first(pair)), trajectories.offset(pairs.second(pair)));
+            since = Math.max(since(pairs.first(pair)), since(pairs.second(pair)));
             locate(pair, tau);
             if (manifold.count == 1 && (jointed == null || !jointed.has(pairs.first(pair), pairs.second(pair)))) {
                 respondToOne(pair, tau);
-                return changed;
+                return noted();
             }
         }
         respondToSeveral(touching, tau);
+        return noted();
+    }
+
+    /** Takes note of when the velocities of bodies have changed. */
+    private IntList noted() {
+        for (int k = 0; k < changed.size; k++) {
+            int body = changed.values[k];
+            if (body >= struckAt.length) {
+                struckAt = Arrays.copyOf(struckAt, state.size());
+                struckIn = Arrays.copyOf(struckIn, state.size());
+            }
+            struckAt[body] = trajectories.offset(body);
+            struckIn[body] = trajectories.step();
+        }
         return changed;
+    }
+
+    /** From which offset in the step on a body's motion has been smooth. */
+    private double since(int body) {
+        if (heaps.has(body)) {
+            return trajectories.offset(body);
+        }
+        return body < struckIn.length && struckIn[body] == trajectories.step() ? struckAt[body] : 0;
     }
 
     /**
