@@ -19,7 +19,10 @@ final class DrivenMotion implements Serializable {
     private static final double FINE = 1e-7;
 
     /** The same with steps of fixed length, where the instant of an impact is corrected by the motion itself. */
-    private static final double COARSE = 1e-6;
+    private static final double COARSE = 1e-4;
+
+    /** Times that a body is struck in consecutive steps from which on it is not left to that correction. */
+    private static final int OFTEN = 3;
 
     /** Part of such a step that is not divided. */
     private static final double LEAST = 1.0 / 64;
@@ -52,8 +55,10 @@ final class DrivenMotion implements Serializable {
     /** The step that the integrator makes of itself, at most that of the engine, by body. */
     private double[] pace = {};
 
-    /** The step in which a body was struck last. */
+    /** The step in which a body was struck last, and how often until then in a row of steps. */
     private double[] struckIn = {};
+
+    private int[] strikes = {};
 
     private boolean isCoarse;
 
@@ -133,11 +138,7 @@ final class DrivenMotion implements Serializable {
      */
     private double pathError(IntList group, double length) {
         double[] m = trajectories.data();
-        boolean struck = false;
-        for (int k = 0; k < group.size; k++) {
-            struck |= struckIn[group.values[k]] == trajectories.step();
-        }
-        double near = struck || motion.getIntegrator().isAdaptive() ? FINE : COARSE;
+        double near = isPressed(group) || motion.getIntegrator().isAdaptive() ? FINE : COARSE;
         double most = 0;
         for (int k = 0; k < group.size; k++) {
             int b = State.BLOCK * group.values[k];
@@ -152,6 +153,16 @@ final class DrivenMotion implements Serializable {
             most = Math.max(most, Math.max(way / radius, turn));
         }
         return path.knowsFirst ? most * length * length / (32 * near) : most;
+    }
+
+    /** Whether a body of the group has been struck often of late: then it is pressed against something. */
+    private boolean isPressed(IntList group) {
+        boolean yes = false;
+        for (int k = 0; k < group.size; k++) {
+            int body = group.values[k];
+            yes |= strikes[body] >= OFTEN && trajectories.step() - struckIn[body] <= 1;
+        }
+        return yes;
     }
 
     private double publish(IntList group, double tau, double end) {
@@ -238,6 +249,7 @@ final class DrivenMotion implements Serializable {
     void forget(int body) {
         if (body < endAt.length) {
             endAt[body] = Double.NaN;
+            strikes[body] = trajectories.step() - struckIn[body] <= 1 ? strikes[body] + 1 : 1;
             struckIn[body] = trajectories.step();
         }
     }
@@ -253,6 +265,7 @@ final class DrivenMotion implements Serializable {
             fineLength = Arrays.copyOf(fineLength, n / State.BLOCK);
             pace = Arrays.copyOf(pace, n / State.BLOCK);
             struckIn = Arrays.copyOf(struckIn, n / State.BLOCK);
+            strikes = Arrays.copyOf(strikes, n / State.BLOCK);
             Arrays.fill(struckIn, bodies, endAt.length, Double.NaN);
         }
     }

@@ -4,7 +4,6 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.collision.CollisionDetection;
@@ -34,8 +33,7 @@ public final class CollisionResponse implements Serializable {
     private final Pairs pairs;
 
     private ImpulseSolver solver = new TwoBodyImpulse();
-    private PairRule restitutionRule = PairRule.MINIMUM;
-    private PairRule frictionRule = PairRule.GEOMETRIC_MEAN;
+    private final ContactLoader loader;
     private final List<CollisionListener> listeners = new ArrayList<>();
 
     private final Impact impact = new Impact();
@@ -48,16 +46,13 @@ public final class CollisionResponse implements Serializable {
     private final RestingContacts resting;
     private final Heaps heaps;
     private final Wedged wedged;
+    private final Strikes strikes;
     private transient Manifold manifold;
     private double now;
 
     /** From when on the courses of the two hold that are brought to the instant of their impact. */
     private double since;
 
-    /** The step in which a body's velocity has changed last, and when. */
-    private double[] struckIn = {};
-
-    private double[] struckAt = {};
     private long impacts;
     private double deepest;
     private double approach;
@@ -76,11 +71,13 @@ public final class CollisionResponse implements Serializable {
         this.trajectories = trajectories;
         this.detection = detection;
         this.pairs = detection.pairs();
+        this.loader = new ContactLoader(state, trajectories);
         this.simultaneous = new SimultaneousImpact(state);
         this.bounces = new Bounces(trajectories, motion);
         this.resting = new RestingContacts(state, trajectories, motion, detection, this);
         this.heaps = new Heaps(state, trajectories, motion, detection, this);
         this.wedged = new Wedged(trajectories, detection);
+        this.strikes = new Strikes(trajectories);
     }
 
     /** Begins a step. */
@@ -108,33 +105,18 @@ public final class CollisionResponse implements Serializable {
             locate(pair, tau);
             if (manifold.count == 1 && (jointed == null || !jointed.has(pairs.first(pair), pairs.second(pair)))) {
                 respondToOne(pair, tau);
-                return noted();
+                strikes.note(changed);
+                return changed;
             }
         }
         respondToSeveral(touching, tau);
-        return noted();
-    }
-
-    /** Takes note of when the velocities of bodies have changed. */
-    private IntList noted() {
-        for (int k = 0; k < changed.size; k++) {
-            int body = changed.values[k];
-            if (body >= struckAt.length) {
-                struckAt = Arrays.copyOf(struckAt, state.size());
-                struckIn = Arrays.copyOf(struckIn, state.size());
-            }
-            struckAt[body] = trajectories.offset(body);
-            struckIn[body] = trajectories.step();
-        }
+        strikes.note(changed);
         return changed;
     }
 
     /** From which offset in the step on a body's motion has been smooth. */
     private double since(int body) {
-        if (heaps.has(body)) {
-            return trajectories.offset(body);
-        }
-        return body < struckIn.length && struckIn[body] == trajectories.step() ? struckAt[body] : 0;
+        return heaps.has(body) ? trajectories.offset(body) : strikes.last(body);
     }
 
     /**
@@ -329,8 +311,7 @@ public final class CollisionResponse implements Serializable {
      * @param friction rule for the friction
      */
     public void setRules(PairRule restitution, PairRule friction) {
-        restitutionRule = Objects.requireNonNull(restitution, "restitution");
-        frictionRule = Objects.requireNonNull(friction, "friction");
+        loader.setRules(restitution, friction);
     }
 
     /**
@@ -366,32 +347,7 @@ public final class CollisionResponse implements Serializable {
 
     /** Loads one point of a manifold. */
     void load(Manifold m, int a, int b, int point, Impact c) {
-        double[] w = state.w().values();
-        double[] d = trajectories.data();
-        int oa = a * Trajectories.STRIDE;
-        int ob = b * Trajectories.STRIDE;
-        c.wA = w[State.BLOCK * a];
-        c.wB = w[State.BLOCK * b];
-        c.iA = w[State.BLOCK * a + State.THETA];
-        c.iB = w[State.BLOCK * b + State.THETA];
-        c.vAx = d[oa + Trajectories.VX];
-        c.vAy = d[oa + Trajectories.VY];
-        c.omegaA = d[oa + Trajectories.OMEGA];
-        c.vBx = d[ob + Trajectories.VX];
-        c.vBy = d[ob + Trajectories.VY];
-        c.omegaB = d[ob + Trajectories.OMEGA];
-        c.nx = m.nx;
-        c.ny = m.ny;
-        c.rAx = m.rAx[point];
-        c.rAy = m.rAy[point];
-        c.rBx = m.rBx[point];
-        c.rBy = m.rBy[point];
-        c.setLevers(m.roundA, m.roundB);
-        Body bodyA = state.body(a);
-        Body bodyB = state.body(b);
-        c.restitution = restitutionRule.of(bodyA.getRestitution(), bodyB.getRestitution());
-        c.friction = frictionRule.of(bodyA.getFriction(), bodyB.getFriction());
-        c.allowance = 0;
+        loader.load(m, a, b, point, c);
     }
 
     private void store(int a, int b) {

@@ -11,7 +11,6 @@ import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
 import sim.physics.motion.Trajectories;
-import sim.physics.shape.Circle;
 
 /**
  * The heap that is being solved: finds its bodies and points, and gives it new velocities. One solution holds for a step, or
@@ -34,6 +33,11 @@ final class Heap implements Serializable {
 
     /** Speed at which points hardly close, relative to the bodies'. */
     private static final double HARDLY = 1e-12;
+
+    /** Times that the forces of driven bodies are found, and their change at which they are right, as in {@link #HARDLY}. */
+    private static final int PROBES = 4;
+
+    private static final double SAME = 1e-9;
 
     /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
     private static final double MOST_SHARE = 100;
@@ -58,6 +62,7 @@ final class Heap implements Serializable {
     private final CollisionDetection detection;
     private final CollisionResponse response;
     private final HeapBodies by;
+    private final BodyScale scales;
     private final HeapSystem system = new HeapSystem();
 
     /** The bodies of the heap, and where its points come from. */
@@ -101,6 +106,11 @@ final class Heap implements Serializable {
         this.detection = detection;
         this.response = response;
         this.by = by;
+        this.scales = new BodyScale(state, trajectories);
+    }
+
+    BodyScale scales() {
+        return scales;
     }
 
     boolean lasts(int pair) {
@@ -113,7 +123,7 @@ final class Heap implements Serializable {
             forces = Arrays.copyOf(forces, Math.max(2 * forces.length, 4 * pair + 4));
         }
         if (!lasts(pair)) {
-            double size = size(detection.pairs().first(pair), detection.pairs().second(pair));
+            double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
             boolean driven = trajectories.isDriven(detection.pairs().first(pair))
                     || trajectories.isDriven(detection.pairs().second(pair));
             detection.marks().setLasting(pair, true);
@@ -145,7 +155,7 @@ final class Heap implements Serializable {
         }
         gather(tau);
         if (isDriven) {
-            strike(tau);
+            strike();
             drive(tau);
         }
         solve(tau);
@@ -170,7 +180,7 @@ final class Heap implements Serializable {
             for (int m = 0; of != null && m < of.size; m++) {
                 int other = detection.pairs().other(of.values[m], body);
                 if (lasts(of.values[m])) {
-                    spin = Math.max(spin, bending(body, other));
+                    spin = Math.max(spin, scales.bending(body, other));
                     if (!state.body(other).isFixed() && by.place[other] == 0) {
                         include(other);
                     }
@@ -183,24 +193,6 @@ final class Heap implements Serializable {
         isFresh = !struck;
         until = Math.min(isDriven ? h : paid, tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
-    }
-
-    /** How fast two bodies turn and slide on one another, as a rate at which their contact bends out of its tangent. */
-    private double bending(int a, int b) {
-        double[] d = trajectories.data();
-        int oa = a * Trajectories.STRIDE;
-        int ob = b * Trajectories.STRIDE;
-        double vx = d[ob + Trajectories.VX] - d[oa + Trajectories.VX];
-        double vy = d[ob + Trajectories.VY] - d[oa + Trajectories.VY];
-        double turnA = isRound(a) ? 0 : Math.abs(d[oa + Trajectories.OMEGA]);
-        double turn = Math.max(turnA, isRound(b) ? 0 : Math.abs(d[ob + Trajectories.OMEGA]));
-        double slide = Math.sqrt(vx * vx + vy * vy) / size(a, b);
-        return Math.sqrt(turn * (turn + slide));
-    }
-
-    /** Whether a body looks the same when it turns. */
-    private boolean isRound(int body) {
-        return state.body(body).getShape() instanceof Circle;
     }
 
     /** Includes a body, and those that move with it. */
@@ -266,7 +258,7 @@ final class Heap implements Serializable {
     }
 
     /** Changes the velocities at once where points close too fast, before forces act. */
-    private void strike(double tau) {
+    private void strike() {
         double speed = 0;
         for (int k = 0; k < heap.size; k++) {
             speed = Math.max(speed, speed(k));
@@ -274,38 +266,58 @@ final class Heap implements Serializable {
         if (!system.isStruck(HARDLY * speed)) {
             return;
         }
-        system.solve(Math.max(speed, scale), false);
+        system.strike(Math.max(speed, scale));
         for (int k = 0; k < heap.size; k++) {
             int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
             System.arraycopy(system.v, 3 * k, trajectories.data(), o, State.BLOCK);
         }
     }
 
-    /** Finds the velocities with which the bodies would be at the end without the heap, and takes up its last forces. */
+    /** Solves for the forces of driven bodies, which change with the way that they make under them. */
     private void drive(double tau) {
-        for (int k = 0; k < heap.size; k++) {
-            motion.support(heap.values[k], 0, 0, 0);
-        }
         double length = until - tau;
+        for (int p = 0; p < system.size(); p++) {
+            int at = origin.values[p];
+            system.start(p, length * forces[at], length * forces[at + 1]);
+        }
+        probe(length);
+        for (int k = 1; k < PROBES; k++) {
+            for (int b = 0; b < heap.size; b++) {
+                scale = Math.max(scale, speed(b));
+            }
+            system.keep();
+            system.solve(scale, true);
+            if (system.change() <= SAME * scale) {
+                system.unpush();
+                break;
+            }
+            probe(length);
+        }
+    }
+
+    /** Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces. */
+    private void probe(double length) {
         double[] d = trajectories.data();
+        double[] pushes = pushes();
+        for (int k = 0; k < heap.size; k++) {
+            support(k, length, pushes);
+        }
         double share = 1;
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             int o = body * Trajectories.STRIDE + Trajectories.VX;
-            boolean driven = trajectories.isDriven(body);
             if (isFirst(k)) {
                 share = Math.min(MOST_SHARE, length / motion.probe(body, length)); // it may end early, at a stop
             }
             motion.fall(body, fall, 0);
             for (int c = 0; c < State.BLOCK; c++) {
-                double gained = driven ? share * (state.v()[State.BLOCK * body + c] - d[o + c]) : fall[c] * length;
+                double gained = trajectories.isDriven(body)
+                        ? share * (state.v()[State.BLOCK * body + c] - d[o + c])
+                        : fall[c] * length + pushes[3 * k + c];
                 system.v[3 * k + c] = d[o + c] + gained;
             }
         }
-        for (int p = 0; p < system.size(); p++) {
-            int at = origin.values[p];
-            system.start(p, (until - tau) * forces[at], (until - tau) * forces[at + 1]);
-        }
+        system.unpush();
     }
 
     /** Takes in the bodies of the heap and their points. */
@@ -340,7 +352,7 @@ final class Heap implements Serializable {
         double[] d = trajectories.data();
         System.arraycopy(d, body * Trajectories.STRIDE + Trajectories.VX, system.v, 3 * k, State.BLOCK);
         motion.fall(body, fall, 0);
-        double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + radius(body) * Math.abs(fall[2]);
+        double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
         double time = until - Math.max(tau, by.paidUntil[body]);
         for (int c = 0; c < State.BLOCK && time > 0 && !isDriven; c++) {
@@ -352,8 +364,8 @@ final class Heap implements Serializable {
     private void collect(int pair, double tau) {
         int a = detection.pairs().first(pair);
         int b = detection.pairs().second(pair);
-        double size = size(a, b);
-        detection.narrowPhase().contact(pair, tau, manifold, FLAT * size / (radius(a) + radius(b)));
+        double size = scales.size(a, b);
+        detection.narrowPhase().contact(pair, tau, manifold, FLAT * size / (scales.radius(a) + scales.radius(b)));
         if (manifold.gap > PARTED * size) {
             if (isFresh) {
                 end(pair);
@@ -412,24 +424,13 @@ final class Heap implements Serializable {
         return Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
     }
 
-    /** Radius of the smaller one of two bodies, of which one may be fixed. */
-    double size(int a, int b) {
-        double first = state.body(a).isFixed() ? Double.MAX_VALUE : radius(a);
-        double second = state.body(b).isFixed() ? Double.MAX_VALUE : radius(b);
-        return Math.min(first, second);
-    }
-
-    private double radius(int body) {
-        return trajectories.data()[body * Trajectories.STRIDE + Trajectories.RADIUS];
-    }
-
     /** What the turning and sliding of the loaded point's bodies may take of their gap in the step. */
     private double bend(int a, int b, double h) {
         double turnA = manifold.roundA ? 0 : h * Math.abs(point.omegaA);
         double turnB = manifold.roundB ? 0 : h * Math.abs(point.omegaB);
         double slide = h * Math.abs(point.tangentVelocity());
-        double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * radius(a)) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * radius(b));
-        return Math.min(bend + slide * (turnA + turnB), 1e-3 * size(a, b));
+        double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * scales.radius(a)) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * scales.radius(b));
+        return Math.min(bend + slide * (turnA + turnB), 1e-3 * scales.size(a, b));
     }
 
     private void solve(double tau) {
@@ -439,9 +440,9 @@ final class Heap implements Serializable {
             most = Math.max(most, by.turns[heap.values[k]]);
         }
         boolean done = system.solve(scale, true);
-        if (!affords(system.gained())) {
+        if (!by.afford(heap, system.gained())) {
             done = system.solve(scale, false); // regaining gaps must not add energy
-            affords(system.gained());
+            by.afford(heap, system.gained());
         }
         for (int p = 0; p < system.size() && isFresh; p++) {
             forces[origin.values[p]] = done ? system.normalImpulse(p) / (until - tau) : 0;
@@ -453,21 +454,16 @@ final class Heap implements Serializable {
         }
     }
 
-    /** Whether the bodies have lost as much energy before in the step as they would gain now; takes note of it then. */
-    private boolean affords(double gain) {
-        double sum = -gain;
-        for (int k = 0; k < heap.size; k++) {
-            sum += by.lost[heap.values[k]];
-        }
-        for (int k = 0; k < heap.size && sum >= 0; k++) {
-            by.lost[heap.values[k]] = sum / heap.size;
-        }
-        return sum >= 0;
-    }
-
     private double speed(int k) {
         double way = Math.max(Math.abs(system.v[3 * k]), Math.abs(system.v[3 * k + 1]));
-        return Math.max(way, radius(heap.values[k]) * Math.abs(system.v[3 * k + 2]));
+        return Math.max(way, scales.radius(heap.values[k]) * Math.abs(system.v[3 * k + 2]));
+    }
+
+    /** Lets a driven body be pushed evenly over a time. */
+    private void support(int k, double time, double[] pushes) {
+        if (trajectories.isDriven(heap.values[k])) {
+            motion.support(heap.values[k], pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
+        }
     }
 
     /** What the impulses would do to bodies that nothing ties; their ties reply when they are driven. */
@@ -507,8 +503,7 @@ final class Heap implements Serializable {
                 continue;
             }
             if (trajectories.isDriven(body)) {
-                double time = until - tau;
-                motion.support(body, pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
+                support(k, until - tau, pushes);
                 by.paidUntil[body] = until;
                 changed.add(body);
                 continue;

@@ -4,6 +4,7 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 
 /** What {@link Heaps} knows of bodies, by their indices. */
 final class HeapBodies implements Serializable {
@@ -75,6 +76,18 @@ final class HeapBodies implements Serializable {
         for (int c = 0; c < 3; c++) {
             paid[3 * body + c] = to[at + c] - from[o + c];
         }
+    }
+
+    /** Whether bodies have lost as much energy before in the step as they would gain now; takes note of it then. */
+    boolean afford(IntList bodies, double gain) {
+        double sum = -gain;
+        for (int k = 0; k < bodies.size; k++) {
+            sum += lost[bodies.values[k]];
+        }
+        for (int k = 0; k < bodies.size && sum >= 0; k++) {
+            lost[bodies.values[k]] = sum / bodies.size;
+        }
+        return sum >= 0;
     }
 
     /** Begins a step, or a body's time in a heap. */

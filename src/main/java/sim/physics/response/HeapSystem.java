@@ -61,9 +61,11 @@ final class HeapSystem implements Serializable {
     /** Null until a body is tied to others. */
     private HeapReplies replies;
 
-
     /** The velocities without impulses. */
     private double[] free = {};
+
+    /** Least normal velocities, while others are in their place, or impulses. */
+    private double[] kept = {};
 
     private double[] data = new double[8 * STRIDE];
     private int[] bodies = new int[16];
@@ -263,6 +265,33 @@ final class HeapSystem implements Serializable {
         }
     }
 
+    /** Keeps the impulses to compare them with. */
+    void keep() {
+        kept = kept.length < 2 * points ? new double[4 * points] : kept;
+        for (int p = 0; p < points; p++) {
+            kept[2 * p] = data[STRIDE * p + IMPULSE_N];
+            kept[2 * p + 1] = data[STRIDE * p + IMPULSE_T];
+        }
+    }
+
+    /** How much the impulses have changed since then, as a velocity that they give. */
+    double change() {
+        double most = 0;
+        for (int p = 0; p < points; p++) {
+            int o = STRIDE * p;
+            most = Math.max(most, Math.abs(data[o + IMPULSE_N] - kept[2 * p]) * data[o + MOBILITY_N]);
+            most = Math.max(most, Math.abs(data[o + IMPULSE_T] - kept[2 * p + 1]) * data[o + MOBILITY_T]);
+        }
+        return most;
+    }
+
+    /** Takes from the velocities what the points' impulses do. */
+    void unpush() {
+        for (int p = 0; p < points; p++) {
+            push(p, -data[STRIDE * p + IMPULSE_N], -data[STRIDE * p + IMPULSE_T], v);
+        }
+    }
+
     /** Adds what all points' impulses would do to bodies that nothing ties. */
     void pushAlone(double[] v) {
         HeapReplies tied = replies;
@@ -281,6 +310,22 @@ final class HeapSystem implements Serializable {
             }
         }
         return false;
+    }
+
+    /** Ends the approach of points that close faster than they may, and forgets the impulses that do so. */
+    void strike(double scale) {
+        if (kept.length < points) {
+            kept = new double[2 * points];
+        }
+        for (int p = 0; p < points; p++) {
+            kept[p] = data[STRIDE * p + BOUND];
+            data[STRIDE * p + BOUND] = Math.min(0, kept[p]);
+        }
+        solve(scale, true);
+        for (int p = 0; p < points; p++) {
+            data[STRIDE * p + BOUND] = kept[p];
+            start(p, 0, 0);
+        }
     }
 
     /**

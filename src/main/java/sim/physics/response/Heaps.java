@@ -8,7 +8,6 @@ import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
-import sim.physics.shape.Circle;
 import sim.physics.motion.Trajectories;
 
 /**
@@ -97,7 +96,7 @@ public final class Heaps implements Serializable {
     private boolean isCalm(IntList group) {
         double most = 0;
         for (int k = 0; k < group.size; k++) {
-            boolean round = state.body(group.values[k]).getShape() instanceof Circle;
+            boolean round = heap.scales().isRound(group.values[k]);
             double spin = trajectories.data()[group.values[k] * Trajectories.STRIDE + Trajectories.OMEGA];
             most = Math.max(most, round ? 0 : Math.abs(spin));
         }
@@ -127,7 +126,7 @@ public final class Heaps implements Serializable {
 
     /** Radius of the smaller one of two bodies, of which one may be fixed. */
     double size(int a, int b) {
-        return heap.size(a, b);
+        return heap.scales().size(a, b);
     }
 
     /** Lets a pair last. */

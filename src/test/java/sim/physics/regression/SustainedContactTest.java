@@ -102,7 +102,6 @@ class SustainedContactTest {
         run(CollisionListener.Decision.BOUNCE);
     }
 
-    @Disabled("a driven body cannot come to rest on a surface")
     @Test
     void aBoxIsPulledOnTheFloor() {
         engine.add(new Pull());
@@ -110,7 +109,6 @@ class SustainedContactTest {
         run(CollisionListener.Decision.BOUNCE);
     }
 
-    @Disabled("holds, but with thousands of impacts a step it takes 20 s: a driven body cannot come to rest on a surface")
     @Test
     void aBoxWithSurfaceFrictionFallsOnTheFloor() {
         engine.add(new Gravity(0, -10));
