@@ -195,7 +195,6 @@ public final class PhysicsEngine implements Steppable {
     private void respond() {
         double tau = detection.nextTime();
         IntList touching = detection.nextImpacts();
-        if (Boolean.getBoolean("ev")) { System.out.print("ev " + steps + " " + tau); for (int k=0;k<touching.size;k++) System.out.print(" " + detection.pairs().first(touching.values[k]) + "-" + detection.pairs().second(touching.values[k])+ " gap " + detection.narrowPhase().gap(touching.values[k], tau) + (detection.marks().isLasting(touching.values[k])?" L ":" ")+detection.marks().depth(touching.values[k])); System.out.println(" impacts " + response.impacts()); }
         int pair = touching.size == 1 ? touching.values[0] : -1;
         now = getTime() + tau;
         admission.setNow(tau);
@@ -257,7 +256,6 @@ public final class PhysicsEngine implements Steppable {
             settle(tau);
             return;
         }
-        if (Boolean.getBoolean("ev")) System.out.println("pe " + steps + " " + tau + " body " + body + " heap " + response.heaps().has(body));
         if (response.heaps().has(body)) {
             response.heaps().again(body);
             settleHeaps(tau);

@@ -94,7 +94,6 @@ final class Bounces implements Serializable {
             double hop = Math.min(0.5 * length * acceleration, RATTLE_WAY * Tolerances.RATTLE_SIZE * size / h);
             c.restitution = Math.max(Tolerances.RATTLE, Math.min(HUGE, hop / approach));
         }
-        if (Boolean.getBoolean("ev")) System.out.println("   dr count " + count + " approach " + approach + " e " + c.restitution + " since " + (trajectories.offset(a) - lastTau[pair]) + " last " + lastSpeed[pair]);
         lastSpeed[pair] = c.restitution * Math.max(0, approach);
         lastTau[pair] = trajectories.offset(a);
         return count > 0;

@@ -34,6 +34,9 @@ final class Heap implements Serializable {
     /** Speed at which points hardly close, relative to the bodies'. */
     private static final double HARDLY = 1e-12;
 
+    /** By how much longer forces are to hold on driven bodies than last time, if no point has closed. */
+    private static final double LONGER = 1.2;
+
     /** Times that the forces of driven bodies are found, and their change at which they are right, as in {@link #HARDLY}. */
     private static final int PROBES = 4;
 
@@ -242,7 +245,7 @@ final class Heap implements Serializable {
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             double pace = by.pace[body] == 0 ? h : by.pace[body];
-            least = Math.min(least, by.hasClosed[body] ? 0.5 * pace : 2 * pace);
+            least = Math.min(least, by.hasClosed[body] ? 0.5 * pace : LONGER * pace);
         }
         for (int k = 0; k < heap.size; k++) {
             by.pace[heap.values[k]] = least;

@@ -24,7 +24,7 @@ public final class Heaps implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Times that something may happen to a driven body in a step before its pairs do not last any more. */
-    private static final int MOST = 6;
+    private static final int MOST = 40;
 
     /** Turn of driven bodies in a step, rad, up to which they may lie on something. */
     private static final double CALM = 0.03;
