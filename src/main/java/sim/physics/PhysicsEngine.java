@@ -214,14 +214,13 @@ public final class PhysicsEngine implements Steppable {
                 detection.moved(body, trajectories.offset(body), false, k == 1 ? pair : -1);
             }
         }
+        if (admission.isNeeded()) {
+            admit(tau); // first: what listeners have written is in the vectors that others use for their work
+        }
         if (!response.resting().isEmpty()) {
             settle(tau);
         }
         if (!response.heaps().isEmpty()) {
-            settleHeaps(tau);
-        }
-        if (admission.isNeeded()) {
-            admit(tau);
             settleHeaps(tau);
         }
         followGroups();

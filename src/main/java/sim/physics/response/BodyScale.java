@@ -3,6 +3,7 @@
 package sim.physics.response;
 
 import java.io.Serializable;
+import sim.physics.collision.narrow.Manifold;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 import sim.physics.shape.Circle;
@@ -46,5 +47,14 @@ final class BodyScale implements Serializable {
 
     double radius(int body) {
         return trajectories.data()[body * Trajectories.STRIDE + Trajectories.RADIUS];
+    }
+
+    /** What the turning and sliding of a loaded point's bodies may take of their gap in a time. */
+    double bend(Manifold manifold, Impact point, int a, int b, double h) {
+        double turnA = manifold.roundA ? 0 : h * Math.abs(point.omegaA);
+        double turnB = manifold.roundB ? 0 : h * Math.abs(point.omegaB);
+        double slide = h * Math.abs(point.tangentVelocity());
+        double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * radius(a)) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * radius(b));
+        return Math.min(bend + slide * (turnA + turnB), 1e-3 * size(a, b));
     }
 }

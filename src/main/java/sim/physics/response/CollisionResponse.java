@@ -262,14 +262,15 @@ public final class CollisionResponse implements Serializable {
             return true;
         }
         double h = Math.min(motion.pace(a), motion.pace(b));
+        double latest = detection.hasEvent() ? detection.nextTime() : trajectories.h();
         double t = tau;
         for (int k = 0; k < 3; k++) {
             double speed = impact.normalVelocity();
             double next = t - manifold.gap / speed;
             boolean settled = Math.abs(manifold.gap) <= -speed * Tolerances.SIMULTANEOUS * t;
             boolean near = Math.abs(next - tau) <= Tolerances.POLISH * h;
-            if (settled || !(speed < 0 && near && next >= since && next <= trajectories.h())) {
-                break; // or else events of theirs or of others may lie between
+            if (settled || !(speed < 0 && near && next >= since && next <= latest)) {
+                break; // or else other events lie between
             }
             double most = Math.max(0.5 * Math.abs(manifold.gap), -speed * Tolerances.REST * h);
             locate(pair, next);

@@ -34,9 +34,6 @@ final class Heap implements Serializable {
     /** Speed at which points hardly close, relative to the bodies'. */
     private static final double HARDLY = 1e-12;
 
-    /** By how much longer forces are to hold on driven bodies than last time, if no point has closed. */
-    private static final double LONGER = 1.2;
-
     /** Times that the forces of driven bodies are found, and their change at which they are right, as in {@link #HARDLY}. */
     private static final int PROBES = 4;
 
@@ -192,7 +189,7 @@ final class Heap implements Serializable {
         }
         double h = trajectories.h();
         double length = spin * h > TURN ? TURN / spin : h;
-        length = Math.max(isDriven ? Math.min(length, pace()) : length, h / SOLUTIONS);
+        length = Math.max(isDriven ? Math.min(length, by.pace(heap, h)) : length, h / SOLUTIONS);
         isFresh = !struck;
         until = Math.min(isDriven ? h : paid, tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
@@ -236,22 +233,6 @@ final class Heap implements Serializable {
             }
         }
         isFresh = true;
-    }
-
-    /** For how long forces are to hold on driven bodies: half as long where points have closed too early. */
-    private double pace() {
-        double h = trajectories.h();
-        double least = h;
-        for (int k = 0; k < heap.size; k++) {
-            int body = heap.values[k];
-            double pace = by.pace[body] == 0 ? h : by.pace[body];
-            least = Math.min(least, by.hasClosed[body] ? 0.5 * pace : LONGER * pace);
-        }
-        for (int k = 0; k < heap.size; k++) {
-            by.pace[heap.values[k]] = least;
-            by.hasClosed[heap.values[k]] = false;
-        }
-        return least;
     }
 
     /** Whether a body of the heap is the first of those that move with it. */
@@ -378,7 +359,7 @@ final class Heap implements Serializable {
         double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
         for (int k = 0; k < manifold.count; k++) {
             response.load(manifold, a, b, k, point);
-            double room = detection.marks().depth(pair) + bend(a, b, left);
+            double room = detection.marks().depth(pair) + scales.bend(manifold, point, a, b, left);
             int p = system.size();
             system.add(number(a), number(b), point);
             if (isDriven) {
@@ -425,15 +406,6 @@ final class Heap implements Serializable {
         }
         motion.fall(body, fall, 0);
         return Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
-    }
-
-    /** What the turning and sliding of the loaded point's bodies may take of their gap in the step. */
-    private double bend(int a, int b, double h) {
-        double turnA = manifold.roundA ? 0 : h * Math.abs(point.omegaA);
-        double turnB = manifold.roundB ? 0 : h * Math.abs(point.omegaB);
-        double slide = h * Math.abs(point.tangentVelocity());
-        double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * scales.radius(a)) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * scales.radius(b));
-        return Math.min(bend + slide * (turnA + turnB), 1e-3 * scales.size(a, b));
     }
 
     private void solve(double tau) {

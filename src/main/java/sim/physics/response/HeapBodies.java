@@ -10,6 +10,9 @@ import sim.physics.internal.IntList;
 final class HeapBodies implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** By how much longer forces are to hold on driven bodies than last time, if no point has closed. */
+    private static final double LONGER = 1.2;
+
     /** Whether a body lies in a heap, stands still there, and is to be solved for. */
     boolean[] lies = {};
 
@@ -76,6 +79,21 @@ final class HeapBodies implements Serializable {
         for (int c = 0; c < 3; c++) {
             paid[3 * body + c] = to[at + c] - from[o + c];
         }
+    }
+
+    /** For how long forces are to hold on driven bodies: half as long where points have closed too early. */
+    double pace(IntList bodies, double h) {
+        double least = h;
+        for (int k = 0; k < bodies.size; k++) {
+            int body = bodies.values[k];
+            double last = pace[body] == 0 ? h : pace[body];
+            least = Math.min(least, hasClosed[body] ? 0.5 * last : LONGER * last);
+        }
+        for (int k = 0; k < bodies.size; k++) {
+            pace[bodies.values[k]] = least;
+            hasClosed[bodies.values[k]] = false;
+        }
+        return least;
     }
 
     /** Whether bodies have lost as much energy before in the step as they would gain now; takes note of it then. */
