@@ -127,6 +127,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void begin(double startOfStep) {
         time = startOfStep;
+        drivenMotion.begin();
         state.setUnsettled(true);
     }
 
@@ -198,9 +199,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     /** Ends the step: writes where the driven bodies are; the forces that were applied for the step have acted. */
     public void finish() {
-        for (int k = 0; k < driven.size; k++) {
-            drivenMotion.finish(driven.values[k]);
-        }
+        drivenMotion.finish(driven);
         for (int k = 0; k < pushed.size; k++) {
             Body view = state.body(pushed.values[k]);
             if (view != null) {
@@ -208,6 +207,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
             }
         }
         state.setUnsettled(false);
+    }
+
+    /** Keeps where the paths of driven bodies end, before the first event of a step uses the state vectors. */
+    public void keepEnds() {
+        drivenMotion.keepEnds(driven);
     }
 
     private void setDriven(int body, boolean yes) {

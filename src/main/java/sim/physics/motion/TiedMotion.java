@@ -209,11 +209,16 @@ final class TiedMotion implements Serializable {
         }
     }
 
-    private boolean advance(Motion motion, IntList group, double t, double length, int parts, Path path) {
+    /** Advances a group over a time, if there is a quick way; else nothing is changed, and the path never. */
+    boolean leap(Motion motion, IntList group, double length) {
         Generators fields = motion.fields();
-        if (parts == 1 && fields != null && motion.getIntegrator() instanceof RungeKutta4
-                && Math.abs(length) >= SHORT * trajectories.h()
-                && ties.advance(group, fields.gravityX, fields.gravityY, length)) {
+        return fields != null
+                && motion.getIntegrator() instanceof RungeKutta4
+                && ties.advance(group, fields.gravityX, fields.gravityY, length);
+    }
+
+    private boolean advance(Motion motion, IntList group, double t, double length, int parts, Path path) {
+        if (parts == 1 && Math.abs(length) >= SHORT * trajectories.h() && leap(motion, group, length)) {
             return true;
         }
         for (int k = 0; k < parts; k++) {

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import sim.physics.motion.State;
+
+/**
+ * A step of a tree of pins under a uniform field: RK4, (13), on its angles. Its joints close of themselves, so there is no
+ * projection. What is out of the ordinary it leaves to the general code: then it has changed nothing.
+ */
+final class TreeStep implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /**
+     * Gap, relative to the size of the bodies, that a step in places would have left, from which it is made again in halves:
+     * where there is nothing to close, a step that is too long would not be seen otherwise, and could gain energy.
+     */
+    private static final double ROUGH = 3e-4;
+
+    /** Gap, relative to the largest coordinate, and slip, to the speeds, that a projection leaves behind. */
+    private static final double CLOSED = 0x1p-45;
+
+    private static final double SLIP = 1e-11;
+
+    private static final int MOST_PARTS = 64;
+
+    private final Island island;
+    private final PinTree tree;
+    private final double[] open = new double[2];
+    private boolean isWeighed;
+
+    TreeStep(Island island, PinTree tree) {
+        this.island = island;
+        this.tree = tree;
+    }
+
+    void forgetMasses() {
+        isWeighed = false;
+    }
+
+    /**
+     * Advances the tree.
+     *
+     * @param state its vectors are changed, if all is well
+     * @param solver one whose results these are
+     * @param gx the field
+     * @param gy the field
+     * @param h step
+     * @return false if the general code must make this step
+     */
+    boolean advance(State state, ConstraintSolver solver, double gx, double gy, double h) {
+        if (!solver.isPlain(island, state.w().values())) {
+            return false;
+        }
+        if (!isWeighed) {
+            tree.weigh(state.w().values());
+            isWeighed = true;
+        }
+        boolean isKnown = gather(state);
+        tree.begin();
+        if (!isKnown && !isClosed()) {
+            return false;
+        }
+        for (int parts = 1; !isDone(parts, gx, gy, h); parts *= 2) {
+            if (parts == MOST_PARTS) {
+                return false;
+            }
+            gather(state);
+            tree.begin();
+        }
+        boolean isUnforced = gx == 0 && gy == 0;
+        if (isUnforced) {
+            island.invariants.begin(state, true);
+        }
+        scatter(state);
+        island.redundantRows = 0;
+        if (isUnforced) {
+            island.evaluate(state);
+            island.invariants.restore(state);
+            gather(state);
+        }
+        return true;
+    }
+
+    /** Makes the step in some parts; false if they are too long to follow the links. */
+    private boolean isDone(int parts, double gx, double gy, double h) {
+        double part = h / parts;
+        if (tree.isFree) {
+            tree.centre();
+        }
+        for (int k = 0; k < parts; k++) {
+            if (k > 0) {
+                tree.begin();
+            }
+            tree.eliminate(gx, gy);
+            tree.accelerate(0, 0.5 * part);
+            tree.eliminate(gx, gy);
+            tree.accelerate(1, 0.5 * part);
+            tree.eliminate(gx, gy);
+            tree.accelerate(2, part);
+            tree.eliminate(gx, gy);
+            tree.finish(part);
+            if (!(tree.gap() <= ROUGH * island.leastSize)) {
+                return false;
+            }
+        }
+        tree.place();
+        if (tree.isFree) {
+            tree.shift(gx, gy, h);
+        }
+        return true;
+    }
+
+    /** Takes the state over; true if it is that of the end of the last step. */
+    private boolean gather(State state) {
+        double[] l = tree.link;
+        double[] x = state.x();
+        double[] v = state.v();
+        boolean same = true;
+        for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
+            int b = tree.block[k];
+            for (int c = 0; c < State.BLOCK; c++) {
+                same &= l[o + PinTree.X + c] == x[b + c] & l[o + PinTree.U + c] == v[b + c];
+            }
+        }
+        if (!same) {
+            for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
+                System.arraycopy(x, tree.block[k], l, o + PinTree.X, State.BLOCK);
+                System.arraycopy(v, tree.block[k], l, o + PinTree.U, State.BLOCK);
+            }
+        }
+        return same;
+    }
+
+    private boolean isClosed() {
+        tree.gaps(open);
+        double place = island.mostSize;
+        double speed = 0;
+        for (int o = 0; o < tree.link.length; o += PinTree.STRIDE) {
+            double[] l = tree.link;
+            place = Math.max(place, Math.max(Math.abs(l[o + PinTree.X]), Math.abs(l[o + PinTree.Y])));
+            double turning = island.leastSize * Math.abs(l[o + PinTree.OMEGA]);
+            speed = Math.max(speed, Math.abs(l[o + PinTree.U]) + Math.abs(l[o + PinTree.V]) + turning);
+        }
+        return open[0] <= CLOSED * place && open[1] <= SLIP * speed;
+    }
+
+    private void scatter(State state) {
+        double[] l = tree.link;
+        double[] x = state.x();
+        double[] v = state.v();
+        for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
+            int b = tree.block[k];
+            x[b] = l[o + PinTree.X];
+            x[b + 1] = l[o + PinTree.Y];
+            x[b + 2] = l[o + PinTree.ANGLE];
+            v[b] = l[o + PinTree.U];
+            v[b + 1] = l[o + PinTree.V];
+            v[b + 2] = l[o + PinTree.OMEGA];
+        }
+    }
+}
