@@ -4,7 +4,7 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import java.util.Arrays;
-import sim.physics.internal.Trig;
+import sim.physics.internal.SineTable;
 import sim.physics.motion.State;
 
 /**
@@ -46,59 +46,52 @@ final class PinTree implements Serializable {
     static final int EX = 6;
     static final int EY = 7;
 
-    /** An angle near the present one, its cosine and sine. */
-    static final int KNOWN = 8;
-
-    static final int KNOWN_COS = 9;
-    static final int KNOWN_SIN = 10;
-
     /** The state at the start, and at the end of a step. */
-    static final int X = 11;
+    static final int X = 8;
 
-    static final int Y = 12;
-    static final int ANGLE = 13;
-    static final int U = 14;
-    static final int V = 15;
-    static final int OMEGA = 16;
+    static final int Y = 9;
+    static final int ANGLE = 10;
+    static final int U = 11;
+    static final int V = 12;
+    static final int OMEGA = 13;
 
     /** At a stage: angular velocity, cosine and sine of the angle, e; S/H and τ/H. */
-    private static final int TURNING = 17;
+    static final int TURNING = 14;
 
-    private static final int COS = 18;
-    private static final int SIN = 19;
-    private static final int RX = 20;
-    private static final int RY = 21;
-    private static final int SX = 22;
-    private static final int SY = 23;
-    private static final int T = 24;
+    static final int COS = 15;
+    static final int SIN = 16;
+    private static final int RX = 17;
+    private static final int RY = 18;
+    private static final int SX = 19;
+    private static final int SY = 20;
+    private static final int T = 21;
 
     /** Angular accelerations of the stages. */
-    private static final int ALPHA = 25;
+    private static final int ALPHA = 22;
 
     /** Sum of the second derivatives of e at the stages. */
-    private static final int BENDX = 28;
+    private static final int BENDX = 25;
 
-    private static final int BENDY = 29;
+    private static final int BENDY = 26;
 
     /** e at the first stage. */
-    private static final int FIRSTX = 30;
+    private static final int FIRSTX = 27;
 
-    private static final int FIRSTY = 31;
+    private static final int FIRSTY = 28;
 
-    /** Angles from the one whose cosine and sine are known, up to which series are right to rounding. */
-    private static final double NEAR = 0.125;
+    /** Angle at a stage, and the moment of inertia. */
+    static final int TURNED = 29;
 
-    /** Known angles are multiples of 1/16 rad, so that the cosines do not depend on what was before. */
-    private static final double GRAIN = 16;
+    private static final int INERTIA = 30;
 
-    /** Values of a link that is not right behind its parent: own e; e, M and p at a stage; A; place and velocity. */
-    private static final int SIDE = 16;
+    /** Values of the first link of a run: own e; e, M and p at a stage; A; place and velocity. */
+    static final int SIDE = 16;
 
     private static final int SIDE_E = 2;
     private static final int SIDE_M = 4;
     private static final int SIDE_P = 7;
     private static final int SIDE_A = 9;
-    private static final int SIDE_X = 11;
+    static final int SIDE_X = 11;
 
     final int links;
 
@@ -110,36 +103,30 @@ final class PinTree implements Serializable {
 
     final boolean isFree;
 
+    final TreePlaces places;
+
     /** By link: −1 for the root, else smaller than the link. */
-    private final int[] parent;
+    final int[] parent;
+
+    /** First links of the runs of links that are right behind their parents, and the number of links. */
+    final int[] runs;
+
+    final int runCount;
 
     /** By link: the first of its children that is not right behind it, −1 if there is none; and the next sister. */
-    private final int[] child;
+    final int[] child;
 
-    private final int[] sister;
+    final int[] sister;
 
-    private final double[] side;
+    /** By first links of runs. */
+    final double[] side;
+
     private final double[] sum = new double[9];
 
-    /** Where the root hangs. */
-    private final double rootX;
+    /** By link: accelerations x″, y″, θ″ of it as if it were alone; null if a uniform field is all. */
+    private double[] alone;
 
-    private final double rootY;
-
-    private double total;
     private double gap;
-
-    /** Acceleration of the root, without that of the field. */
-    private double a0;
-
-    private double a1;
-
-    /** Centre of mass, and its velocity, at the start. */
-    private double centreX;
-
-    private double centreY;
-    private double centreU;
-    private double centreV;
 
     /**
      * Makes a tree.
@@ -158,19 +145,22 @@ final class PinTree implements Serializable {
         link = new double[STRIDE * links];
         child = new int[links];
         sister = new int[links];
-        boolean isBranched = false;
+        runs = new int[links + 1];
+        int count = 0;
         for (int k = 0; k < links; k++) {
             child[k] = -1;
             sister[k] = -1;
-            isBranched |= parent[k] != k - 1;
+            if (k == 0 || parent[k] != k - 1) {
+                runs[count++] = k;
+            }
         }
-        side = new double[isBranched ? SIDE * links : 0];
-        rootX = isFree ? 0 : arms[2];
-        rootY = isFree ? 0 : arms[3];
+        runs[count] = links;
+        runCount = count;
+        side = new double[count == 1 ? SIDE : SIDE * links];
+        places = new TreePlaces(this, arms[2], arms[3]);
         for (int k = links - 1; k >= 0; k--) {
             int o = STRIDE * k;
             int j = parent[k];
-            link[o + KNOWN] = Double.NaN;
             link[o + DX] = k == 0 && isFree ? 0 : -arms[4 * k];
             link[o + DY] = k == 0 && isFree ? 0 : -arms[4 * k + 1];
             if (k == links - 1 || parent[k + 1] != k) { // for gap() alone
@@ -197,66 +187,56 @@ final class PinTree implements Serializable {
 
     /** Takes the masses over. */
     void weigh(double[] w) {
-        total = 0;
         for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
             double m = 1 / w[block[k]];
             double dx = link[o + DX];
             double dy = link[o + DY];
             link[o + MASS] = m;
-            link[o + HUB] = 1 / w[block[k] + State.THETA] + m * (dx * dx + dy * dy);
+            link[o + INERTIA] = 1 / w[block[k] + State.THETA];
+            link[o + HUB] = link[o + INERTIA] + m * (dx * dx + dy * dy);
             link[o + MDX] = m * dx;
             link[o + MDY] = m * dy;
-            total += m;
         }
+        places.weigh();
     }
 
-    /** Takes note of where the centre of mass is, if the tree is free. */
-    void centre() {
-        centreX = 0;
-        centreY = 0;
-        centreU = 0;
-        centreV = 0;
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
-            double m = link[o + MASS] / total;
-            centreX += m * link[o + X];
-            centreY += m * link[o + Y];
-            centreU += m * link[o + U];
-            centreV += m * link[o + V];
-        }
-    }
-
-    /** Begins with the first stage. */
+    /** Begins with the first stage of a state that is not where the last step ended. */
     void begin() {
         for (int o = 0; o < link.length; o += STRIDE) {
-            double angle = link[o + ANGLE];
-            double nearest = Math.rint(GRAIN * angle) / GRAIN;
-            if (nearest != link[o + KNOWN]) {
-                link[o + KNOWN] = nearest;
-                Trig.sinCos(nearest, link, o + KNOWN_COS);
-            }
             link[o + TURNING] = link[o + OMEGA];
-            turn(link, o, angle);
+            SineTable.sinCos(link[o + ANGLE], link, o + COS);
         }
     }
 
-    /** Cosine and sine of an angle, (45), (46). */
-    private static void turn(double[] l, int o, double angle) {
-        double d = angle - l[o + KNOWN];
-        if (!(Math.abs(d) <= NEAR)) {
-            Trig.sinCos(angle, l, o + COS);
-            return;
-        }
-        double z = d * d;
-        double c = l[o + KNOWN_COS];
-        double s = l[o + KNOWN_SIN];
-        double sine = d - d * (z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040 - z * (1.0 / 362880)))));
-        double versine = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720 - z * (1.0 / 40320 - z * (1.0 / 3628800)))));
-        l[o + COS] = c - (c * versine + s * sine);
-        l[o + SIN] = s - (s * versine - c * sine);
+    /** Lets the next state be one that is not where the last step ended. */
+    void forget() {
+        link[X] = Double.NaN;
     }
 
-    /** The pass from the tips to the root. */
+    /** The pass from the tips to the root, run by run, under a uniform field. */
     void eliminate(double gx, double gy) {
+        for (int r = runCount - 1; r >= 0; r--) {
+            eliminate(runs[r], runs[r + 1] - 1);
+        }
+        double x = -gx;
+        double y = -gy;
+        if (isFree) { // what hangs at the root takes part in the fall
+            double m00 = side[SIDE_M];
+            double m01 = side[SIDE_M + 1];
+            double m11 = side[SIDE_M + 2];
+            double per = 1 / (m00 * m11 - m01 * m01);
+            x = per * (m01 * side[SIDE_P + 1] - m11 * side[SIDE_P]);
+            y = per * (m01 * side[SIDE_P] - m00 * side[SIDE_P + 1]);
+        }
+        side[SIDE_A] = x;
+        side[SIDE_A + 1] = y;
+    }
+
+    /**
+     * A run, from the tip to its first link. M' e⊥ and e⊥·M' e⊥ of a link are found together with M' of its child and do not
+     * wait for it: the way from one division to the next is what takes the time.
+     */
+    private void eliminate(int from, int to) {
         double[] l = link;
         double m00 = 0;
         double m01 = 0;
@@ -266,30 +246,25 @@ final class PinTree implements Serializable {
         double f0 = 0;
         double f1 = 0;
         double fe = 0;
-        int o = STRIDE * (links - 1);
-        double ex = l[o + COS] * l[o + EX] - l[o + SIN] * l[o + EY];
-        double ey = l[o + SIN] * l[o + EX] + l[o + COS] * l[o + EY];
-        for (int k = links - 1; k >= 0; k--, o -= STRIDE) {
-            double cos = l[o + COS];
-            double sin = l[o + SIN];
-            double mdx = cos * l[o + MDX] - sin * l[o + MDY];
-            double mdy = sin * l[o + MDX] + cos * l[o + MDY];
+        double ex = turnedX(STRIDE * to);
+        double ey = turnedY(STRIDE * to);
+        for (int k = to, o = STRIDE * to; k >= from; k--, o -= STRIDE) {
+            double mdx = l[o + COS] * l[o + MDX] - l[o + SIN] * l[o + MDY];
+            double mdy = l[o + SIN] * l[o + MDX] + l[o + COS] * l[o + MDY];
             double square = l[o + TURNING] * l[o + TURNING];
-            double cx = square * ex;
-            double cy = square * ey;
-            double q0 = p0 - (m00 * cx + m01 * cy);
-            double q1 = p1 - (m01 * cx + m11 * cy);
-            double tau = ey * q0 - ex * q1;
+            p0 -= square * (m00 * ex + m01 * ey); // q
+            p1 -= square * (m01 * ex + m11 * ey);
+            double tau = ey * p0 - ex * p1;
             double hub = l[o + HUB] + fe;
             double s0 = f0 - mdy;
             double s1 = f1 + mdx;
-            if (child[k] >= 0) {
-                addChildren(k, cos, sin, square);
+            if (alone != null || child[k] >= 0) {
+                addOthers(k, mdx, mdy, square);
                 hub += sum[0];
                 s0 += sum[1];
                 s1 += sum[2];
-                q0 += sum[3];
-                q1 += sum[4];
+                p0 += sum[3];
+                p1 += sum[4];
                 tau += sum[5];
                 m00 += sum[6];
                 m01 += sum[7];
@@ -300,56 +275,38 @@ final class PinTree implements Serializable {
             l[o + RY] = ey;
             m00 += l[o + MASS];
             m11 += l[o + MASS];
-            if (k > 0) {
-                int n = o - STRIDE;
-                ex = l[n + COS] * l[n + EX] - l[n + SIN] * l[n + EY];
-                ey = l[n + SIN] * l[n + EX] + l[n + COS] * l[n + EY];
-            }
+            int n = Math.max(0, o - STRIDE); // the parent, if the run goes on
+            ex = turnedX(n);
+            ey = turnedY(n);
             double g0 = m01 * ex - m00 * ey;
             double g1 = m11 * ex - m01 * ey;
-            double ge = ex * g1 - ey * g0;
             double se = s1 * ex - s0 * ey;
-            double ue = se * per;
-            f0 = g0 - s0 * ue;
-            f1 = g1 - s1 * ue;
-            fe = ge - se * ue;
             double u0 = s0 * per;
             double u1 = s1 * per;
+            f0 = g0 - se * u0;
+            f1 = g1 - se * u1;
+            fe = ex * g1 - ey * g0 - se * se * per;
             l[o + SX] = u0;
             l[o + SY] = u1;
             l[o + T] = tau * per;
             m00 -= u0 * s0;
             m01 -= u0 * s1;
             m11 -= u1 * s1;
-            p0 = q0 - square * mdx + u0 * tau;
-            p1 = q1 - square * mdy + u1 * tau;
-            if (parent[k] != k - 1) {
-                leave(SIDE * k, m00, m01, m11, p0, p1);
-                m00 = 0;
-                m01 = 0;
-                m11 = 0;
-                p0 = 0;
-                p1 = 0;
-                f0 = 0;
-                f1 = 0;
-                fe = 0;
-            }
+            p0 = p0 - square * mdx + u0 * tau;
+            p1 = p1 - square * mdy + u1 * tau;
         }
-        hang(gx, gy, m00, m01, m11, p0, p1);
+        leave(SIDE * from, m00, m01, m11, p0, p1);
     }
 
-    /** What hangs at the root takes part in the fall of a tree that is free; else the field is an acceleration against it. */
-    private void hang(double gx, double gy, double m00, double m01, double m11, double p0, double p1) {
-        a0 = -gx;
-        a1 = -gy;
-        if (isFree) {
-            double per = 1 / (m00 * m11 - m01 * m01);
-            a0 = per * (m01 * p1 - m11 * p0);
-            a1 = per * (m01 * p0 - m00 * p1);
-        }
+    private double turnedX(int o) {
+        return link[o + COS] * link[o + EX] - link[o + SIN] * link[o + EY];
     }
 
-    /** Keeps what a link that is not right behind its parent leaves behind. */
+    private double turnedY(int o) {
+        return link[o + SIN] * link[o + EX] + link[o + COS] * link[o + EY];
+    }
+
+    /** Keeps what a run leaves behind. */
     private void leave(int at, double m00, double m01, double m11, double p0, double p1) {
         side[at + SIDE_M] = m00;
         side[at + SIDE_M + 1] = m01;
@@ -358,9 +315,13 @@ final class PinTree implements Serializable {
         side[at + SIDE_P + 1] = p1;
     }
 
-    /** Sums over the children that are not right behind a link: Σ e⊥·M' e⊥, Σ M' e⊥, Σ (p' − ω² M' e), τ, Σ M'. */
-    private void addChildren(int k, double cos, double sin, double square) {
+    /**
+     * Sums over the children that are not right behind a link: e⊥·M' e⊥, M' e⊥, p' − ω² M' e, τ, M'; and what acts on the link.
+     */
+    private void addOthers(int k, double mdx, double mdy, double square) {
         double[] b = side;
+        double cos = link[STRIDE * k + COS];
+        double sin = link[STRIDE * k + SIN];
         Arrays.fill(sum, 0);
         for (int c = child[k]; c >= 0; c = sister[c]) {
             int at = SIDE * c;
@@ -385,6 +346,13 @@ final class PinTree implements Serializable {
             sum[7] += m01;
             sum[8] += m11;
         }
+        if (alone != null) {
+            double ax = alone[State.BLOCK * k];
+            double ay = alone[State.BLOCK * k + 1];
+            sum[3] -= link[STRIDE * k + MASS] * ax;
+            sum[4] -= link[STRIDE * k + MASS] * ay;
+            sum[5] += mdx * ay - mdy * ax + link[STRIDE * k + INERTIA] * alone[State.BLOCK * k + 2];
+        }
     }
 
     /**
@@ -394,14 +362,16 @@ final class PinTree implements Serializable {
      * @param c time
      */
     void accelerate(int stage, double c) {
+        for (int r = 0; r < runCount; r++) {
+            accelerate(stage, c, runs[r], runs[r + 1]);
+        }
+    }
+
+    private void accelerate(int stage, double c, int from, int to) {
         double[] l = link;
-        double x = a0;
-        double y = a1;
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
-            if (parent[k] != k - 1) {
-                x = side[SIDE * k + SIDE_A];
-                y = side[SIDE * k + SIDE_A + 1];
-            }
+        double x = side[SIDE * from + SIDE_A];
+        double y = side[SIDE * from + SIDE_A + 1];
+        for (int k = from, o = STRIDE * from; k < to; k++, o += STRIDE) {
             double alpha = l[o + T] - (l[o + SX] * x + l[o + SY] * y);
             double omega = l[o + TURNING];
             double square = omega * omega;
@@ -410,10 +380,14 @@ final class PinTree implements Serializable {
             }
             double rx = l[o + RX];
             double ry = l[o + RY];
-            double bendX = square * rx + alpha * ry;
-            double bendY = square * ry - alpha * rx;
-            x -= bendX;
-            y -= bendY;
+            double pullX = square * rx;
+            double pullY = square * ry;
+            double turnX = alpha * ry;
+            double turnY = alpha * rx;
+            x = x - pullX - turnX;
+            y = y - pullY + turnY;
+            double bendX = pullX + turnX;
+            double bendY = pullY - turnY;
             if (stage == 0) {
                 l[o + FIRSTX] = rx;
                 l[o + FIRSTY] = ry;
@@ -422,7 +396,8 @@ final class PinTree implements Serializable {
             l[o + BENDY] = stage == 0 ? bendY : l[o + BENDY] + bendY;
             l[o + ALPHA + stage] = alpha;
             l[o + TURNING] = l[o + OMEGA] + c * alpha;
-            turn(l, o, l[o + ANGLE] + c * omega);
+            l[o + TURNED] = l[o + ANGLE] + c * omega;
+            SineTable.sinCos(l[o + TURNED], l, o + COS); // (45), (46)
         }
     }
 
@@ -443,19 +418,21 @@ final class PinTree implements Serializable {
      * @param h step
      */
     void finish(double h) {
-        double[] l = link;
-        double x = a0;
-        double y = a1;
-        double sixth = h / 6;
         gap = 0;
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
-            if (parent[k] != k - 1) {
-                x = side[SIDE * k + SIDE_A];
-                y = side[SIDE * k + SIDE_A + 1];
-            }
+        for (int r = 0; r < runCount; r++) {
+            finish(h, runs[r], runs[r + 1]);
+        }
+    }
+
+    private void finish(double h, int from, int to) {
+        double[] l = link;
+        double x = side[SIDE * from + SIDE_A];
+        double y = side[SIDE * from + SIDE_A + 1];
+        double sixth = h / 6;
+        double most = gap;
+        for (int k = from, o = STRIDE * from; k < to; k++, o += STRIDE) {
             double alpha = l[o + T] - (l[o + SX] * x + l[o + SY] * y);
-            double omega = l[o + TURNING];
-            double square = omega * omega;
+            double square = l[o + TURNING] * l[o + TURNING];
             if (child[k] >= 0) {
                 carry(k, x, y, alpha, square);
             }
@@ -465,15 +442,18 @@ final class PinTree implements Serializable {
             double first = l[o + ALPHA];
             double middle = l[o + ALPHA + 1] + l[o + ALPHA + 2];
             double angle = l[o + ANGLE] + h * (before + sixth * (first + middle));
-            l[o + OMEGA] = before + sixth * (first + 2 * middle + alpha);
+            double omega = before + sixth * (first + 2 * middle + alpha);
             l[o + ANGLE] = angle;
-            turn(l, o, angle);
+            l[o + OMEGA] = omega;
+            l[o + TURNING] = omega;
+            SineTable.sinCos(angle, l, o + COS);
             double gapX = l[o + FIRSTX] - h * (before * l[o + FIRSTY] + sixth * l[o + BENDX]);
             double gapY = l[o + FIRSTY] + h * (before * l[o + FIRSTX] - sixth * l[o + BENDY]);
             gapX -= l[o + COS] * l[o + EX] - l[o + SIN] * l[o + EY];
             gapY -= l[o + SIN] * l[o + EX] + l[o + COS] * l[o + EY];
-            gap = Math.max(gap, Math.abs(gapX) + Math.abs(gapY));
+            most = Math.max(most, Math.abs(gapX) + Math.abs(gapY)); // NaN stays
         }
+        gap = most;
     }
 
     /**
@@ -481,111 +461,5 @@ final class PinTree implements Serializable {
      */
     double gap() {
         return gap;
-    }
-
-    /** Where the angles of the end say that the links are, and how fast they move; (42), (43). */
-    void place() {
-        double[] l = link;
-        double x = rootX;
-        double y = rootY;
-        double u = 0;
-        double v = 0;
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
-            if (parent[k] != k - 1) {
-                x = side[SIDE * k + SIDE_X];
-                y = side[SIDE * k + SIDE_X + 1];
-                u = side[SIDE * k + SIDE_X + 2];
-                v = side[SIDE * k + SIDE_X + 3];
-            }
-            double cos = l[o + COS];
-            double sin = l[o + SIN];
-            double omega = l[o + OMEGA];
-            if (child[k] >= 0) {
-                placeChildren(k, x, y, u, v);
-            }
-            double dx = cos * l[o + DX] - sin * l[o + DY];
-            double dy = sin * l[o + DX] + cos * l[o + DY];
-            double ex = cos * l[o + EX] - sin * l[o + EY];
-            double ey = sin * l[o + EX] + cos * l[o + EY];
-            l[o + X] = x + dx;
-            l[o + Y] = y + dy;
-            l[o + U] = u - omega * dy;
-            l[o + V] = v + omega * dx;
-            x += ex;
-            y += ey;
-            u -= omega * ey;
-            v += omega * ex;
-        }
-    }
-
-    private void placeChildren(int k, double x, double y, double u, double v) {
-        int o = STRIDE * k;
-        double cos = link[o + COS];
-        double sin = link[o + SIN];
-        double omega = link[o + OMEGA];
-        for (int c = child[k]; c >= 0; c = sister[c]) {
-            int at = SIDE * c;
-            double ex = cos * side[at] - sin * side[at + 1];
-            double ey = sin * side[at] + cos * side[at + 1];
-            side[at + SIDE_X] = x + ex;
-            side[at + SIDE_X + 1] = y + ey;
-            side[at + SIDE_X + 2] = u - omega * ey;
-            side[at + SIDE_X + 3] = v + omega * ex;
-        }
-    }
-
-    /** Puts the centre of mass of a free tree where it moves to in a step. */
-    void shift(double gx, double gy, double h) {
-        double x = centreX + h * (centreU + 0.5 * h * gx);
-        double y = centreY + h * (centreV + 0.5 * h * gy);
-        double u = centreU + h * gx;
-        double v = centreV + h * gy;
-        centre();
-        x -= centreX;
-        y -= centreY;
-        u -= centreU;
-        v -= centreV;
-        for (int o = 0; o < link.length; o += STRIDE) {
-            link[o + X] += x;
-            link[o + Y] += y;
-            link[o + U] += u;
-            link[o + V] += v;
-        }
-    }
-
-    /**
-     * How far the pins are open at the start, and how fast they open.
-     *
-     * @param out gets the largest gap, and the largest rate of one
-     */
-    void gaps(double[] out) {
-        double gap = 0;
-        double slip = 0;
-        for (int k = isFree ? 1 : 0; k < links; k++) {
-            int o = STRIDE * k;
-            int j = parent[k];
-            double[] l = link;
-            double dx = l[o + COS] * l[o + DX] - l[o + SIN] * l[o + DY];
-            double dy = l[o + SIN] * l[o + DX] + l[o + COS] * l[o + DY];
-            double x = l[o + X] - dx - rootX;
-            double y = l[o + Y] - dy - rootY;
-            double u = l[o + U] + l[o + OMEGA] * dy;
-            double v = l[o + V] - l[o + OMEGA] * dx;
-            if (j >= 0) {
-                int p = STRIDE * j;
-                double ex = (j == k - 1 ? l[p + EX] : side[SIDE * k]) - l[p + DX];
-                double ey = (j == k - 1 ? l[p + EY] : side[SIDE * k + 1]) - l[p + DY];
-                double rx = l[p + COS] * ex - l[p + SIN] * ey;
-                double ry = l[p + SIN] * ex + l[p + COS] * ey;
-                x = l[o + X] - dx - l[p + X] - rx;
-                y = l[o + Y] - dy - l[p + Y] - ry;
-                u -= l[p + U] - l[p + OMEGA] * ry;
-                v -= l[p + V] + l[p + OMEGA] * rx;
-            }
-            gap = Math.max(gap, Math.abs(x) + Math.abs(y)); // NaN stays
-            slip = Math.max(slip, Math.abs(u) + Math.abs(v));
-        }
-        out[0] = gap;
-        out[1] = slip;
     }
 }

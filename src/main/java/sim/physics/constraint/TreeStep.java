@@ -16,12 +16,15 @@ final class TreeStep implements Serializable {
      * Gap, relative to the size of the bodies, that a step in places would have left, from which it is made again in halves:
      * where there is nothing to close, a step that is too long would not be seen otherwise, and could gain energy.
      */
-    private static final double ROUGH = 3e-4;
+    private static final double ROUGH = 1e-4;
 
     /** Gap, relative to the largest coordinate, and slip, to the speeds, that a projection leaves behind. */
     private static final double CLOSED = 0x1p-45;
 
     private static final double SLIP = 1e-11;
+
+    /** What half the step does to that gap, which is of fifth order, and a little less. */
+    private static final double FINER = 1.0 / 64;
 
     private static final int MOST_PARTS = 64;
 
@@ -29,6 +32,11 @@ final class TreeStep implements Serializable {
     private final PinTree tree;
     private final double[] open = new double[2];
     private boolean isWeighed;
+
+    /** Parts in which the next step is made at first, as the last one was enough for; and the largest gap of the last. */
+    private int parts = 1;
+
+    private double worst;
 
     TreeStep(Island island, PinTree tree) {
         this.island = island;
@@ -57,18 +65,24 @@ final class TreeStep implements Serializable {
             tree.weigh(state.w().values());
             isWeighed = true;
         }
-        boolean isKnown = gather(state);
-        tree.begin();
-        if (!isKnown && !isClosed()) {
-            return false;
-        }
-        for (int parts = 1; !isDone(parts, gx, gy, h); parts *= 2) {
-            if (parts == MOST_PARTS) {
+        if (!gather(state)) {
+            tree.begin();
+            if (!isClosed()) {
+                tree.forget();
                 return false;
             }
+        }
+        while (!isDone(gx, gy, h)) {
+            if (parts == MOST_PARTS) {
+                parts = 1;
+                tree.forget();
+                return false;
+            }
+            parts *= 2;
             gather(state);
             tree.begin();
         }
+        parts = worst < FINER * ROUGH ? Math.max(1, parts / 2) : parts;
         boolean isUnforced = gx == 0 && gy == 0;
         if (isUnforced) {
             island.invariants.begin(state, true);
@@ -78,21 +92,21 @@ final class TreeStep implements Serializable {
         if (isUnforced) {
             island.evaluate(state);
             island.invariants.restore(state);
-            gather(state);
+            if (!gather(state)) {
+                tree.begin();
+            }
         }
         return true;
     }
 
-    /** Makes the step in some parts; false if they are too long to follow the links. */
-    private boolean isDone(int parts, double gx, double gy, double h) {
+    /** Makes the step in its parts; false if they are too long to follow the links. */
+    private boolean isDone(double gx, double gy, double h) {
         double part = h / parts;
+        worst = 0;
         if (tree.isFree) {
-            tree.centre();
+            tree.places.locate();
         }
         for (int k = 0; k < parts; k++) {
-            if (k > 0) {
-                tree.begin();
-            }
             tree.eliminate(gx, gy);
             tree.accelerate(0, 0.5 * part);
             tree.eliminate(gx, gy);
@@ -101,13 +115,15 @@ final class TreeStep implements Serializable {
             tree.accelerate(2, part);
             tree.eliminate(gx, gy);
             tree.finish(part);
-            if (!(tree.gap() <= ROUGH * island.leastSize)) {
+            double gap = tree.gap() / island.leastSize;
+            if (!(gap <= ROUGH)) {
                 return false;
             }
+            worst = Math.max(worst, gap);
         }
-        tree.place();
+        tree.places.place();
         if (tree.isFree) {
-            tree.shift(gx, gy, h);
+            tree.places.shift(gx, gy, h);
         }
         return true;
     }
@@ -134,7 +150,7 @@ final class TreeStep implements Serializable {
     }
 
     private boolean isClosed() {
-        tree.gaps(open);
+        tree.places.gaps(open);
         double place = island.mostSize;
         double speed = 0;
         for (int o = 0; o < tree.link.length; o += PinTree.STRIDE) {

@@ -146,7 +146,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         drivenMotion.forget(body);
         Body view = state.body(body);
         release(body);
-        setDriven(body, !view.isFixed() && isDriven(view));
+        setDriven(body, !view.isFixed() && (isTied(body) || generators.drive(view)));
         if (view.isFixed()) {
             return;
         }
@@ -156,10 +156,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (!hold(body)) {
             course(body);
         }
-    }
-
-    private boolean isDriven(Body view) {
-        return isTied(view.index()) || generators.drive(view);
     }
 
     /** Sets the parabola of a body that is not driven, from its anchor on. */
@@ -400,7 +396,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
     public void deflect(int body) {
         drivenMotion.forget(body);
         if (release(body)) {
-            setDriven(body, isDriven(state.body(body)));
+            setDriven(body, isTied(body) || generators.drive(state.body(body)));
             course(body);
         }
     }
