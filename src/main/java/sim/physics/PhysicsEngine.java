@@ -98,6 +98,7 @@ public final class PhysicsEngine implements Steppable {
             drive();
             detection.look();
             while (detection.hasEvent()) {
+                motion.keepEnds();
                 int body = detection.takePathEnd();
                 if (body >= 0) {
                     goOn(body);

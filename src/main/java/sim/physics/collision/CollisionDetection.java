@@ -123,8 +123,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         shapes.set(body, view.getShape());
         trajectories.setRadius(body, view.getShape().boundingRadius());
         pairs.ensure(body + 1);
-        boxes.ensure(body + 1);
-        boxes.setFixed(body, view.isFixed());
+        room.admit(body, view);
         bodyAgenda.ensure(body + 1);
         if (body >= endTime.length) {
             endTime = Arrays.copyOf(endTime, Math.max(2 * endTime.length, body + 1));
@@ -241,6 +240,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param body index
      */
     public void refilter(int body) {
+        room.admit(body, state.body(body));
         IntList of = pairs.of(body);
         for (int k = 0; of != null && k < of.size; k++) {
             int p = of.values[k];

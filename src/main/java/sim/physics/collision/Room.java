@@ -3,8 +3,10 @@
 package sim.physics.collision;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.internal.Agenda;
+import sim.physics.motion.Body;
 import sim.physics.motion.Trajectories;
 
 /** The boxes of moving bodies, with room to move on: how large they are made, and until when a body stays in its own. */
@@ -27,14 +29,27 @@ final class Room implements Serializable {
     private final Trajectories trajectories;
     private final Boxes boxes;
 
+    /** Bodies that collide with nothing, which may leave their boxes. */
+    private boolean[] isAloof = new boolean[8];
+
     Room(Trajectories trajectories, Boxes boxes) {
         this.trajectories = trajectories;
         this.boxes = boxes;
     }
 
+    /** Takes a body in, or takes note of what it collides with. */
+    void admit(int body, Body view) {
+        if (body >= isAloof.length) {
+            isAloof = Arrays.copyOf(isAloof, 2 * body);
+        }
+        boxes.ensure(body + 1);
+        boxes.setFixed(body, view.isFixed());
+        isAloof[body] = view.getCategory() == 0 || view.getCollidesWith() == 0;
+    }
+
     /** The step in which a body's centre leaves the room that its box has. */
     long leavingDate(int body, double tau, long step, double h) {
-        if (boxes.isFixed(body)) {
+        if (boxes.isFixed(body) || isAloof[body]) {
             return Agenda.NEVER;
         }
         double[] m = trajectories.data();
@@ -128,8 +143,11 @@ final class Room implements Serializable {
         return m[o + Trajectories.VX] + d * (2 * m[o + Trajectories.AX] + 3 * d * m[o + Trajectories.JX]);
     }
 
-    /** Whether a body surely stays in its box to the end of the step. */
+    /** Whether a body surely stays in its box to the end of the step, or need not. */
     boolean holds(int body, double tau, double h) {
+        if (isAloof[body]) {
+            return true;
+        }
         double[] m = trajectories.data();
         int at = body * Trajectories.STRIDE;
         if (m[at + Trajectories.OFFSET] == tau && m[at + Trajectories.STEP] == trajectories.step()) {

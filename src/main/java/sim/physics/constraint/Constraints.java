@@ -303,6 +303,9 @@ public final class Constraints implements Ties, Serializable {
     public boolean advance(IntList bodies, double gx, double gy, double h) {
         Island one = islandOf(bodies.values[0]);
         boolean isOne = one != null && one.bodies == bodies && !stabilization.isFeedback();
+        if (isOne && one.tree != null) {
+            return one.tree.advance(state, solver, gx, gy, h);
+        }
         return isOne && one.chain != null && one.chain.advance(state, solver, gx, gy, h);
     }
 

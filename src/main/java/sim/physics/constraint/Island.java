@@ -76,7 +76,10 @@ final class Island implements Serializable {
 
     private final boolean onlyPins;
 
-    /** Null unless the constraints are pins that form a chain. */
+    /** Null unless the constraints are pins that form a tree. */
+    final TreeStep tree;
+
+    /** Null unless the constraints are pins that form a chain between two places that do not move. */
     final ChainStep chain;
 
     final Switches switches;
@@ -151,7 +154,8 @@ final class Island implements Serializable {
         if (onlyPins) {
             pins.setShared(shared);
         }
-        chain = onlyPins ? pins.chain() : null;
+        tree = onlyPins ? pins.tree() : null;
+        chain = onlyPins && tree == null ? pins.chain() : null;
         switches = new Switches(this);
         invariants = new Invariants(this);
         shake = new Shake(this);
@@ -412,6 +416,9 @@ final class Island implements Serializable {
         spread = 0;
         passage.forget();
         pins.forgetMasses();
+        if (tree != null) {
+            tree.forgetMasses();
+        }
         if (chain != null) {
             chain.forgetMasses();
         }

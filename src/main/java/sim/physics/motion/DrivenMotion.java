@@ -62,6 +62,9 @@ final class DrivenMotion implements Serializable {
 
     private boolean isCoarse;
 
+    /** Whether the arrays above hold the ends; if not, the state vectors still do. */
+    private boolean areEndsKept;
+
     DrivenMotion(Motion motion, State state, Trajectories trajectories) {
         this.motion = motion;
         this.state = state;
@@ -82,6 +85,9 @@ final class DrivenMotion implements Serializable {
     double advance(IntList group, boolean fine) {
         ensure();
         int first = group.values[0];
+        if (tied != null && leaps(group, first, fine)) {
+            return trajectories.h();
+        }
         double tau = trajectories.offset(first);
         double rest = trajectories.h() - tau;
         boolean chooses = motion.getIntegrator().isAdaptive();
@@ -105,6 +111,31 @@ final class DrivenMotion implements Serializable {
     /** Integrates a group from its anchors into the state vectors; returns how far. */
     double probe(IntList group, double length) {
         return stride(group, trajectories.offset(group.values[0]), length);
+    }
+
+    /** Makes the whole step of a group at once, from the state vectors, if nothing has happened in it so far. */
+    private boolean leaps(IntList group, int first, boolean fine) {
+        double h = trajectories.h();
+        boolean isFresh = !areEndsKept && trajectories.offset(first) == 0 && motion.isTiedGroup(group);
+        if (fine && isFresh) {
+            restore(group); // the vectors may hold the ends of paths that were not fine enough
+        }
+        if (!isFresh || !tied.leap(motion, group, h)) {
+            return false;
+        }
+        path.knowsFirst = false;
+        isCoarse = pathError(group, h) > 1;
+        if (isCoarse && fine) {
+            return false;
+        }
+        double per = 1 / h;
+        for (int k = 0; k < group.size; k++) {
+            int body = group.values[k];
+            trajectories.lead(body, per, state);
+            endAt[body] = h;
+            pace[body] = h;
+        }
+        return true;
     }
 
     /** The step that the integrator makes of itself with a body, at most that of the engine. */
@@ -172,8 +203,10 @@ final class DrivenMotion implements Serializable {
             int b = State.BLOCK * group.values[k];
             copy(path.a, b, m, o + Trajectories.AX);
             copy(path.j, b, m, o + Trajectories.JX);
-            copy(state.x(), b, endX, b);
-            copy(state.v(), b, endV, b);
+            if (areEndsKept) {
+                copy(state.x(), b, endX, b);
+                copy(state.v(), b, endV, b);
+            }
             endAt[group.values[k]] = end;
         }
         return end;
@@ -238,8 +271,34 @@ final class DrivenMotion implements Serializable {
         to[where + 2] = from[at + 2];
     }
 
+    /** Begins a step. */
+    void begin() {
+        areEndsKept = false;
+    }
+
+    /** The state vectors, which hold where the paths of driven bodies end, are about to be used otherwise. */
+    void keepEnds(IntList driven) {
+        if (areEndsKept) {
+            return;
+        }
+        ensure();
+        areEndsKept = true;
+        for (int k = 0; k < driven.size; k++) {
+            int b = State.BLOCK * driven.values[k];
+            copy(state.x(), b, endX, b);
+            copy(state.v(), b, endV, b);
+        }
+    }
+
+    /** Writes where paths end into the state vectors, unless that is what they hold. */
+    void finish(IntList driven) {
+        for (int k = 0; areEndsKept && k < driven.size; k++) {
+            finish(driven.values[k]);
+        }
+    }
+
     /** Writes where a body's path ends into the state vectors. */
-    void finish(int body) {
+    private void finish(int body) {
         int b = State.BLOCK * body;
         copy(endX, b, state.x(), b);
         copy(endV, b, state.v(), b);

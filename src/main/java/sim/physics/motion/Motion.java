@@ -122,6 +122,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void begin(double startOfStep) {
         time = startOfStep;
+        drivenMotion.begin();
         state.setUnsettled(true);
         rest.isDriven = false;
     }
@@ -138,7 +139,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         drivenMotion.forget(body);
         Body view = state.body(body);
         rest.release(body);
-        setDriven(body, !view.isFixed() && isDriven(view));
+        setDriven(body, !view.isFixed() && (isTied(body) || generators.drive(view)));
         if (view.isFixed()) {
             return;
         }
@@ -148,10 +149,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (!hold(body)) {
             course(body);
         }
-    }
-
-    private boolean isDriven(Body view) {
-        return isTied(view.index()) || generators.drive(view);
     }
 
     /** Sets the parabola of a body that is not driven, from its anchor on. */
@@ -191,9 +188,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     /** Ends the step: writes where the driven bodies are; the forces that were applied for the step have acted. */
     public void finish() {
-        for (int k = 0; k < driven.size; k++) {
-            drivenMotion.finish(driven.values[k]);
-        }
+        drivenMotion.finish(driven);
         for (int k = 0; k < pushed.size; k++) {
             Body view = state.body(pushed.values[k]);
             if (view != null) {
@@ -201,6 +196,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
             }
         }
         state.setUnsettled(false);
+    }
+
+    /** Keeps where the paths of driven bodies end, before the first event of a step uses the state vectors. */
+    public void keepEnds() {
+        drivenMotion.keepEnds(driven);
     }
 
     private void setDriven(int body, boolean yes) {
@@ -397,7 +397,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
     public void deflect(int body) {
         drivenMotion.forget(body);
         if (rest.release(body)) {
-            setDriven(body, isDriven(state.body(body)));
+            setDriven(body, isTied(body) || generators.drive(state.body(body)));
             course(body);
         }
     }

@@ -13,7 +13,8 @@ import sim.physics.internal.IntList;
 public final class Path implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    private static final double ROUNDING = 0x1p-49;
+    /** Part of the velocities below which what the ends say of the third derivative is rounding. */
+    static final double ROUNDING = 0x1p-49;
 
     /** Half the second derivatives, 3n. */
     double[] a = {};

@@ -35,6 +35,9 @@ final class TiedMotion implements Serializable {
     private double[] strideX = {};
     private double[] strideV = {};
 
+    /** Whether the step at hand was found to have no quick way. */
+    private boolean isRefused;
+
     TiedMotion(State state, Trajectories trajectories, Ties ties) {
         this.state = state;
         this.trajectories = trajectories;
@@ -47,9 +50,14 @@ final class TiedMotion implements Serializable {
      * @return how long
      */
     double advanceUntilSwitch(Motion motion, IntList group, double t, double tau, double limit, Path path) {
-        if (!ties.isSwitched(group)) {
-            return stride(motion, group, t, limit, path);
-        }
+        double length = ties.isSwitched(group)
+                ? advanceSwitched(motion, group, t, tau, limit, path)
+                : stride(motion, group, t, limit, path);
+        isRefused = false;
+        return length;
+    }
+
+    private double advanceSwitched(Motion motion, IntList group, double t, double tau, double limit, Path path) {
         if (ties.decide(group)) {
             for (int k = 0; k < group.size; k++) {
                 trajectories.anchor(group.values[k], tau, state);
@@ -209,12 +217,21 @@ final class TiedMotion implements Serializable {
         }
     }
 
-    private boolean advance(Motion motion, IntList group, double t, double length, int parts, Path path) {
+    /** Advances a group over a time, if there is a quick way; else nothing is changed, and the path never. */
+    boolean leap(Motion motion, IntList group, double length) {
         Generators fields = motion.fields();
-        if (parts == 1 && fields != null && motion.getIntegrator() instanceof RungeKutta4
-                && Math.abs(length) >= SHORT * trajectories.h()
-                && ties.advance(group, fields.gravityX, fields.gravityY, length)) {
-            return true;
+        isRefused = fields == null
+                || !(motion.getIntegrator() instanceof RungeKutta4)
+                || !ties.advance(group, fields.gravityX, fields.gravityY, length);
+        return !isRefused;
+    }
+
+    private boolean advance(Motion motion, IntList group, double t, double length, int parts, Path path) {
+        if (parts == 1 && !isRefused && Math.abs(length) >= SHORT * trajectories.h()) {
+            if (leap(motion, group, length)) {
+                return true;
+            }
+            isRefused = false;
         }
         for (int k = 0; k < parts; k++) {
             double from = length * k / parts;

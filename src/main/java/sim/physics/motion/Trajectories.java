@@ -202,6 +202,32 @@ public final class Trajectories implements Serializable {
     }
 
     /**
+     * Lets a body's path be the cubic from its anchor to where the state vectors have it, as {@link Path} does.
+     *
+     * @param body index
+     * @param per one over the time from the anchor to then
+     * @param state the vectors
+     */
+    void lead(int body, double per, State state) {
+        int o = body * STRIDE;
+        int b = body * State.BLOCK;
+        double[] x = state.x();
+        double[] v = state.v();
+        lead(o, per, x[b], v[b]);
+        lead(o + 1, per, x[b + 1], v[b + 1]);
+        lead(o + 2, per, x[b + 2], v[b + 2]);
+    }
+
+    private void lead(int o, double per, double end, double endRate) {
+        double start = data[o + VX];
+        double mean = (end - data[o]) * per;
+        double bend = start + endRate - 2 * mean;
+        boolean isRounding = Math.abs(bend) <= Path.ROUNDING * (Math.abs(start) + Math.abs(endRate));
+        data[o + AX] = isRounding ? 0.5 * per * (endRate - start) : per * (3 * mean - 2 * start - endRate);
+        data[o + JX] = isRounding ? 0 : per * per * bend;
+    }
+
+    /**
      * Sets the constant accelerations of a body from its anchor on.
      *
      * @param body index, brought to the present instant before

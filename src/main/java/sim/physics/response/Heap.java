@@ -220,11 +220,8 @@ final class Heap implements Serializable {
         double[] d = trajectories.data();
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
-            if (by.paidUntil[body] > tau && !trajectories.isDriven(body)) {
-                double part = (by.paidUntil[body] - tau) / (by.paidUntil[body] - by.paidFrom[body]);
-                for (int c = 0; c < State.BLOCK; c++) {
-                    d[body * Trajectories.STRIDE + Trajectories.VX + c] -= part * by.paid[3 * body + c];
-                }
+            if (!trajectories.isDriven(body)) {
+                by.unpay(body, tau, d, body * Trajectories.STRIDE + Trajectories.VX);
             }
             by.paidUntil[body] = 0;
             if (motion.isTied(body) && isFirst(k)) {
@@ -276,6 +273,11 @@ final class Heap implements Serializable {
                 break;
             }
             probe(length);
+        }
+        for (int k = 0; k < heap.size; k++) {
+            if (isFirst(k)) {
+                motion.restore(motion.companions(heap.values[k]));
+            }
         }
     }
 

@@ -81,6 +81,14 @@ final class HeapBodies implements Serializable {
         }
     }
 
+    /** Takes back what was paid for the time that is left. */
+    void unpay(int body, double tau, double[] v, int o) {
+        double part = (paidUntil[body] - tau) / (paidUntil[body] - paidFrom[body]);
+        for (int c = 0; c < 3 && paidUntil[body] > tau; c++) {
+            v[o + c] -= part * paid[3 * body + c];
+        }
+    }
+
     /** For how long forces are to hold on driven bodies: half as long where points have closed too early. */
     double pace(IntList bodies, double h) {
         double least = h;
