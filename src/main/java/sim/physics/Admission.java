@@ -105,7 +105,7 @@ final class Admission implements Presence, Serializable {
         }
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
-            trajectories.ensure(index + 1); // also for the block of a body that was removed before its first step
+            trajectories.ensure(state.size()); // also for the block of a body that was removed before its first step
             if (state.body(index) != null) {
                 admit(index, tau);
             }

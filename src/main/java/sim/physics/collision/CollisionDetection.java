@@ -10,6 +10,7 @@ import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.NarrowPhase;
 import sim.physics.collision.narrow.ShapeTable;
 import sim.physics.internal.Agenda;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Tolerances;
 import sim.physics.motion.Body;
@@ -35,7 +36,12 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private final ShapeTable shapes = new ShapeTable();
     private final Boxes boxes = new Boxes();
     private final Room room;
+    /**
+     * A pair's time is that of its impact in the present step. If it is to be looked at in a later step: minus the offset in
+     * that step up to which it is known to be apart. NaN if nothing is known.
+     */
     private final Pairs pairs = new Pairs();
+
     private final NarrowPhase narrowPhase;
     private final Companions companions;
     private BroadPhase broadPhase;
@@ -45,24 +51,14 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private final Agenda pairAgenda = new Agenda();
     private final EventQueue queue = new EventQueue();
 
-    /**
-     * When a pair's impact in the present step is. If it is to be looked at in a later step: minus the offset in that step
-     * up to which it is known to be apart. NaN if nothing is known.
-     */
-    private double[] impactTime = new double[16];
-
-    /** When a body's path ends in the present step, or NaN. */
-    private double[] endTime = new double[8];
-
-    /** Until when a driven body's path holds. */
-    private double[] holdsUntil = new double[8];
-
+    private final PathEnds pathEnds = new PathEnds();
     private boolean[] known = new boolean[8];
     /** Bodies none of whose pairs need be looked at. */
     private boolean[] idle = new boolean[8];
     private double pathEnd;
 
-    private final PairMarks marks = new PairMarks();
+    private final SpaceOrder order = new SpaceOrder(boxes, pairs);
+    private final PairMarks marks = new PairMarks(pairs);
     private final IntList fresh = new IntList();
     private final IntList together = new IntList();
     private long step;
@@ -122,20 +118,17 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         Body view = state.body(body);
         shapes.set(body, view.getShape());
         trajectories.setRadius(body, view.getShape().boundingRadius());
-        pairs.ensure(body + 1);
-        boxes.ensure(body + 1);
+        pairs.ensure(state.size());
+        boxes.ensure(state.size());
         boxes.setFixed(body, view.isFixed());
-        bodyAgenda.ensure(body + 1);
-        if (body >= endTime.length) {
-            endTime = Arrays.copyOf(endTime, Math.max(2 * endTime.length, body + 1));
-            known = Arrays.copyOf(known, endTime.length);
-            idle = Arrays.copyOf(idle, endTime.length);
-            holdsUntil = Arrays.copyOf(holdsUntil, endTime.length);
+        bodyAgenda.ensure(state.size());
+        if (body >= known.length) {
+            known = Arrays.copyOf(known, Growth.length(known.length, state.size()));
+            idle = Arrays.copyOf(idle, known.length);
         }
         known[body] = true;
         idle[body] = false;
-        endTime[body] = Double.NaN;
-        holdsUntil[body] = h;
+        pathEnds.clear(body);
         enclose(body, tau);
         fresh.clear();
         broadPhase.add(body, boxes, pairs);
@@ -149,7 +142,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      */
     public void remove(int body) {
         known[body] = false;
-        endTime[body] = Double.NaN;
+        pathEnds.clear(body);
         broadPhase.remove(body, boxes, pairs);
         bodyAgenda.schedule(body, Agenda.NEVER);
     }
@@ -190,8 +183,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             broadPhase.update(body, boxes, pairs);
         }
         IntList due = pairAgenda.advance(step);
+        order.sortPairs(due);
         for (int k = 0; k < due.size; k++) {
-            double apart = -impactTime[due.values[k]];
+            double apart = -pairs.time(due.values[k]);
             if (pairs.first(due.values[k]) >= 0) {
                 examine(due.values[k], apart > 0 ? apart : 0);
             }
@@ -223,10 +217,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         if (idle[body]) {
             return;
         }
-        IntList of = pairs.of(body);
         boolean watched = false;
-        for (int k = 0; of != null && k < of.size; k++) {
-            int pair = of.values[k];
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            int pair = pairs.of(body, k);
             watched |= pair == except || !marks.isUnseen(pair);
             if (pair != except) {
                 examine(pair, tau);
@@ -241,9 +234,8 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param body index
      */
     public void refilter(int body) {
-        IntList of = pairs.of(body);
-        for (int k = 0; of != null && k < of.size; k++) {
-            int p = of.values[k];
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            int p = pairs.of(body, k);
             marks.ignore(p, !filter.allows(state.body(pairs.first(p)), state.body(pairs.second(p))));
             watch(p);
         }
@@ -267,7 +259,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public void hold(int pair, boolean yes) {
         marks.hold(pair, yes);
         watch(pair);
-        impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
     }
 
     /**
@@ -277,7 +269,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param tau offset in the present step
      */
     public void plan(int body, double tau) {
-        endTime[body] = tau;
+        pathEnds.plan(body, tau);
         queue.add(tau, ~body);
     }
 
@@ -287,7 +279,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param body index
      */
     public void unplan(int body) {
-        endTime[body] = Double.NaN;
+        pathEnds.forget(body);
     }
 
     /**
@@ -311,7 +303,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
 
     /** Looks for a pair's first contact from an instant on, and plans an impact or the next look. */
     private void examine(int pair, double tau) {
-        impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
         if (marks.isUnseen(pair)) {
             pairAgenda.schedule(pair, Agenda.NEVER);
             return;
@@ -331,7 +323,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             return;
         }
         if (narrowPhase.isTouching() && t < end) {
-            impactTime[pair] = t;
+            pairs.setTime(pair, t);
             queue.add(t, pair);
             pairAgenda.schedule(pair, Agenda.NEVER);
             return;
@@ -345,7 +337,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     /** Plans the next look at a pair that is apart up to an offset, which may be infinite. */
     private void schedule(int pair, double tau) {
         double later = Math.max(1, Math.floor(tau / h));
-        impactTime[pair] = later * h - tau * ALMOST; // the search goes on from there
+        pairs.setTime(pair, later * h - tau * ALMOST); // the search goes on from there
         pairAgenda.schedule(pair, later < 1e15 ? step + (long) later : Agenda.NEVER);
     }
 
@@ -367,7 +359,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param tau offset in the present step
      */
     public void setPathEnd(int body, double tau) {
-        holdsUntil[body] = tau;
+        pathEnds.setHoldsUntil(body, tau);
     }
 
     /**
@@ -376,15 +368,17 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param body index
      */
     public void endPath(int body) {
-        endTime[body] = holdsUntil[body] < h ? holdsUntil[body] : Double.NaN;
-        if (holdsUntil[body] < h) {
-            queue.add(holdsUntil[body], ~body);
+        double until = pathEnds.holdsUntil(body);
+        if (until < h) {
+            plan(body, until);
+        } else {
+            pathEnds.forget(body);
         }
     }
 
     /** Until when in the step what is known of a body's path holds. */
     private double end(int body) {
-        return trajectories.isDriven(body) ? Math.min(h, holdsUntil[body]) : h;
+        return trajectories.isDriven(body) ? Math.min(h, pathEnds.holdsUntil(body)) : h;
     }
 
     /**
@@ -395,9 +389,8 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      */
     public boolean hasNeighbours(IntList bodies) {
         for (int k = 0; k < bodies.size; k++) {
-            IntList of = pairs.of(bodies.values[k]);
-            for (int m = 0; of != null && m < of.size; m++) {
-                if (!marks.isIgnored(of.values[m])) {
+            for (int m = 0; m < pairs.countOf(bodies.values[k]); m++) {
+                if (!marks.isIgnored(pairs.of(bodies.values[k], m))) {
                     return true;
                 }
             }
@@ -413,7 +406,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public boolean hasEvent() {
         while (!queue.isEmpty()) {
             int item = queue.firstItem();
-            if (queue.firstTime() == (item >= 0 ? impactTime[item] : endTime[~item])) {
+            if (queue.firstTime() == (item >= 0 ? pairs.time(item) : pathEnds.end(~item))) {
                 return true;
             }
             queue.removeFirst(); // planned before a later change of course
@@ -433,7 +426,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         }
         pathEnd = queue.firstTime();
         queue.removeFirst();
-        endTime[~item] = Double.NaN;
+        pathEnds.forget(~item);
         return ~item;
     }
 
@@ -467,21 +460,18 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         while (hasEvent() && queue.firstTime() <= until && queue.firstItem() >= 0) {
             int pair = queue.firstItem();
             queue.removeFirst();
-            impactTime[pair] = Double.NaN;
+            pairs.setTime(pair, Double.NaN);
             together.add(pair);
         }
-        companions.gather(together, tau, impactTime);
+        companions.gather(together, tau);
         return together;
     }
 
     @Override
     public void pairBegan(int pair) {
-        if (pair >= impactTime.length) {
-            impactTime = Arrays.copyOf(impactTime, Math.max(2 * impactTime.length, pair + 1));
-        }
         pairAgenda.ensure(pair + 1);
         narrowPhase.forget(pair);
-        impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
         marks.begin(pair, !filter.allows(state.body(pairs.first(pair)), state.body(pairs.second(pair))));
         watch(pair);
         fresh.add(pair);
@@ -494,7 +484,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
 
     @Override
     public void pairEnded(int pair) {
-        impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
         pairAgenda.schedule(pair, Agenda.NEVER);
     }
 }

@@ -4,30 +4,28 @@ package sim.physics.collision;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.collision.broad.Pairs;
 
 /** What is known of pairs beside their closest features: which are let pass, rest on one another, or lie in a heap. */
 public final class PairMarks implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    private boolean[] ignored = new boolean[16];
+    private static final int IGNORED = 1;
 
-    /** Pairs at rest on one another, which are not looked at. */
-    private boolean[] held = new boolean[16];
+    /** At rest on one another, not looked at. */
+    private static final int HELD = 2;
+
+    private final Pairs pairs;
 
     /** How deep pairs in a heap may be; empty while there is none. */
     private double[] slack = {};
 
-    PairMarks() {
-        // grows with the pairs
+    PairMarks(Pairs pairs) {
+        this.pairs = pairs;
     }
 
     void begin(int pair, boolean isIgnored) {
-        if (pair >= ignored.length) {
-            ignored = Arrays.copyOf(ignored, Math.max(2 * ignored.length, pair + 1));
-            held = Arrays.copyOf(held, ignored.length);
-        }
-        ignored[pair] = isIgnored;
-        held[pair] = false;
+        pairs.setMarks(pair, isIgnored ? IGNORED : 0);
         if (pair < slack.length) {
             slack[pair] = 0;
         }
@@ -35,11 +33,16 @@ public final class PairMarks implements Serializable {
 
     /** Whether a pair is not to be looked at. */
     boolean isUnseen(int pair) {
-        return ignored[pair] || held[pair];
+        return pairs.marks(pair) != 0;
     }
 
     void hold(int pair, boolean yes) {
-        held[pair] = yes;
+        mark(pair, HELD, yes);
+    }
+
+    private void mark(int pair, int what, boolean yes) {
+        int marks = pairs.marks(pair);
+        pairs.setMarks(pair, yes ? marks | what : marks & ~what);
     }
 
     /**
@@ -49,7 +52,7 @@ public final class PairMarks implements Serializable {
      * @param yes whether it passes
      */
     public void ignore(int pair, boolean yes) {
-        ignored[pair] = yes;
+        mark(pair, IGNORED, yes);
     }
 
     /**
@@ -59,7 +62,7 @@ public final class PairMarks implements Serializable {
      * @return false if they collide
      */
     public boolean isIgnored(int pair) {
-        return ignored[pair];
+        return (pairs.marks(pair) & IGNORED) != 0;
     }
 
     /**
@@ -69,7 +72,7 @@ public final class PairMarks implements Serializable {
      * @return as {@link CollisionDetection#hold} said, until the pair ends
      */
     public boolean isHeld(int pair) {
-        return held[pair];
+        return (pairs.marks(pair) & HELD) != 0;
     }
 
     /**

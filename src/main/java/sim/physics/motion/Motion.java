@@ -3,7 +3,6 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.internal.IntList;
@@ -34,11 +33,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
     /** Null while nothing ties bodies together. */
     private Ties ties;
 
-    /** Accelerations that contacts at rest give to bodies, 3n. */
-    private double[] support = new double[24];
-
-    /** Bodies at rest that static friction holds. */
-    private boolean[] held = new boolean[8];
+    /** What bears bodies at rest. */
+    private final Support support = new Support();
 
     /**
      * Makes the motion of an engine.
@@ -137,14 +133,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @param tau offset in the present step
      */
     public void admit(int body, double tau) {
-        if (support.length < State.BLOCK * state.size()) {
-            support = Arrays.copyOf(support, 2 * State.BLOCK * state.size());
-            held = Arrays.copyOf(held, 2 * state.size());
-        }
         trajectories.anchor(body, tau, state);
         drivenMotion.forget(body);
         Body view = state.body(body);
-        release(body);
+        support.release(body);
         setDriven(body, !view.isFixed() && isDriven(view));
         if (view.isFixed()) {
             return;
@@ -166,16 +158,16 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (trajectories.isDriven(body)) {
             return;
         }
-        if (held[body]) {
+        if (support.holds(body)) {
             trajectories.accelerate(body, 0, 0, 0);
             return;
         }
         double[] w = state.w().values();
         int b = State.BLOCK * body;
         Body view = state.body(body);
-        double ax = generators.gravityX + w[b] * view.appliedX() + support[b]; // (5)
-        double ay = generators.gravityY + w[b] * view.appliedY() + support[b + 1];
-        double alpha = w[b + State.THETA] * view.appliedTorque() + support[b + 2]; // (6)
+        double ax = generators.gravityX + w[b] * view.appliedX() + support.acceleration(body, 0); // (5)
+        double ay = generators.gravityY + w[b] * view.appliedY() + support.acceleration(body, 1);
+        double alpha = w[b + State.THETA] * view.appliedTorque() + support.acceleration(body, 2); // (6)
         trajectories.accelerate(body, ax, ay, alpha);
     }
 
@@ -212,6 +204,9 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     private void setDriven(int body, boolean yes) {
         boolean was = trajectories.isDriven(body);
+        if (yes) {
+            state.f(); // makes room for forces
+        }
         trajectories.setDriven(body, yes);
         if (was == yes) {
             return;
@@ -237,7 +232,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void remove(int body) {
         setDriven(body, false);
-        release(body);
+        support.release(body);
     }
 
     /**
@@ -355,9 +350,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @param alpha rad/time²
      */
     public void support(int body, double ax, double ay, double alpha) {
-        support[State.BLOCK * body] = ax;
-        support[State.BLOCK * body + 1] = ay;
-        support[State.BLOCK * body + 2] = alpha;
+        support.set(body, ax, ay, alpha);
         course(body);
     }
 
@@ -372,20 +365,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
         int b = State.BLOCK * body;
         double[] w = state.w().values();
         Body view = state.body(body);
-        a[at] = held[body] ? 0 : generators.gravityX + w[b] * view.appliedX();
-        a[at + 1] = held[body] ? 0 : generators.gravityY + w[b] * view.appliedY();
-        a[at + 2] = held[body] ? 0 : w[b + State.THETA] * view.appliedTorque();
-    }
-
-    /** Ends a body's rest; false if it did not rest. */
-    private boolean release(int body) {
-        int b = State.BLOCK * body;
-        boolean rested = held[body] || support[b] != 0 || support[b + 1] != 0 || support[b + 2] != 0;
-        support[b] = 0;
-        support[b + 1] = 0;
-        support[b + 2] = 0;
-        held[body] = false;
-        return rested;
+        boolean held = support.holds(body);
+        a[at] = held ? 0 : generators.gravityX + w[b] * view.appliedX();
+        a[at + 1] = held ? 0 : generators.gravityY + w[b] * view.appliedY();
+        a[at + 2] = held ? 0 : w[b + State.THETA] * view.appliedTorque();
     }
 
     /**
@@ -395,7 +378,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void deflect(int body) {
         drivenMotion.forget(body);
-        if (release(body)) {
+        if (support.release(body)) {
             setDriven(body, isDriven(state.body(body)));
             course(body);
         }
@@ -412,7 +395,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
             return false;
         }
         setDriven(body, false);
-        held[body] = true;
+        support.hold(body);
         course(body);
         return true;
     }

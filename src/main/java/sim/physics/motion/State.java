@@ -4,6 +4,7 @@ package sim.physics.motion;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.Growth;
 import sim.physics.matrix.DiagonalMatrix;
 
 /**
@@ -43,8 +44,8 @@ public final class State implements Serializable {
     private double[] x;
     /** Velocities and angular velocities, 3n. */
     private double[] v;
-    /** Forces and torques of the present evaluation, 3n. */
-    private double[] f;
+    /** Forces and torques of the present evaluation, 3n; empty until somebody asks. */
+    private double[] f = {};
     /** Inverse masses and moments of inertia, 3n. */
     private DiagonalMatrix w;
 
@@ -52,12 +53,12 @@ public final class State implements Serializable {
     private int size;
 
     /** Empty blocks below {@code size}, a stack. */
-    private int[] free = new int[4];
+    private int[] free = {};
 
     private int freeCount;
 
     /** Blocks that their bodies' setters have written since the last step, in the order of writing. */
-    private int[] touched = new int[8];
+    private int[] touched = {};
 
     private boolean[] isTouched;
     private int touchedCount;
@@ -92,7 +93,6 @@ public final class State implements Serializable {
         this.own = own;
         x = new double[BLOCK * capacity];
         v = new double[BLOCK * capacity];
-        f = new double[BLOCK * capacity];
         w = new DiagonalMatrix(BLOCK * capacity);
         bodies = new Body[capacity];
         isTouched = new boolean[capacity];
@@ -118,11 +118,14 @@ public final class State implements Serializable {
     }
 
     /**
-     * The force vector F itself, not a copy.
+     * The force vector F itself, not a copy. It is scratch of the evaluation of forces: nothing outlasts a growth.
      *
      * @return F, [fx, fy, τ] per body
      */
     public double[] f() {
+        if (f.length < x.length) {
+            f = Arrays.copyOf(f, x.length);
+        }
         return f;
     }
 
@@ -181,14 +184,13 @@ public final class State implements Serializable {
     public int add(Body body) {
         int index = freeCount > 0 ? free[--freeCount] : size++;
         if (index >= bodies.length) {
-            grow(Math.max(8, 2 * index));
+            grow(Math.max(8, Growth.length(index, index + 1)));
         }
         State old = body.state();
         int from = BLOCK * body.index();
         int to = BLOCK * index;
         System.arraycopy(old.x, from, x, to, BLOCK);
         System.arraycopy(old.v, from, v, to, BLOCK);
-        System.arraycopy(old.f, from, f, to, BLOCK);
         System.arraycopy(old.w.values(), from, w.values(), to, BLOCK);
         bodies[index] = body;
         body.bind(this, index);
@@ -214,12 +216,14 @@ public final class State implements Serializable {
         body.bind(own, 0);
         Arrays.fill(x, from, from + BLOCK, 0);
         Arrays.fill(v, from, from + BLOCK, 0);
-        Arrays.fill(f, from, from + BLOCK, 0);
+        if (f.length > from) {
+            Arrays.fill(f, from, from + BLOCK, 0);
+        }
         Arrays.fill(w.values(), from, from + BLOCK, 0);
         bodies[index] = null;
         placed(index);
         if (freeCount == free.length) {
-            free = Arrays.copyOf(free, 2 * freeCount);
+            free = Arrays.copyOf(free, Math.max(4, 2 * freeCount));
         }
         free[freeCount++] = index;
     }
@@ -246,7 +250,7 @@ public final class State implements Serializable {
             presence.bring(index);
         }
         if (touchedCount == touched.length) {
-            touched = Arrays.copyOf(touched, 2 * touchedCount);
+            touched = Arrays.copyOf(touched, Math.max(4, Math.min(Growth.length(touchedCount, 4), bodies.length)));
         }
         isTouched[index] = true;
         touched[touchedCount++] = index;
@@ -339,7 +343,7 @@ public final class State implements Serializable {
     private void grow(int capacity) {
         x = Arrays.copyOf(x, BLOCK * capacity);
         v = Arrays.copyOf(v, BLOCK * capacity);
-        f = Arrays.copyOf(f, BLOCK * capacity);
+        f = f.length == 0 ? f : Arrays.copyOf(f, BLOCK * capacity);
         DiagonalMatrix larger = new DiagonalMatrix(BLOCK * capacity);
         System.arraycopy(w.values(), 0, larger.values(), 0, w.rows());
         w = larger;

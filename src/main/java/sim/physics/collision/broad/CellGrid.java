@@ -86,8 +86,8 @@ public final class CellGrid implements BroadPhase {
 
     @Override
     public void remove(int body, Boxes boxes, Pairs pairs) {
-        while (pairs.of(body) != null && pairs.of(body).size > 0) {
-            pairs.end(pairs.of(body).values[0]);
+        while (pairs.countOf(body) > 0) {
+            pairs.end(pairs.of(body, 0));
         }
         unfile(body, boxes);
         count--;
@@ -104,11 +104,7 @@ public final class CellGrid implements BroadPhase {
 
     /** Ends the pairs of a body whose boxes are apart now, and marks the partners in the others. */
     private void endAndMark(int body, Boxes boxes, Pairs pairs) {
-        IntList of = pairs.of(body);
         marking++;
-        if (of == null) {
-            return;
-        }
         double[] d = boxes.data();
         int o = Boxes.STRIDE * body;
         double minX = d[o];
@@ -116,8 +112,8 @@ public final class CellGrid implements BroadPhase {
         double maxX = d[o + 2];
         double maxY = d[o + 3];
         int apart = 0;
-        for (int k = of.size - 1; k >= 0; k--) {
-            int p = of.values[k];
+        for (int k = pairs.countOf(body) - 1; k >= 0; k--) {
+            int p = pairs.of(body, k);
             int other = pairs.other(p, body);
             mark[other] = marking;
             found[apart] = p;
