@@ -6,6 +6,8 @@ import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.collision.broad.BroadPhase;
+import sim.physics.collision.broad.CellGrid;
+import sim.physics.collision.broad.Departures;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.NarrowPhase;
 import sim.physics.collision.narrow.ShapeTable;
@@ -177,10 +179,13 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public void look() {
         fresh.clear();
         IntList leaving = bodyAgenda.advance(step);
-        for (int k = 0; k < leaving.size; k++) {
-            int body = leaving.values[k];
-            enclose(body, 0);
-            broadPhase.update(body, boxes, pairs);
+        if (broadPhase instanceof CellGrid && order.isLong(leaving)) {
+            leaveMany(leaving, (CellGrid) broadPhase);
+        } else {
+            for (int k = 0; k < leaving.size; k++) {
+                enclose(leaving.values[k], 0);
+                broadPhase.update(leaving.values[k], boxes, pairs);
+            }
         }
         IntList due = pairAgenda.advance(step);
         order.sortPairs(due);
@@ -191,6 +196,18 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             }
         }
         examineFresh(0);
+    }
+
+    /** The same as one after the other, but in the order of space. */
+    private void leaveMany(IntList leaving, CellGrid grid) {
+        Departures departures = order.sortLeaving(leaving, state.size());
+        for (int k = 0; k < leaving.size; k++) {
+            departures.keep(leaving.values[k], boxes);
+            enclose(leaving.values[k], 0);
+        }
+        for (int k = 0; k < leaving.size; k++) {
+            grid.update(leaving.values[k], boxes, pairs, departures);
+        }
     }
 
     /**
@@ -236,7 +253,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public void refilter(int body) {
         for (int k = 0; k < pairs.countOf(body); k++) {
             int p = pairs.of(body, k);
-            marks.ignore(p, !filter.allows(state.body(pairs.first(p)), state.body(pairs.second(p))));
+            marks.ignore(p, filter.forbids(state, pairs.first(p), pairs.second(p)));
             watch(p);
         }
     }
@@ -388,14 +405,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @return true if a pair of one of them is looked at
      */
     public boolean hasNeighbours(IntList bodies) {
-        for (int k = 0; k < bodies.size; k++) {
-            for (int m = 0; m < pairs.countOf(bodies.values[k]); m++) {
-                if (!marks.isIgnored(pairs.of(bodies.values[k], m))) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return marks.hasNeighbours(bodies);
     }
 
     /**
@@ -472,7 +482,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         pairAgenda.ensure(pair + 1);
         narrowPhase.forget(pair);
         pairs.setTime(pair, Double.NaN);
-        marks.begin(pair, !filter.allows(state.body(pairs.first(pair)), state.body(pairs.second(pair))));
+        marks.begin(pair, filter.forbids(state, pairs.first(pair), pairs.second(pair)));
         watch(pair);
         fresh.add(pair);
     }

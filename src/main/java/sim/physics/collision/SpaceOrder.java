@@ -5,6 +5,7 @@ package sim.physics.collision;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.collision.broad.Boxes;
+import sim.physics.collision.broad.Departures;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.internal.IntList;
 
@@ -28,6 +29,7 @@ final class SpaceOrder implements Serializable {
 
     private final Boxes boxes;
     private final Pairs pairs;
+    private final Departures departures = new Departures();
 
     /** Scratch: the tiles of the items, the items, and where those of each tile begin. */
     private transient int[] tiles;
@@ -45,18 +47,23 @@ final class SpaceOrder implements Serializable {
         this.pairs = pairs;
     }
 
-    /** Sorts bodies by the lower corners of their boxes. */
-    void sortBodies(IntList bodies) {
-        if (bodies.size >= MANY) {
-            room(bodies.size);
-            System.arraycopy(bodies.values, 0, copy, 0, bodies.size);
-            sort(bodies, bodies.size);
-        }
+    /** Whether a list is worth sorting. */
+    boolean isLong(IntList list) {
+        return list.size >= MANY;
+    }
+
+    /** Sorts bodies that leave their boxes by the lower corners of these; the order that they had is taken down. */
+    Departures sortLeaving(IntList bodies, int all) {
+        departures.begin(bodies, all);
+        room(bodies.size);
+        System.arraycopy(bodies.values, 0, copy, 0, bodies.size);
+        sort(bodies, bodies.size);
+        return departures;
     }
 
     /** Sorts pairs by those of their first bodies; pairs that have ended are left out. */
     void sortPairs(IntList those) {
-        if (those.size < MANY) {
+        if (!isLong(those)) {
             return;
         }
         room(those.size);

@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.Growth;
 import sim.physics.matrix.DiagonalMatrix;
+import sim.physics.shape.Shape;
 
 /**
  * The state of all bodies in shared vectors, as the write-up's chapter <i>State Representation</i> has it.
@@ -40,6 +41,8 @@ public final class State implements Serializable {
     /** Length of a block. */
     public static final int BLOCK = 3;
 
+    private static final int SHAPES = 64;
+
     /** Positions and orientations, 3n. */
     private double[] x;
     /** Velocities and angular velocities, 3n. */
@@ -68,6 +71,12 @@ public final class State implements Serializable {
 
     /** Null until somebody follows it, so that a scene which nobody asks about pays nothing. */
     private transient PlaceLog placeLog;
+
+    /** Shapes that were seen last, by their hash, so that bodies of equal shapes share one. */
+    private transient Shape[] shapes;
+
+    /** Whether a body ever had a collision group. */
+    private boolean grouped;
 
     /** Whether positions change without notice, as they do within a step. */
     private transient boolean unsettled;
@@ -194,9 +203,25 @@ public final class State implements Serializable {
         System.arraycopy(old.w.values(), from, w.values(), to, BLOCK);
         bodies[index] = body;
         body.bind(this, index);
+        if (!own) {
+            share(body);
+            grouped |= old.grouped;
+        }
         touch(index);
         placed(index);
         return index;
+    }
+
+    private void share(Body body) {
+        shapes = shapes == null ? new Shape[SHAPES] : shapes;
+        Shape shape = body.getShape();
+        int hash = shape.hashCode();
+        int k = (hash ^ hash >>> 8 ^ hash >>> 16 ^ hash >>> 24) & SHAPES - 1;
+        if (shape.equals(shapes[k]) && shape.massProperties().equals(shapes[k].massProperties())) {
+            body.share(shapes[k]);
+        } else {
+            shapes[k] = shape;
+        }
     }
 
     /**
@@ -207,6 +232,7 @@ public final class State implements Serializable {
     public void remove(Body body) {
         int index = body.index();
         State own = own();
+        own.grouped = grouped;
         own.size = 1;
         own.bodies[0] = body;
         int from = BLOCK * index;
@@ -329,6 +355,20 @@ public final class State implements Serializable {
     void setUnsettled(boolean unsettled) {
         this.unsettled = unsettled;
         placedAll();
+    }
+
+    /** Notes that a body has a collision group. */
+    void group() {
+        grouped = true;
+    }
+
+    /**
+     * Whether a body may have a collision group of its own.
+     *
+     * @return false if all are of the group that bodies are in at first
+     */
+    public boolean isGrouped() {
+        return grouped;
     }
 
     /**

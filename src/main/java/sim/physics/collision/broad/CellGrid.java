@@ -3,6 +3,7 @@
 package sim.physics.collision.broad;
 
 import java.util.Arrays;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 
 /**
@@ -66,7 +67,7 @@ public final class CellGrid implements BroadPhase {
     public void add(int body, Boxes boxes, Pairs pairs) {
         ensure(body + 1);
         count++;
-        endAndMark(body, boxes, pairs);
+        endAndMark(body, boxes, pairs, null);
         file(body, place(body, boxes), boxes);
         layAnewIfNeeded(boxes);
         collect(body, boxes, pairs);
@@ -74,7 +75,19 @@ public final class CellGrid implements BroadPhase {
 
     @Override
     public void update(int body, Boxes boxes, Pairs pairs) {
-        endAndMark(body, boxes, pairs);
+        update(body, boxes, pairs, null);
+    }
+
+    /**
+     * The same for one of many bodies whose boxes have all been set again.
+     *
+     * @param body index
+     * @param boxes all boxes
+     * @param pairs the pairs
+     * @param departures which these are, and their old boxes; null for one body
+     */
+    public void update(int body, Boxes boxes, Pairs pairs, Departures departures) {
+        endAndMark(body, boxes, pairs, departures);
         int b = place(body, boxes);
         if (b != bucket[body]) {
             unfile(body, boxes);
@@ -82,6 +95,9 @@ public final class CellGrid implements BroadPhase {
         }
         layAnewIfNeeded(boxes);
         collect(body, boxes, pairs);
+        if (departures != null) {
+            departures.done(body);
+        }
     }
 
     @Override
@@ -103,7 +119,7 @@ public final class CellGrid implements BroadPhase {
     }
 
     /** Ends the pairs of a body whose boxes are apart now, and marks the partners in the others. */
-    private void endAndMark(int body, Boxes boxes, Pairs pairs) {
+    private void endAndMark(int body, Boxes boxes, Pairs pairs, Departures departures) {
         marking++;
         double[] d = boxes.data();
         int o = Boxes.STRIDE * body;
@@ -115,9 +131,14 @@ public final class CellGrid implements BroadPhase {
         for (int k = pairs.countOf(body) - 1; k >= 0; k--) {
             int p = pairs.of(body, k);
             int other = pairs.other(p, body);
-            mark[other] = marking;
             found[apart] = p;
-            apart += 1 - boxes.met(other, minX, minY, maxX, maxY);
+            int ends = 1 - boxes.met(other, minX, minY, maxX, maxY);
+            if (departures != null && departures.parts(body, other, boxes)) {
+                ends = 1; // and may begin anew
+            } else {
+                mark[other] = marking;
+            }
+            apart += ends;
         }
         for (int k = 0; k < apart; k++) {
             pairs.end(found[k]);
@@ -146,11 +167,8 @@ public final class CellGrid implements BroadPhase {
             int first = centre + row * rowStep - 1;
             for (int c = first; c <= first + 2; c++) {
                 for (int other = head[c & mask]; other != NONE; other = next[other]) {
-                    // counted without a branch, since nobody could foretell it
-                    int difference = mark[other] ^ marking;
-                    int isNew = (difference | -difference) >>> 31;
                     found[count] = other;
-                    count += isNew & boxes.met(other, minX, minY, maxX, maxY);
+                    count += boxes.met(other, minX, minY, maxX, maxY); // no branch, since nobody could foretell it
                 }
             }
         }
@@ -273,7 +291,7 @@ public final class CellGrid implements BroadPhase {
     private void ensure(int bodies) {
         int old = bucket.length;
         if (old < bodies) {
-            int length = Math.max(2 * old, bodies);
+            int length = Growth.length(old, bodies);
             next = Arrays.copyOf(next, length);
             previous = Arrays.copyOf(previous, length);
             mark = Arrays.copyOf(mark, length);
