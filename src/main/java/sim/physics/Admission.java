@@ -103,6 +103,9 @@ final class Admission implements Presence, Serializable {
             }
             regroup(tau);
         }
+        if (trajectories.data().length == 0) {
+            state.trim();
+        }
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
             trajectories.ensure(state.size()); // also for the block of a body that was removed before its first step

@@ -43,6 +43,12 @@ public final class State implements Serializable {
 
     private static final int SHAPES = 64;
 
+    /** After how many steps in which no body was written the room to note them is given back. */
+    private static final int QUIET = 100;
+
+    /** Bodies for whose number room is not given back. */
+    private static final int LARGE = 1024;
+
     /** Positions and orientations, 3n. */
     private double[] x;
     /** Velocities and angular velocities, 3n. */
@@ -65,6 +71,7 @@ public final class State implements Serializable {
 
     private boolean[] isTouched;
     private int touchedCount;
+    private int quiet;
 
     /** Null between steps. */
     private Presence presence;
@@ -311,8 +318,19 @@ public final class State implements Serializable {
         return touched[k];
     }
 
+    /** Gives back the room that is kept for more bodies: called once, when the bodies of a scene are complete, it seems. */
+    public void trim() {
+        if (size < bodies.length && size > LARGE) {
+            grow(size);
+        }
+    }
+
     /** Forgets which blocks were written. */
     public void clearTouched() {
+        quiet = touchedCount == 0 ? quiet + 1 : 0;
+        if (quiet == QUIET && touched.length > LARGE) {
+            touched = new int[LARGE]; // all bodies are written before the first step, and seldom ever after
+        }
         for (int k = 0; k < touchedCount; k++) {
             isTouched[touched[k]] = false;
         }
@@ -385,7 +403,7 @@ public final class State implements Serializable {
         v = Arrays.copyOf(v, BLOCK * capacity);
         f = f.length == 0 ? f : Arrays.copyOf(f, BLOCK * capacity);
         DiagonalMatrix larger = new DiagonalMatrix(BLOCK * capacity);
-        System.arraycopy(w.values(), 0, larger.values(), 0, w.rows());
+        System.arraycopy(w.values(), 0, larger.values(), 0, Math.min(w.rows(), larger.rows()));
         w = larger;
         bodies = Arrays.copyOf(bodies, capacity);
         isTouched = Arrays.copyOf(isTouched, capacity);

@@ -18,7 +18,7 @@ import sim.physics.internal.IntList;
  * boxes do not fit, the grid is laid anew.
  */
 public final class CellGrid implements BroadPhase {
-    private static final long serialVersionUID = 3L;
+    private static final long serialVersionUID = 4L;
 
     private static final int NONE = -1;
 
@@ -41,7 +41,6 @@ public final class CellGrid implements BroadPhase {
 
     private int[] head = filled(SMALLEST, NONE);
     private int[] next = new int[8];
-    private int[] previous = new int[8];
     private int[] bucket = filled(8, OUTSIDE);
 
     /** Which bodies are pairs already of the body that is looked at: those marked with the present number. */
@@ -49,8 +48,8 @@ public final class CellGrid implements BroadPhase {
 
     private int marking;
 
-    /** Bodies or pairs found in a look; one more than there can be. */
-    private int[] found = new int[9];
+    /** Bodies or pairs found in a look, with room for one more. */
+    private int[] found = new int[8];
 
     private final IntList large = new IntList();
     private int count;
@@ -128,6 +127,9 @@ public final class CellGrid implements BroadPhase {
         double maxX = d[o + 2];
         double maxY = d[o + 3];
         int apart = 0;
+        if (pairs.countOf(body) >= found.length) {
+            found = new int[2 * pairs.countOf(body)];
+        }
         for (int k = pairs.countOf(body) - 1; k >= 0; k--) {
             int p = pairs.of(body, k);
             int other = pairs.other(p, body);
@@ -167,6 +169,9 @@ public final class CellGrid implements BroadPhase {
             int first = centre + row * rowStep - 1;
             for (int c = first; c <= first + 2; c++) {
                 for (int other = head[c & mask]; other != NONE; other = next[other]) {
+                    if (count + 1 == found.length) {
+                        found = Arrays.copyOf(found, 2 * found.length);
+                    }
                     found[count] = other;
                     count += boxes.met(other, minX, minY, maxX, maxY); // no branch, since nobody could foretell it
                 }
@@ -218,16 +223,11 @@ public final class CellGrid implements BroadPhase {
     private void file(int body, int b, Boxes boxes) {
         bucket[body] = b;
         if (b == LARGE) {
-            previous[body] = large.size;
             large.add(body);
             largeMovable += boxes.isFixed(body) ? 0 : 1;
             return;
         }
-        previous[body] = NONE;
         next[body] = head[b];
-        if (head[b] != NONE) {
-            previous[head[b]] = body;
-        }
         head[b] = body;
     }
 
@@ -236,19 +236,22 @@ public final class CellGrid implements BroadPhase {
         bucket[body] = OUTSIDE;
         if (b == LARGE) {
             largeMovable -= boxes.isFixed(body) ? 0 : 1;
-            int last = large.values[--large.size];
-            large.values[previous[body]] = last;
-            previous[last] = previous[body];
+            int place = 0;
+            while (large.values[place] != body) {
+                place++;
+            }
+            large.values[place] = large.values[--large.size];
             return;
         }
-        if (previous[body] == NONE) {
+        if (head[b] == body) {
             head[b] = next[body];
-        } else {
-            next[previous[body]] = next[body];
+            return;
         }
-        if (next[body] != NONE) {
-            previous[next[body]] = previous[body];
+        int before = head[b]; // few are in a cell
+        while (next[before] != body) {
+            before = next[before];
         }
+        next[before] = next[body];
     }
 
     /** Chooses the cell size by the boxes of the movable bodies, and files everybody again. */
@@ -293,9 +296,7 @@ public final class CellGrid implements BroadPhase {
         if (old < bodies) {
             int length = Growth.length(old, bodies);
             next = Arrays.copyOf(next, length);
-            previous = Arrays.copyOf(previous, length);
             mark = Arrays.copyOf(mark, length);
-            found = new int[length + 1];
             bucket = Arrays.copyOf(bucket, length);
             Arrays.fill(bucket, old, length, OUTSIDE);
         }
