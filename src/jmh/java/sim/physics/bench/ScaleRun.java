@@ -19,7 +19,7 @@ import sim.physics.shape.Rectangle;
  * <pre>
  * ScaleRun start 50          an engine is made, 50 bodies are added, and it makes its first step
  * ScaleRun disks 1000        impacts a second of equal disks, by the area that they cover
- * ScaleRun growth 100000 9   time per body and step, a gas of 1000 and one of 100000 bodies in turns; memory per body
+ * ScaleRun growth 100000 9   time per body and step, a gas of 1000 and one of 100000 bodies in turns
  * </pre>
  */
 public final class ScaleRun {
@@ -102,7 +102,6 @@ public final class ScaleRun {
     private static void growth(int n, int rounds) {
         OwnRunner small = new OwnRunner(Gas.s3(1000, 1001), false);
         measure(small, 4000);
-        long before = live();
         OwnRunner large = new OwnRunner(Gas.s3(n, 1001), false);
         measure(large, 60);
         double[][] results = new double[3][rounds];
@@ -112,12 +111,11 @@ public final class ScaleRun {
             results[1][r] = measure(large, steps) / (double) steps / n;
             results[2][r] = results[1][r] / results[0][r];
         }
-        long live = live() - before;
         Arrays.stream(results).forEach(Arrays::sort);
         int m = rounds / 2;
         System.out.printf(
-                Locale.ROOT, "1000 bodies: %.1f ns a body and step, %d: %.1f, %.2f [%.2f, %.2f] times as long; %.0f bytes a body%n",
-                results[0][m], n, results[1][m], results[2][m], results[2][0], results[2][rounds - 1], live / (double) n);
+                Locale.ROOT, "1000 bodies: %.1f ns a body and step, %d: %.1f, %.2f [%.2f, %.2f] times as long%n",
+                results[0][m], n, results[1][m], results[2][m], results[2][0], results[2][rounds - 1]);
         measure(large, 1);
         long bytes = THREAD.getCurrentThreadAllocatedBytes();
         measure(large, steps);
@@ -125,12 +123,6 @@ public final class ScaleRun {
                 "allocated in " + steps + " steps: " + (THREAD.getCurrentThreadAllocatedBytes() - bytes) + " bytes; collections"
                         + " so far: " + ManagementFactory.getGarbageCollectorMXBeans().stream()
                                 .map(c -> c.getName() + " " + c.getCollectionCount()).toList());
-    }
-
-    /** Live bytes on the heap. */
-    private static long live() {
-        System.gc();
-        return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
     }
 
     private static long measure(OwnRunner runner, int steps) {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.internal;
 
-/** How far arrays grow: small ones double, large ones take a quarter more, since what nobody uses is memory for nothing. */
+/** How far arrays grow: small ones double, large ones take an eighth more, since what nobody uses is memory for nothing. */
 public final class Growth {
     private static final int LARGE = 1024;
 
@@ -16,7 +16,7 @@ public final class Growth {
      * @return at least needed
      */
     public static int length(int old, int needed) {
-        int grown = old < LARGE ? 2 * old : old + (old >> 2);
+        int grown = old < LARGE ? 2 * old : old + (old >> 3);
         return Math.max(grown, needed);
     }
 }
