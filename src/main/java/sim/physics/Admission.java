@@ -103,9 +103,12 @@ final class Admission implements Presence, Serializable {
             }
             regroup(tau);
         }
+        if (trajectories.data().length == 0) {
+            state.trim();
+        }
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
-            trajectories.ensure(index + 1); // also for the block of a body that was removed before its first step
+            trajectories.ensure(state.size()); // also for the block of a body that was removed before its first step
             if (state.body(index) != null) {
                 admit(index, tau);
             }

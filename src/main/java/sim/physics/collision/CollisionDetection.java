@@ -6,10 +6,13 @@ import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.collision.broad.BroadPhase;
+import sim.physics.collision.broad.CellGrid;
+import sim.physics.collision.broad.Departures;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.NarrowPhase;
 import sim.physics.collision.narrow.ShapeTable;
 import sim.physics.internal.Agenda;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Tolerances;
 import sim.physics.motion.Body;
@@ -35,7 +38,12 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private final ShapeTable shapes = new ShapeTable();
     private final Boxes boxes = new Boxes();
     private final Room room;
+    /**
+     * A pair's time is that of its impact in the present step. If it is to be looked at in a later step: minus the offset in
+     * that step up to which it is known to be apart. NaN if nothing is known.
+     */
     private final Pairs pairs = new Pairs();
+
     private final NarrowPhase narrowPhase;
     private final Companions companions;
     private BroadPhase broadPhase;
@@ -45,24 +53,14 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private final Agenda pairAgenda = new Agenda();
     private final EventQueue queue = new EventQueue();
 
-    /**
-     * When a pair's impact in the present step is. If it is to be looked at in a later step: minus the offset in that step
-     * up to which it is known to be apart. NaN if nothing is known.
-     */
-    private double[] impactTime = new double[16];
-
-    /** When a body's path ends in the present step, or NaN. */
-    private double[] endTime = new double[8];
-
-    /** Until when a driven body's path holds. */
-    private double[] holdsUntil = new double[8];
-
+    private final PathEnds pathEnds = new PathEnds();
     private boolean[] known = new boolean[8];
     /** Bodies none of whose pairs need be looked at. */
     private boolean[] idle = new boolean[8];
     private double pathEnd;
 
-    private final PairMarks marks = new PairMarks();
+    private final SpaceOrder order = new SpaceOrder(boxes, pairs);
+    private final PairMarks marks = new PairMarks(pairs);
     private final IntList fresh = new IntList();
     private final IntList together = new IntList();
     private long step;
@@ -122,19 +120,16 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         Body view = state.body(body);
         shapes.set(body, view.getShape());
         trajectories.setRadius(body, view.getShape().boundingRadius());
-        pairs.ensure(body + 1);
-        room.admit(body, view);
-        bodyAgenda.ensure(body + 1);
-        if (body >= endTime.length) {
-            endTime = Arrays.copyOf(endTime, Math.max(2 * endTime.length, body + 1));
-            known = Arrays.copyOf(known, endTime.length);
-            idle = Arrays.copyOf(idle, endTime.length);
-            holdsUntil = Arrays.copyOf(holdsUntil, endTime.length);
+        pairs.ensure(state.size());
+        room.admit(body, view, state.size());
+        bodyAgenda.ensure(state.size());
+        if (body >= known.length) {
+            known = Arrays.copyOf(known, Growth.length(known.length, state.size()));
+            idle = Arrays.copyOf(idle, known.length);
         }
         known[body] = true;
         idle[body] = false;
-        endTime[body] = Double.NaN;
-        holdsUntil[body] = h;
+        pathEnds.clear(body);
         enclose(body, tau);
         fresh.clear();
         broadPhase.add(body, boxes, pairs);
@@ -148,7 +143,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      */
     public void remove(int body) {
         known[body] = false;
-        endTime[body] = Double.NaN;
+        pathEnds.clear(body);
         broadPhase.remove(body, boxes, pairs);
         bodyAgenda.schedule(body, Agenda.NEVER);
     }
@@ -183,19 +178,35 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public void look() {
         fresh.clear();
         IntList leaving = bodyAgenda.advance(step);
-        for (int k = 0; k < leaving.size; k++) {
-            int body = leaving.values[k];
-            enclose(body, 0);
-            broadPhase.update(body, boxes, pairs);
+        if (broadPhase instanceof CellGrid && order.isLong(leaving)) {
+            leaveMany(leaving, (CellGrid) broadPhase);
+        } else {
+            for (int k = 0; k < leaving.size; k++) {
+                enclose(leaving.values[k], 0);
+                broadPhase.update(leaving.values[k], boxes, pairs);
+            }
         }
         IntList due = pairAgenda.advance(step);
+        order.sortPairs(due);
         for (int k = 0; k < due.size; k++) {
-            double apart = -impactTime[due.values[k]];
+            double apart = -pairs.time(due.values[k]);
             if (pairs.first(due.values[k]) >= 0) {
                 examine(due.values[k], apart > 0 ? apart : 0);
             }
         }
         examineFresh(0);
+    }
+
+    /** The same as one after the other, but in the order of space. */
+    private void leaveMany(IntList leaving, CellGrid grid) {
+        Departures departures = order.sortLeaving(leaving, state.size());
+        for (int k = 0; k < leaving.size; k++) {
+            departures.keep(leaving.values[k], boxes);
+            enclose(leaving.values[k], 0);
+        }
+        for (int k = 0; k < leaving.size; k++) {
+            grid.update(leaving.values[k], boxes, pairs, departures);
+        }
     }
 
     /**
@@ -222,10 +233,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         if (idle[body]) {
             return;
         }
-        IntList of = pairs.of(body);
         boolean watched = false;
-        for (int k = 0; of != null && k < of.size; k++) {
-            int pair = of.values[k];
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            int pair = pairs.of(body, k);
             watched |= pair == except || !marks.isUnseen(pair);
             if (pair != except) {
                 examine(pair, tau);
@@ -240,11 +250,10 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param body index
      */
     public void refilter(int body) {
-        room.admit(body, state.body(body));
-        IntList of = pairs.of(body);
-        for (int k = 0; of != null && k < of.size; k++) {
-            int p = of.values[k];
-            marks.ignore(p, !filter.allows(state.body(pairs.first(p)), state.body(pairs.second(p))));
+        room.admit(body, state.body(body), state.size());
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            int p = pairs.of(body, k);
+            marks.ignore(p, filter.forbids(state, pairs.first(p), pairs.second(p)));
             watch(p);
         }
     }
@@ -267,7 +276,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public void hold(int pair, boolean yes) {
         marks.hold(pair, yes);
         watch(pair);
-        impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
     }
 
     /**
@@ -277,7 +286,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param tau offset in the present step
      */
     public void plan(int body, double tau) {
-        endTime[body] = tau;
+        pathEnds.plan(body, tau);
         queue.add(tau, ~body);
     }
 
@@ -287,7 +296,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param body index
      */
     public void unplan(int body) {
-        endTime[body] = Double.NaN;
+        pathEnds.forget(body);
     }
 
     /**
@@ -311,7 +320,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
 
     /** Looks for a pair's first contact from an instant on, and plans an impact or the next look. */
     private void examine(int pair, double tau) {
-        impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
         if (marks.isUnseen(pair)) {
             pairAgenda.schedule(pair, Agenda.NEVER);
             return;
@@ -331,7 +340,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             return;
         }
         if (narrowPhase.isTouching() && t < end) {
-            impactTime[pair] = t;
+            pairs.setTime(pair, t);
             queue.add(t, pair);
             pairAgenda.schedule(pair, Agenda.NEVER);
             return;
@@ -345,7 +354,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     /** Plans the next look at a pair that is apart up to an offset, which may be infinite. */
     private void schedule(int pair, double tau) {
         double later = Math.max(1, Math.floor(tau / h));
-        impactTime[pair] = later * h - tau * ALMOST; // the search goes on from there
+        pairs.setTime(pair, later * h - tau * ALMOST); // the search goes on from there
         pairAgenda.schedule(pair, later < 1e15 ? step + (long) later : Agenda.NEVER);
     }
 
@@ -367,7 +376,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param tau offset in the present step
      */
     public void setPathEnd(int body, double tau) {
-        holdsUntil[body] = tau;
+        pathEnds.setHoldsUntil(body, tau);
     }
 
     /**
@@ -376,15 +385,17 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param body index
      */
     public void endPath(int body) {
-        endTime[body] = holdsUntil[body] < h ? holdsUntil[body] : Double.NaN;
-        if (holdsUntil[body] < h) {
-            queue.add(holdsUntil[body], ~body);
+        double until = pathEnds.holdsUntil(body);
+        if (until < h) {
+            plan(body, until);
+        } else {
+            pathEnds.forget(body);
         }
     }
 
     /** Until when in the step what is known of a body's path holds. */
     private double end(int body) {
-        return trajectories.isDriven(body) ? Math.min(h, holdsUntil[body]) : h;
+        return trajectories.isDriven(body) ? Math.min(h, pathEnds.holdsUntil(body)) : h;
     }
 
     /**
@@ -394,15 +405,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @return true if a pair of one of them is looked at
      */
     public boolean hasNeighbours(IntList bodies) {
-        for (int k = 0; k < bodies.size; k++) {
-            IntList of = pairs.of(bodies.values[k]);
-            for (int m = 0; of != null && m < of.size; m++) {
-                if (!marks.isIgnored(of.values[m])) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return marks.hasNeighbours(bodies);
     }
 
     /**
@@ -413,7 +416,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public boolean hasEvent() {
         while (!queue.isEmpty()) {
             int item = queue.firstItem();
-            if (queue.firstTime() == (item >= 0 ? impactTime[item] : endTime[~item])) {
+            if (queue.firstTime() == (item >= 0 ? pairs.time(item) : pathEnds.end(~item))) {
                 return true;
             }
             queue.removeFirst(); // planned before a later change of course
@@ -433,7 +436,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         }
         pathEnd = queue.firstTime();
         queue.removeFirst();
-        endTime[~item] = Double.NaN;
+        pathEnds.forget(~item);
         return ~item;
     }
 
@@ -467,22 +470,19 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         while (hasEvent() && queue.firstTime() <= until && queue.firstItem() >= 0) {
             int pair = queue.firstItem();
             queue.removeFirst();
-            impactTime[pair] = Double.NaN;
+            pairs.setTime(pair, Double.NaN);
             together.add(pair);
         }
-        companions.gather(together, tau, impactTime);
+        companions.gather(together, tau);
         return together;
     }
 
     @Override
     public void pairBegan(int pair) {
-        if (pair >= impactTime.length) {
-            impactTime = Arrays.copyOf(impactTime, Math.max(2 * impactTime.length, pair + 1));
-        }
         pairAgenda.ensure(pair + 1);
         narrowPhase.forget(pair);
-        impactTime[pair] = Double.NaN;
-        marks.begin(pair, !filter.allows(state.body(pairs.first(pair)), state.body(pairs.second(pair))));
+        pairs.setTime(pair, Double.NaN);
+        marks.begin(pair, filter.forbids(state, pairs.first(pair), pairs.second(pair)));
         watch(pair);
         fresh.add(pair);
     }
@@ -494,7 +494,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
 
     @Override
     public void pairEnded(int pair) {
-        impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
         pairAgenda.schedule(pair, Agenda.NEVER);
     }
 }

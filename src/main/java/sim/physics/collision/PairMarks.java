@@ -4,15 +4,19 @@ package sim.physics.collision;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.internal.IntList;
 
 /** What is known of pairs beside their closest features: which are let pass, rest on one another, or lie in a heap. */
 public final class PairMarks implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    private boolean[] ignored = new boolean[16];
+    private static final int IGNORED = 1;
 
-    /** Pairs at rest on one another, which are not looked at. */
-    private boolean[] held = new boolean[16];
+    /** At rest on one another, not looked at. */
+    private static final int HELD = 2;
+
+    private final Pairs pairs;
 
     /** How deep pairs may be; empty while none may. */
     private double[] depth = {};
@@ -20,17 +24,12 @@ public final class PairMarks implements Serializable {
     /** Pairs in a heap; empty while there is none. */
     private boolean[] lasting = {};
 
-    PairMarks() {
-        // grows with the pairs
+    PairMarks(Pairs pairs) {
+        this.pairs = pairs;
     }
 
     void begin(int pair, boolean isIgnored) {
-        if (pair >= ignored.length) {
-            ignored = Arrays.copyOf(ignored, Math.max(2 * ignored.length, pair + 1));
-            held = Arrays.copyOf(held, ignored.length);
-        }
-        ignored[pair] = isIgnored;
-        held[pair] = false;
+        pairs.setMarks(pair, isIgnored ? IGNORED : 0);
         if (pair < depth.length) {
             depth[pair] = 0;
         }
@@ -41,11 +40,28 @@ public final class PairMarks implements Serializable {
 
     /** Whether a pair is not to be looked at. */
     boolean isUnseen(int pair) {
-        return ignored[pair] || held[pair];
+        return pairs.marks(pair) != 0;
+    }
+
+    /** Whether a body of a list has a pair that does not pass through one another. */
+    boolean hasNeighbours(IntList bodies) {
+        for (int k = 0; k < bodies.size; k++) {
+            for (int m = 0; m < pairs.countOf(bodies.values[k]); m++) {
+                if (!isIgnored(pairs.of(bodies.values[k], m))) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     void hold(int pair, boolean yes) {
-        held[pair] = yes;
+        mark(pair, HELD, yes);
+    }
+
+    private void mark(int pair, int what, boolean yes) {
+        int marks = pairs.marks(pair);
+        pairs.setMarks(pair, yes ? marks | what : marks & ~what);
     }
 
     /**
@@ -55,7 +71,7 @@ public final class PairMarks implements Serializable {
      * @param yes whether it passes
      */
     public void ignore(int pair, boolean yes) {
-        ignored[pair] = yes;
+        mark(pair, IGNORED, yes);
     }
 
     /**
@@ -65,7 +81,7 @@ public final class PairMarks implements Serializable {
      * @return false if they collide
      */
     public boolean isIgnored(int pair) {
-        return ignored[pair];
+        return (pairs.marks(pair) & IGNORED) != 0;
     }
 
     /**
@@ -75,7 +91,7 @@ public final class PairMarks implements Serializable {
      * @return as {@link CollisionDetection#hold} said, until the pair ends
      */
     public boolean isHeld(int pair) {
-        return held[pair];
+        return (pairs.marks(pair) & HELD) != 0;
     }
 
     /**

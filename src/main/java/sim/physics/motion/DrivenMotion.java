@@ -168,17 +168,16 @@ final class DrivenMotion implements Serializable {
      * constant is off by c s²(h − s)², so its second derivative at the start by 2 c h².
      */
     private double pathError(IntList group, double length) {
-        double[] m = trajectories.data();
         double near = isPressed(group) || motion.getIntegrator().isAdaptive() ? FINE : COARSE;
         double most = 0;
         for (int k = 0; k < group.size; k++) {
             int b = State.BLOCK * group.values[k];
             if (!path.knowsFirst) {
-                double turn = length * Math.abs(m[Trajectories.STRIDE * group.values[k] + Trajectories.OMEGA]);
+                double turn = length * Math.abs(trajectories.data()[Trajectories.STRIDE * group.values[k] + Trajectories.OMEGA]);
                 most = Math.max(most, turn * turn * turn * turn / (384 * near));
                 continue;
             }
-            double radius = m[Trajectories.STRIDE * group.values[k] + Trajectories.RADIUS];
+            double radius = trajectories.radius(group.values[k]);
             double way = Math.abs(path.first[b] - 2 * path.a[b]) + Math.abs(path.first[b + 1] - 2 * path.a[b + 1]);
             double turn = Math.abs(path.first[b + 2] - 2 * path.a[b + 2]);
             most = Math.max(most, Math.max(way / radius, turn));
@@ -197,12 +196,12 @@ final class DrivenMotion implements Serializable {
     }
 
     private double publish(IntList group, double tau, double end) {
-        double[] m = trajectories.data();
+        double[] bends = trajectories.unfold();
         for (int k = 0; k < group.size; k++) {
             int o = Trajectories.STRIDE * group.values[k];
             int b = State.BLOCK * group.values[k];
-            copy(path.a, b, m, o + Trajectories.AX);
-            copy(path.j, b, m, o + Trajectories.JX);
+            copy(path.a, b, bends, o + Trajectories.AX);
+            copy(path.j, b, bends, o + Trajectories.JX);
             if (areEndsKept) {
                 copy(state.x(), b, endX, b);
                 copy(state.v(), b, endV, b);

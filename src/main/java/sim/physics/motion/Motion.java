@@ -33,7 +33,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
     /** Null while nothing ties bodies together. */
     private Ties ties;
 
-    private final Rest rest = new Rest();
+    /** What bears bodies at rest. */
+    private final Support support = new Support();
 
     /**
      * Makes the motion of an engine.
@@ -124,7 +125,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         time = startOfStep;
         drivenMotion.begin();
         state.setUnsettled(true);
-        rest.isDriven = false;
+        support.pushesDriven = false;
     }
 
     /**
@@ -134,11 +135,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @param tau offset in the present step
      */
     public void admit(int body, double tau) {
-        rest.ensure(state.size());
         trajectories.anchor(body, tau, state);
         drivenMotion.forget(body);
         Body view = state.body(body);
-        rest.release(body);
+        support.release(body);
         setDriven(body, !view.isFixed() && (isTied(body) || generators.drive(view)));
         if (view.isFixed()) {
             return;
@@ -156,16 +156,16 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (trajectories.isDriven(body)) {
             return;
         }
-        if (rest.held[body]) {
+        if (support.holds(body)) {
             trajectories.accelerate(body, 0, 0, 0);
             return;
         }
         double[] w = state.w().values();
         int b = State.BLOCK * body;
         Body view = state.body(body);
-        double ax = generators.gravityX + w[b] * view.appliedX() + rest.support[b]; // (5)
-        double ay = generators.gravityY + w[b] * view.appliedY() + rest.support[b + 1];
-        double alpha = w[b + State.THETA] * view.appliedTorque() + rest.support[b + 2]; // (6)
+        double ax = generators.gravityX + w[b] * view.appliedX() + support.acceleration(body, 0); // (5)
+        double ay = generators.gravityY + w[b] * view.appliedY() + support.acceleration(body, 1);
+        double alpha = w[b + State.THETA] * view.appliedTorque() + support.acceleration(body, 2); // (6)
         trajectories.accelerate(body, ax, ay, alpha);
     }
 
@@ -205,6 +205,9 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     private void setDriven(int body, boolean yes) {
         boolean was = trajectories.isDriven(body);
+        if (yes) {
+            state.f(); // makes room for forces
+        }
         trajectories.setDriven(body, yes);
         if (was == yes) {
             return;
@@ -230,7 +233,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void remove(int body) {
         setDriven(body, false);
-        rest.release(body);
+        support.release(body);
     }
 
     /**
@@ -369,7 +372,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @param alpha rad/time²
      */
     public void support(int body, double ax, double ay, double alpha) {
-        rest.support(body, ax, ay, alpha, trajectories.isDriven(body));
+        support.set(body, ax, ay, alpha);
+        support.pushesDriven |= trajectories.isDriven(body) && (ax != 0 || ay != 0 || alpha != 0);
         course(body);
     }
 
@@ -384,9 +388,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
         int b = State.BLOCK * body;
         double[] w = state.w().values();
         Body view = state.body(body);
-        a[at] = rest.held[body] ? 0 : generators.gravityX + w[b] * view.appliedX();
-        a[at + 1] = rest.held[body] ? 0 : generators.gravityY + w[b] * view.appliedY();
-        a[at + 2] = rest.held[body] ? 0 : w[b + State.THETA] * view.appliedTorque();
+        boolean held = support.holds(body);
+        a[at] = held ? 0 : generators.gravityX + w[b] * view.appliedX();
+        a[at + 1] = held ? 0 : generators.gravityY + w[b] * view.appliedY();
+        a[at + 2] = held ? 0 : w[b + State.THETA] * view.appliedTorque();
     }
 
     /**
@@ -396,7 +401,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void deflect(int body) {
         drivenMotion.forget(body);
-        if (rest.release(body)) {
+        if (support.release(body)) {
             setDriven(body, isTied(body) || generators.drive(state.body(body)));
             course(body);
         }
@@ -413,19 +418,19 @@ public final class Motion implements EquationsOfMotion, Serializable {
             return false;
         }
         setDriven(body, false);
-        rest.held[body] = true;
+        support.hold(body);
         course(body);
         return true;
     }
 
     /** Whether some force may act on bodies beside that of their ties. */
     boolean hasForces() {
-        return pushed.size > 0 || generators.isAny() || rest.isDriven;
+        return pushed.size > 0 || generators.isAny() || support.pushesDriven;
     }
 
     /** The uniform fields, if nothing but them acts, or null. */
     Generators fields() {
-        return pushed.size == 0 && !generators.drive() && !rest.isDriven ? generators : null;
+        return pushed.size == 0 && !generators.drive() && !support.pushesDriven ? generators : null;
     }
 
     /** Length of the present step. */
@@ -484,9 +489,12 @@ public final class Motion implements EquationsOfMotion, Serializable {
             f[b + 1] = body.appliedY();
             f[b + 2] = body.appliedTorque();
             generators.addForces(body, t, forces);
-            a[b] = generators.gravityX + w[b] * f[b] + rest.support[b]; // (5), (7)
-            a[b + 1] = generators.gravityY + w[b + 1] * f[b + 1] + rest.support[b + 1];
-            a[b + 2] = w[b + 2] * f[b + 2] + rest.support[b + 2]; // (6), (8)
+            a[b] = generators.gravityX + w[b] * f[b]; // (5), (7)
+            a[b + 1] = generators.gravityY + w[b + 1] * f[b + 1];
+            a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
+            if (support.pushesDriven) {
+                support.add(body.index(), a);
+            }
         }
     }
 }

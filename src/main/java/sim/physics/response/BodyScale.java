@@ -46,7 +46,7 @@ final class BodyScale implements Serializable {
     }
 
     double radius(int body) {
-        return trajectories.data()[body * Trajectories.STRIDE + Trajectories.RADIUS];
+        return trajectories.radius(body);
     }
 
     /** What the turning and sliding of a loaded point's bodies may take of their gap in a time. */

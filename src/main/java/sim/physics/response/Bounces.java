@@ -86,9 +86,7 @@ final class Bounces implements Serializable {
         if (count > 0 && approach > 0) {
             double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * Tolerances.REST * h);
             double acceleration = (approach + lastSpeed[pair]) / since;
-            double[] d = trajectories.data();
-            double size = Math.min(
-                    d[a * Trajectories.STRIDE + Trajectories.RADIUS], d[b * Trajectories.STRIDE + Trajectories.RADIUS]);
+            double size = Math.min(trajectories.radius(a), trajectories.radius(b));
             double longest = Math.sqrt(2 * Tolerances.RATTLE_SIZE * size / acceleration);
             double length = Math.min(Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h, longest);
             double hop = Math.min(0.5 * length * acceleration, RATTLE_WAY * Tolerances.RATTLE_SIZE * size / h);
@@ -218,11 +216,12 @@ final class Bounces implements Serializable {
 
     /** The acceleration of two bodies towards one another. */
     private double pressing(int a, int b, Impact c) {
-        double[] d = trajectories.data();
+        double[] d = trajectories.bends();
+        int mask = trajectories.bendMask();
         int oa = a * Trajectories.STRIDE;
         int ob = b * Trajectories.STRIDE;
         return 2
-                * ((d[oa + Trajectories.AX] - d[ob + Trajectories.AX]) * c.nx
-                        + (d[oa + Trajectories.AY] - d[ob + Trajectories.AY]) * c.ny);
+                * ((d[(oa & mask) + Trajectories.AX] - d[(ob & mask) + Trajectories.AX]) * c.nx
+                        + (d[(oa & mask) + Trajectories.AY] - d[(ob & mask) + Trajectories.AY]) * c.ny);
     }
 }

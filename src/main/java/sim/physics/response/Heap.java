@@ -176,10 +176,9 @@ final class Heap implements Serializable {
             detection.unplan(body);
             struck |= by.paidUntil[body] > tau;
             paid = by.paidUntil[body] > tau ? Math.min(paid, by.paidUntil[body]) : paid;
-            IntList of = detection.pairs().of(body);
-            for (int m = 0; of != null && m < of.size; m++) {
-                int other = detection.pairs().other(of.values[m], body);
-                if (lasts(of.values[m])) {
+            for (int m = 0; m < detection.pairs().countOf(body); m++) {
+                int other = detection.pairs().other(detection.pairs().of(body, m), body);
+                if (lasts(detection.pairs().of(body, m))) {
                     spin = Math.max(spin, scales.bending(body, other));
                     if (!state.body(other).isFixed() && by.place[other] == 0) {
                         include(other);
@@ -317,9 +316,8 @@ final class Heap implements Serializable {
         }
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
-            IntList of = detection.pairs().of(body);
-            for (int m = 0; of != null && m < of.size; m++) {
-                int pair = of.values[m];
+            for (int m = 0; m < detection.pairs().countOf(body); m++) {
+                int pair = detection.pairs().of(body, m);
                 int other = detection.pairs().other(pair, body);
                 if (lasts(pair) && (state.body(other).isFixed() || by.place[other] > k + 1)) {
                     if (state.body(other).isFixed()) {

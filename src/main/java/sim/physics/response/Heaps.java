@@ -161,10 +161,9 @@ public final class Heaps implements Serializable {
             by.lies[body] = true;
             by.begin(body);
             members.add(body);
-            IntList of = detection.pairs().of(body);
-            for (int k = 0; of != null && k < of.size; k++) {
-                if (detection.marks().isHeld(of.values[k])) {
-                    add(of.values[k]); // what it rests on bears it in the heap too
+            for (int k = 0; k < detection.pairs().countOf(body); k++) {
+                if (detection.marks().isHeld(detection.pairs().of(body, k))) {
+                    add(detection.pairs().of(body, k)); // what it rests on bears it in the heap too
                 }
             }
             response.resting().forget(body);
@@ -267,9 +266,8 @@ public final class Heaps implements Serializable {
     }
 
     private void part(int body) {
-        IntList of = detection.pairs().of(body);
-        for (int k = 0; of != null && k < of.size; k++) {
-            int pair = of.values[k];
+        for (int k = 0; k < detection.pairs().countOf(body); k++) {
+            int pair = detection.pairs().of(body, k);
             if (lasts(pair)) {
                 end(pair);
                 int other = detection.pairs().other(pair, body);
