@@ -20,19 +20,19 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     private final State state;
     private final Trajectories trajectories;
-    private final Forces forces;
-    private final Generators generators = new Generators();
+    final Forces forces;
+    final Generators generators;
     private Integrator integrator = new RungeKutta4();
-    private double time;
+    double time;
 
     /** Driven bodies in ascending order; bodies with an applied force in this step. */
-    private final IntList driven = new IntList();
-    private final IntList pushed = new IntList();
+    private final IntList driven;
+    private final IntList pushed;
     private final IntList alone = new IntList();
     private final DrivenMotion drivenMotion;
 
     /** Null while nothing ties bodies together. */
-    private Ties ties;
+    Ties ties;
 
     /** Accelerations that contacts at rest give to bodies, 3n. */
     private double[] support = new double[24];
@@ -50,7 +50,36 @@ public final class Motion implements EquationsOfMotion, Serializable {
         this.state = state;
         this.trajectories = trajectories;
         this.forces = new Forces(state);
+        this.generators = new Generators();
+        this.driven = new IntList();
+        this.pushed = new IntList();
         this.drivenMotion = new DrivenMotion(this, state, trajectories);
+    }
+
+    /** Another motion of the same bodies under the same forces, with workspace, method and ties of its own. */
+    Motion(Motion original) {
+        state = original.state;
+        trajectories = original.trajectories;
+        forces = new Forces(state);
+        generators = original.generators;
+        driven = original.driven;
+        pushed = original.pushed;
+        drivenMotion = new DrivenMotion(this, state, trajectories);
+    }
+
+    /**
+     * Sets who is told of what driven bodies have done.
+     *
+     * @param observer null for nobody
+     */
+    public void setObserver(CourseObserver observer) {
+        drivenMotion.setObserver(observer);
+    }
+
+    /** Goes through a time from where the state vectors have a group, whatever its paths are. */
+    void cover(IntList group, double startOfStep, double from, double to) {
+        time = startOfStep;
+        drivenMotion.cover(group, from, to);
     }
 
     /**
@@ -201,6 +230,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         for (int k = 0; k < driven.size; k++) {
             drivenMotion.finish(driven.values[k]);
         }
+        drivenMotion.finished();
         for (int k = 0; k < pushed.size; k++) {
             Body view = state.body(pushed.values[k]);
             if (view != null) {
@@ -216,17 +246,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (was == yes) {
             return;
         }
-        int k = driven.size;
-        while (k > 0 && driven.values[k - 1] >= body) {
-            k--;
-        }
         if (yes) {
-            driven.add(body);
-            System.arraycopy(driven.values, k, driven.values, k + 1, driven.size - 1 - k);
-            driven.values[k] = body;
+            driven.insert(body);
         } else {
-            System.arraycopy(driven.values, k + 1, driven.values, k, driven.size - 1 - k);
-            driven.size--;
+            driven.takeOut(body);
         }
     }
 
@@ -437,16 +460,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         double[] m = trajectories.data();
         Body view = state.body(body);
         boolean moves = m[o + Trajectories.VX] != 0 || m[o + Trajectories.VY] != 0 || m[o + Trajectories.OMEGA] != 0;
-        SurfaceFriction surface = generators.surface;
-        if (surface == null || generators.coupled || moves || view.isPushed() || isTied(body)) {
-            return false;
-        }
-        if (generators.drivesOtherThan(surface, view)) {
-            return false;
-        }
-        double mass = view.getMass();
-        return surface.actsOn(view)
-                && surface.holds(view, mass * generators.gravityX, mass * generators.gravityY, 0);
+        return !moves && !view.isPushed() && !isTied(body) && generators.holds(view);
     }
 
     @Override
@@ -454,7 +468,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (fields() != null) {
             generators.fall(bodies, a);
         } else {
-            force(bodies, t, a);
+            generators.accelerate(state, bodies, t, forces, a);
         }
         if (isTiedGroup(bodies)) {
             ties.accelerate(bodies, a); // (34)–(41)
@@ -479,22 +493,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
     public void settle(IntList bodies) {
         if (isTiedGroup(bodies)) {
             ties.settle(bodies);
-        }
-    }
-
-    private void force(IntList bodies, double t, double[] a) {
-        double[] f = state.f();
-        double[] w = state.w().values();
-        for (int k = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            Body body = state.body(bodies.values[k]);
-            f[b] = body.appliedX();
-            f[b + 1] = body.appliedY();
-            f[b + 2] = body.appliedTorque();
-            generators.addForces(body, t, forces);
-            a[b] = generators.gravityX + w[b] * f[b]; // (5), (7)
-            a[b + 1] = generators.gravityY + w[b + 1] * f[b + 1];
-            a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
         }
     }
 }
