@@ -161,6 +161,7 @@ final class Switches implements Serializable {
         for (Switched s : rows) {
             if (!s.isOn) {
                 s.hold(s.value());
+                s.isOnNow = s.isOn;
             }
         }
     }
