@@ -4,6 +4,7 @@ package sim.physics;
 
 import java.util.Arrays;
 import sim.physics.internal.IntList;
+import sim.physics.motion.Body;
 import sim.physics.motion.CourseObserver;
 import sim.physics.motion.Motion;
 import sim.physics.motion.ReferenceMotion;
@@ -17,8 +18,6 @@ import sim.physics.motion.Trajectories;
  */
 final class Audit implements CourseObserver {
     private static final long serialVersionUID = 1L;
-
-    private static final int HALF_ACCELERATION = Trajectories.AX;
 
     private final State state;
     private final Trajectories trajectories;
@@ -90,7 +89,7 @@ final class Audit implements CourseObserver {
     }
 
     private boolean isMovable(int body) {
-        return state.body(body) != null && state.w().values()[State.BLOCK * body] != 0;
+        return state.body(body) != null && !state.body(body).isFixed();
     }
 
     /** All energy, where the state vectors have the bodies. */
@@ -110,9 +109,8 @@ final class Audit implements CourseObserver {
     }
 
     private double energy(int body, double x, double y, double vx, double vy, double omega) {
-        double[] w = state.w().values();
-        int b = State.BLOCK * body;
-        double motion = 0.5 * ((vx * vx + vy * vy) / w[b] + omega * omega / w[b + State.THETA]);
+        Body view = state.body(body);
+        double motion = 0.5 * (view.getMass() * (vx * vx + vy * vy) + view.getInertia() * (omega * omega));
         return motion + reference.fieldEnergy(body, x, y);
     }
 
@@ -174,11 +172,10 @@ final class Audit implements CourseObserver {
         if (Double.isNaN(last[body]) || paths[o + Trajectories.DRIVEN] != 0 || tau == since[body]) {
             return;
         }
-        double[] w = state.w().values();
-        int b = State.BLOCK * body;
-        double fx = (2 * paths[o + HALF_ACCELERATION] - reference.field(false)) / w[b];
-        double fy = (2 * paths[o + HALF_ACCELERATION + 1] - reference.field(true)) / w[b];
-        double torque = 2 * paths[o + HALF_ACCELERATION + 2] / w[b + State.THETA];
+        Body view = state.body(body);
+        double fx = view.getMass() * (2 * paths[o + Trajectories.AX] - reference.field(false));
+        double fy = view.getMass() * (2 * paths[o + Trajectories.AY] - reference.field(true));
+        double torque = view.getInertia() * (2 * paths[o + Trajectories.ATHETA]);
         work += fx * (at(body, 0, tau) - at(body, 0, since[body]))
                 + fy * (at(body, 1, tau) - at(body, 1, since[body]))
                 + torque * (at(body, 2, tau) - at(body, 2, since[body]));

@@ -729,8 +729,8 @@ public final class PhysicsEngine implements Steppable {
 
     /**
      * Lets the engine find out how exact its steps are: by how much bodies miss their places, and where energy goes. It
-     * changes no bit of the run, and takes some thirty times as long for bodies that an integrator drives. When it is
-     * off, it costs nothing.
+     * changes no bit of the run. Steps of bodies that an integrator drives take ten times as long with methods of high
+     * order and fifty times with RK4. When it is off, it costs nothing.
      *
      * @param audited true to begin anew, false to end; false unless set
      * @throws IllegalStateException within a step
