@@ -7,14 +7,15 @@ import sim.physics.motion.DormandPrince853;
 
 /**
  * What a scene makes of small errors on its way: the error at the end, or the largest one at the instants of comparison, if
- * in every unit of the scene's own time a body's place is changed by one unit of length.
+ * in every unit of the scene's own time velocities are changed so that places change by one unit of length in the next
+ * one, at random, so that squares add up.
  *
  * <p>That time is τ = r/v, with the root mean squares of the distance of the observed points from their mean place and of
- * their speed: 1/ω for an oscillator. The change is that of a velocity by δ/τ at one of eight instants; what becomes of it is
- * measured by two runs.
+ * their speed: 1/ω for an oscillator. The changes of velocity, by δ/τ, are along it and of random sign, body by body, at
+ * one of eight instants; two runs tell what becomes of each.
  */
 final class Amplification {
-    private static final int KICKS = 16;
+    private static final int KICKS = 8;
     private static final int STEPS = 64;
     private static final double TOLERANCE = 1e-12;
     private static final double CHANGE = 1e-6;
@@ -86,17 +87,5 @@ final class Amplification {
             }
         }
         return Math.sqrt(spread / way);
-    }
-
-    public static void main(String[] args) {
-        java.util.List<ReportScene> all = new java.util.ArrayList<>(JointScenes.all(false));
-        all.addAll(OtherScenes.all(false));
-        for (ReportScene scene : all) {
-            if (scene.smooth) {
-                Amplification a = new Amplification(scene);
-                long t = System.nanoTime();
-                System.out.printf("%s %.3g tau %.3g  %.1f s%n", scene.id, a.measure(), a.time(a.run(-1, 0)), (System.nanoTime() - t) * 1e-9);
-            }
-        }
     }
 }
