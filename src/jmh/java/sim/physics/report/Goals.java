@@ -92,7 +92,7 @@ final class Goals {
             double high = 0;
             for (Point point : points) {
                 boolean counts = curve.isAdaptive() && !curve.method().equals("Automatic");
-                if (counts && point.error > 1e-12) {
+                if (counts && point.error > 1e-12 && point.setting > 0.5e-13) {
                     // tolerances are lengths
                     double ratio = point.error * scene.unit / (point.setting * grown);
                     low = Math.min(low, ratio);

@@ -68,6 +68,9 @@ public final class State implements Serializable {
     /** Null until somebody follows it, so that a scene which nobody asks about pays nothing. */
     private transient PlaceLog placeLog;
 
+    /** Null unless a method asks for it. */
+    private Carry carry;
+
     /** Whether positions change without notice, as they do within a step. */
     private transient boolean unsettled;
 
@@ -133,6 +136,21 @@ public final class State implements Serializable {
      */
     public DiagonalMatrix w() {
         return w;
+    }
+
+    /**
+     * What rounding has left of the vectors.
+     *
+     * @return null until a method asks for it
+     */
+    public Carry carry() {
+        return carry;
+    }
+
+    /** The same, made if there is none. */
+    Carry ensureCarry() {
+        carry = carry == null ? new Carry() : carry;
+        return carry;
     }
 
     /**

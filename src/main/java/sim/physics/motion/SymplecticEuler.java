@@ -30,6 +30,8 @@ public final class SymplecticEuler implements Integrator {
     public double advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
         path.ensure(State.BLOCK * state.size());
         path.start(state, bodies);
+        Carry carry = state.ensureCarry();
+        carry.begin(state, bodies);
         double[] x = state.x();
         double[] v = state.v();
         equations.acceleration(bodies, t, path.stage);
@@ -37,11 +39,12 @@ public final class SymplecticEuler implements Integrator {
         for (int k = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
             for (int end = b + State.BLOCK; b < end; b++) {
-                v[b] += h * path.stage[b];
-                x[b] += h * v[b];
+                carry.addV(v, b, h * path.stage[b]);
+                carry.addX(x, b, carry.way(v, b, h));
             }
         }
         equations.close(bodies, h);
+        carry.end(state, bodies);
         path.join(state, bodies, h);
         return h;
     }
