@@ -95,7 +95,7 @@ class RattleTest {
         return sum / weights;
     }
 
-    /** Without sums that are carried it is 6 times that after 400,000 steps, and grows with their number. */
+    /** Without sums that are carried it is 8 times that after 400,000 steps, and grows with their number. */
     private void assertMeanEnergyHasNoTrend(double step, int steps) {
         rods(2, step, 1);
         double first = meanEnergy();
