@@ -14,8 +14,8 @@ import sim.physics.internal.IntList;
 public final class Carry implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Change of a value, in units of its last digit, by which a projection may have rounded it otherwise. */
-    private static final double SAME = 4;
+    /** Change of a value, relative, by which a projection may have rounded it otherwise. */
+    private static final double SAME = 0x1p-50;
 
     private double[] x = {};
     private double[] v = {};
@@ -38,17 +38,23 @@ public final class Carry implements Serializable {
             leftX = Arrays.copyOf(leftX, n);
             leftV = Arrays.copyOf(leftV, n);
         }
+        double[] stateX = state.x();
+        double[] stateV = state.v();
         for (int k = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
             for (int end = b + State.BLOCK; b < end; b++) {
-                x[b] = isSame(state.x()[b], leftX[b]) ? x[b] : 0;
-                v[b] = isSame(state.v()[b], leftV[b]) ? v[b] : 0;
+                if (!isSame(stateX[b], leftX[b])) {
+                    x[b] = 0;
+                }
+                if (!isSame(stateV[b], leftV[b])) {
+                    v[b] = 0;
+                }
             }
         }
     }
 
     private static boolean isSame(double now, double then) {
-        return Math.abs(now - then) <= SAME * Math.ulp(then);
+        return Math.abs(now - then) <= SAME * Math.abs(then);
     }
 
     void end(State state, IntList bodies) {
