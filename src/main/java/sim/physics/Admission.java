@@ -43,6 +43,9 @@ final class Admission implements Presence, Serializable {
     /** Offset in the present step of the collision that is being handled. */
     private double now;
 
+    /** Null unless the engine is audited. */
+    private Audit audit;
+
     private final double[] written = new double[2 * State.BLOCK];
 
     Admission(
@@ -64,6 +67,10 @@ final class Admission implements Presence, Serializable {
         constraints = those;
         motion.setTies(those);
         detection.filter().setTies(those);
+    }
+
+    void setAudit(Audit those) {
+        audit = those;
     }
 
     /** Sets the instant at which listeners are called. */
@@ -122,6 +129,9 @@ final class Admission implements Presence, Serializable {
     }
 
     private void admit(int index, double tau) {
+        if (audit != null) {
+            audit.written(index, tau);
+        }
         resting.forget(index);
         if (isWhereItWas(index, tau)) {
             heaps.struck(index);
@@ -137,6 +147,9 @@ final class Admission implements Presence, Serializable {
         }
         if (trajectories.isDriven(index)) {
             driven.add(index);
+        }
+        if (audit != null) {
+            audit.admitted(index, tau);
         }
     }
 
@@ -303,6 +316,9 @@ final class Admission implements Presence, Serializable {
             }
         }
         int index = body.index();
+        if (audit != null) {
+            audit.removed(index);
+        }
         if (detection.knows(index)) {
             resting.forget(index);
             heaps.forget(index);

@@ -68,6 +68,9 @@ public final class PhysicsEngine implements Steppable {
     /** Null until somebody asks. */
     private transient Queries queries;
 
+    /** Null unless it is asked for. */
+    private Audit audit;
+
     private ConstraintSolver constraintSolver = new DirectSolver();
     private boolean broadPhaseIsChosen;
     private boolean stepping;
@@ -129,9 +132,12 @@ public final class PhysicsEngine implements Steppable {
         while (admission.breakJoints(getTime())) {
             admit(0);
         }
+        if (audit != null) {
+            audit.open();
+        }
         groups.clear();
         for (int k = 0; k < changed.size; k++) {
-            detection.moved(changed.values[k], 0, false, -1);
+            moved(changed.values[k], 0, false, -1);
         }
         response.begin();
         if (!response.resting().isEmpty()) {
@@ -168,7 +174,7 @@ public final class PhysicsEngine implements Steppable {
             detection.setPathEnd(group.values[k], until);
         }
         for (int k = 0; k < group.size; k++) {
-            detection.moved(group.values[k], tau, false, -1);
+            moved(group.values[k], tau, false, -1);
         }
     }
 
@@ -212,7 +218,7 @@ public final class PhysicsEngine implements Steppable {
             if (trajectories.isDriven(body)) {
                 noteGroup(body);
             } else {
-                detection.moved(body, trajectories.offset(body), false, k == 1 ? pair : -1);
+                moved(body, trajectories.offset(body), false, k == 1 ? pair : -1);
             }
         }
         if (admission.isNeeded()) {
@@ -227,11 +233,19 @@ public final class PhysicsEngine implements Steppable {
         followGroups();
     }
 
+    /** A body has a new path. */
+    private void moved(int body, double tau, boolean placed, int pair) {
+        detection.moved(body, tau, placed, pair);
+        if (audit != null) {
+            audit.noted(body, tau);
+        }
+    }
+
     /** Bodies that rest on one another press on each other: new forces where something has happened. */
     private void settle(double tau) {
         IntList settled = response.resting().settle(tau);
         for (int k = 0; k < settled.size; k++) {
-            detection.moved(settled.values[k], tau, false, -1);
+            moved(settled.values[k], tau, false, -1);
         }
     }
 
@@ -242,7 +256,7 @@ public final class PhysicsEngine implements Steppable {
             if (trajectories.isDriven(settled.values[k])) {
                 noteGroup(settled.values[k]);
             } else {
-                detection.moved(settled.values[k], tau, false, -1);
+                moved(settled.values[k], tau, false, -1);
             }
         }
         response.heaps().told();
@@ -264,7 +278,7 @@ public final class PhysicsEngine implements Steppable {
         }
         motion.bring(body, tau);
         if (motion.hold(body)) {
-            detection.moved(body, tau, false, -1);
+            moved(body, tau, false, -1);
         } else {
             follow(body);
         }
@@ -273,6 +287,9 @@ public final class PhysicsEngine implements Steppable {
     private void finish() {
         trajectories.publish(timeStep, state);
         motion.finish();
+        if (audit != null) {
+            audit.close();
+        }
         steps++;
     }
 
@@ -716,6 +733,48 @@ public final class PhysicsEngine implements Steppable {
      */
     public long getNarrowPhaseEvaluations() {
         return detection.narrowPhase().evaluations();
+    }
+
+    /**
+     * Lets the engine find out how exact its steps are: by how much bodies miss their places, and where energy goes. It
+     * changes no bit of the run. Steps of bodies that an integrator drives take ten times as long with methods of high
+     * order and fifty times with RK4. When it is off, it costs nothing.
+     *
+     * @param audited true to begin anew, false to end; false unless set
+     * @throws IllegalStateException within a step
+     */
+    public void setAudited(boolean audited) {
+        requireBetweenSteps("the audit was set");
+        audit = audited ? new Audit(state, trajectories, motion) : null;
+        motion.setObserver(audit);
+        admission.setAudit(audit);
+    }
+
+    /**
+     * What the audit says of the last step.
+     *
+     * @return all zero before the first step
+     * @throws IllegalStateException if the engine is not audited
+     */
+    public StepReport getStepReport() {
+        return audit().step();
+    }
+
+    /**
+     * What the audit says of all steps since it began.
+     *
+     * @return sums, and the energies at both ends
+     * @throws IllegalStateException if the engine is not audited
+     */
+    public StepReport getRunReport() {
+        return audit().run();
+    }
+
+    private Audit audit() {
+        if (audit == null) {
+            throw new IllegalStateException("a report was asked for: call setAudited(true) before");
+        }
+        return audit;
     }
 
     /**

@@ -22,9 +22,6 @@ import sim.physics.motion.Ties;
 public final class Constraints implements Ties, Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Gap of a new constraint, relative to the sizes of its bodies, up to which it counts as closed. */
-    private static final double CLOSED = 1e-6;
-
     private final State state;
     private final LinkedHashSet<Constraint> constraints = new LinkedHashSet<>();
     private final LinkedHashSet<Constraint> changed = new LinkedHashSet<>();
@@ -36,6 +33,7 @@ public final class Constraints implements Ties, Serializable {
     private ConstraintSolver solver = new DirectSolver();
     private final Projection projection = new Projection();
     private Stabilization stabilization = Stabilization.projection();
+    private long version;
 
     /**
      * Makes an empty set of constraints.
@@ -112,24 +110,7 @@ public final class Constraints implements Ties, Serializable {
         if (constraints.contains(constraint)) {
             throw new IllegalStateException("constraint is " + constraint + ": it was added already");
         }
-        Body b = constraint.getBodyB();
-        if (constraint.getBodyA().isFixed() && (b == null || b.isFixed())) {
-            throw new IllegalArgumentException("constraint is " + constraint + ": none of its bodies can move");
-        }
-        int rows = constraint.getRows();
-        if (rows < 1 || rows > Equations.ROWS) {
-            throw new IllegalArgumentException("rows are " + rows + ": a constraint has 1 to " + Equations.ROWS);
-        }
-        Equations equations = new Equations();
-        constraint.evaluate(equations);
-        for (int row = 0; row < rows; row++) {
-            double gap = Math.abs(equations.c[row]);
-            double size = constraint.isAngle(row) ? 1 : constraint.getSize();
-            if (!(gap <= (closed ? CLOSED * size : Double.MAX_VALUE))) {
-                throw new IllegalArgumentException("constraint is " + constraint + ": it is open by "
-                        + equations.c[row] + " in row " + row + "; assemble() would close it");
-            }
-        }
+        Admissible.check(constraint, closed);
     }
 
     /**
@@ -162,6 +143,7 @@ public final class Constraints implements Ties, Serializable {
      * @param body a body of the state
      */
     public void touched(Body body) {
+        version++;
         if (!body.isFixed()) {
             if (isTied(body.index())) {
                 of[body.index()].forgetMasses();
@@ -212,6 +194,7 @@ public final class Constraints implements Ties, Serializable {
 
     /** Forms the islands anew that changes concern. */
     public void regroup() {
+        version++;
         if (of.length < state.size()) {
             of = Arrays.copyOf(of, Math.max(2 * of.length, state.size()));
         }
@@ -495,5 +478,23 @@ public final class Constraints implements Ties, Serializable {
             least = Math.min(least, island.switches.push(state, a));
         }
         return least;
+    }
+
+    @Override
+    public Ties twin() {
+        Constraints twin = new Constraints(state);
+        constraints.forEach(twin::add);
+        twin.regroup();
+        return twin;
+    }
+
+    @Override
+    public long version() {
+        return version;
+    }
+
+    @Override
+    public double[] switches(IntList bodies, double[] kept, boolean restore) {
+        return Switches.exchange(of(bodies), kept, restore);
     }
 }

@@ -33,8 +33,51 @@ public final class IntList implements Serializable {
         values[size++] = value;
     }
 
+    /**
+     * Replaces all values by one.
+     *
+     * @param value the one
+     * @return this list
+     */
+    public IntList only(int value) {
+        size = 0;
+        add(value);
+        return this;
+    }
+
     /** Removes all values and keeps the array. */
     public void clear() {
         size = 0;
+    }
+
+    /**
+     * Puts a value into a list in ascending order.
+     *
+     * @param value one that is not there
+     */
+    public void insert(int value) {
+        int k = place(value);
+        add(value);
+        System.arraycopy(values, k, values, k + 1, size - 1 - k);
+        values[k] = value;
+    }
+
+    /**
+     * Takes a value out of a list in ascending order.
+     *
+     * @param value one that is there
+     */
+    public void takeOut(int value) {
+        int k = place(value);
+        System.arraycopy(values, k + 1, values, k, size - 1 - k);
+        size--;
+    }
+
+    private int place(int value) {
+        int k = size;
+        while (k > 0 && values[k - 1] >= value) {
+            k--;
+        }
+        return k;
     }
 }

@@ -41,6 +41,9 @@ final class DrivenMotion implements Serializable {
     /** Null while nothing ties bodies together. */
     private TiedMotion tied;
 
+    /** Null unless somebody audits the engine. */
+    private CourseObserver observer;
+
     /** Where the driven bodies are at the end of their paths, 3n each. */
     private double[] endX = {};
 
@@ -74,6 +77,14 @@ final class DrivenMotion implements Serializable {
 
     void setTies(Ties ties) {
         tied = ties == null ? null : new TiedMotion(state, trajectories, ties);
+        setObserver(observer);
+    }
+
+    void setObserver(CourseObserver who) {
+        observer = who;
+        if (tied != null) {
+            tied.setObserver(who);
+        }
     }
 
     /** Whether the last paths may be too far from the motion for bodies that others are near. */
@@ -222,6 +233,9 @@ final class DrivenMotion implements Serializable {
             restore(group);
             cover(group, trajectories.offset(first), tau);
         }
+        if (observer != null) {
+            observer.covered(group, trajectories.offset(first), tau);
+        }
         for (int k = 0; k < group.size; k++) {
             trajectories.anchor(group.values[k], tau, state);
             endAt[group.values[k]] = Double.NaN;
@@ -229,7 +243,7 @@ final class DrivenMotion implements Serializable {
     }
 
     /** Integrates a group from one offset to another, which may be an earlier one. */
-    private void cover(IntList group, double from, double to) {
+    void cover(IntList group, double from, double to) {
         double t = motion.time(from);
         double length = to - from;
         SurfaceFriction surface = motion.surfaceUnder(group);
@@ -254,6 +268,10 @@ final class DrivenMotion implements Serializable {
 
     /** Puts the anchors of bodies back into the state vectors. */
     void restore(IntList group) {
+        restore(trajectories, state, group);
+    }
+
+    static void restore(Trajectories trajectories, State state, IntList group) {
         double[] m = trajectories.data();
         for (int k = 0; k < group.size; k++) {
             int o = Trajectories.STRIDE * group.values[k];
@@ -301,6 +319,20 @@ final class DrivenMotion implements Serializable {
         int b = State.BLOCK * body;
         copy(endX, b, state.x(), b);
         copy(endV, b, state.v(), b);
+    }
+
+    /** The state vectors hold the ends of all paths. */
+    void finished() {
+        if (observer == null) {
+            return;
+        }
+        IntList driven = motion.driven();
+        for (int k = 0; k < driven.size; k++) {
+            IntList group = motion.companions(driven.values[k]);
+            if (group.values[0] == driven.values[k]) {
+                observer.covered(group, trajectories.offset(driven.values[k]), trajectories.h());
+            }
+        }
     }
 
     /** Takes note that a body's course has changed at its anchor. */

@@ -40,4 +40,14 @@ public interface ForceGenerator extends Serializable {
     default boolean isCoupled() {
         return false;
     }
+
+    /**
+     * The energy that the generator stores now, so that an audit of the engine takes what it does for no loss. Uniform
+     * fields are known.
+     *
+     * @return potential energy where its bodies are; 0, unless overridden: all that the forces do is work
+     */
+    default double energy() {
+        return 0;
+    }
 }

@@ -19,22 +19,22 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     private final State state;
     private final Trajectories trajectories;
-    private final Forces forces;
-    private final Generators generators = new Generators();
+    final Forces forces;
+    final Generators generators;
     private Integrator integrator = new RungeKutta4();
-    private double time;
+    double time;
 
     /** Driven bodies in ascending order; bodies with an applied force in this step. */
-    private final IntList driven = new IntList();
-    private final IntList pushed = new IntList();
+    private final IntList driven;
+    private final IntList pushed;
     private final IntList alone = new IntList();
     private final DrivenMotion drivenMotion;
 
     /** Null while nothing ties bodies together. */
-    private Ties ties;
+    Ties ties;
 
     /** What bears bodies at rest. */
-    private final Support support = new Support();
+    final Support support;
 
     /**
      * Makes the motion of an engine.
@@ -46,7 +46,38 @@ public final class Motion implements EquationsOfMotion, Serializable {
         this.state = state;
         this.trajectories = trajectories;
         this.forces = new Forces(state);
+        this.generators = new Generators();
+        this.driven = new IntList();
+        this.pushed = new IntList();
+        this.support = new Support();
         this.drivenMotion = new DrivenMotion(this, state, trajectories);
+    }
+
+    /** Another motion of the same bodies under the same forces, with workspace, method and ties of its own. */
+    Motion(Motion original) {
+        state = original.state;
+        trajectories = original.trajectories;
+        forces = new Forces(state);
+        generators = original.generators;
+        driven = original.driven;
+        pushed = original.pushed;
+        support = original.support;
+        drivenMotion = new DrivenMotion(this, state, trajectories);
+    }
+
+    /**
+     * Sets who is told of what driven bodies have done.
+     *
+     * @param observer null for nobody
+     */
+    public void setObserver(CourseObserver observer) {
+        drivenMotion.setObserver(observer);
+    }
+
+    /** Goes through a time from where the state vectors have a group, whatever its paths are. */
+    void cover(IntList group, double startOfStep, double from, double to) {
+        time = startOfStep;
+        drivenMotion.cover(group, from, to);
     }
 
     /**
@@ -189,6 +220,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
     /** Ends the step: writes where the driven bodies are; the forces that were applied for the step have acted. */
     public void finish() {
         drivenMotion.finish(driven);
+        drivenMotion.finished();
         for (int k = 0; k < pushed.size; k++) {
             Body view = state.body(pushed.values[k]);
             if (view != null) {
@@ -212,17 +244,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (was == yes) {
             return;
         }
-        int k = driven.size;
-        while (k > 0 && driven.values[k - 1] >= body) {
-            k--;
-        }
         if (yes) {
-            driven.add(body);
-            System.arraycopy(driven.values, k, driven.values, k + 1, driven.size - 1 - k);
-            driven.values[k] = body;
+            driven.insert(body);
         } else {
-            System.arraycopy(driven.values, k + 1, driven.values, k, driven.size - 1 - k);
-            driven.size--;
+            driven.takeOut(body);
         }
     }
 
@@ -259,9 +284,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (isTied(body)) {
             return ties.island(body);
         }
-        alone.clear();
-        alone.add(body);
-        return alone;
+        return alone.only(body);
     }
 
     /**
@@ -372,8 +395,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @param alpha rad/time²
      */
     public void support(int body, double ax, double ay, double alpha) {
-        support.set(body, ax, ay, alpha);
-        support.pushesDriven |= trajectories.isDriven(body) && (ax != 0 || ay != 0 || alpha != 0);
+        support.set(body, ax, ay, alpha, trajectories.isDriven(body));
         course(body);
     }
 
@@ -425,7 +447,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     /** Whether some force may act on bodies beside that of their ties. */
     boolean hasForces() {
-        return pushed.size > 0 || generators.isAny() || support.pushesDriven;
+        return fields() == null || generators.isAny();
     }
 
     /** The uniform fields, if nothing but them acts, or null. */
@@ -439,11 +461,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
     }
 
     private boolean rests(int body) {
-        int o = Trajectories.STRIDE * body;
-        double[] m = trajectories.data();
-        Body view = state.body(body);
-        boolean moves = m[o + Trajectories.VX] != 0 || m[o + Trajectories.VY] != 0 || m[o + Trajectories.OMEGA] != 0;
-        return !moves && !view.isPushed() && !isTied(body) && generators.hold(view);
+        return !trajectories.isMoving(body) && !isTied(body) && generators.holds(state.body(body));
     }
 
     @Override
@@ -451,7 +469,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (fields() != null) {
             generators.fall(bodies, a);
         } else {
-            force(bodies, t, a);
+            generators.accelerate(state, bodies, t, forces, a);
+            support.add(bodies, a);
         }
         if (isTiedGroup(bodies)) {
             ties.accelerate(bodies, a); // (34)–(41)
@@ -476,25 +495,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
     public void settle(IntList bodies) {
         if (isTiedGroup(bodies)) {
             ties.settle(bodies);
-        }
-    }
-
-    private void force(IntList bodies, double t, double[] a) {
-        double[] f = state.f();
-        double[] w = state.w().values();
-        for (int k = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            Body body = state.body(bodies.values[k]);
-            f[b] = body.appliedX();
-            f[b + 1] = body.appliedY();
-            f[b + 2] = body.appliedTorque();
-            generators.addForces(body, t, forces);
-            a[b] = generators.gravityX + w[b] * f[b]; // (5), (7)
-            a[b + 1] = generators.gravityY + w[b + 1] * f[b + 1];
-            a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
-            if (support.pushesDriven) {
-                support.add(body.index(), a);
-            }
         }
     }
 }

@@ -85,6 +85,9 @@ public final class State implements Serializable {
     /** Whether a body ever had a collision group. */
     private boolean grouped;
 
+    /** Null unless a method asks for it. */
+    private Carry carry;
+
     /** Whether positions change without notice, as they do within a step. */
     private transient boolean unsettled;
 
@@ -152,6 +155,21 @@ public final class State implements Serializable {
      */
     public DiagonalMatrix w() {
         return w;
+    }
+
+    /**
+     * What rounding has left of the vectors.
+     *
+     * @return null until a method asks for it
+     */
+    public Carry carry() {
+        return carry;
+    }
+
+    /** The same, made if there is none. */
+    Carry ensureCarry() {
+        carry = carry == null ? new Carry() : carry;
+        return carry;
     }
 
     /**

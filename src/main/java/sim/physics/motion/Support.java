@@ -4,6 +4,7 @@ package sim.physics.motion;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 
 /**
  * What bears bodies at rest: contacts that give them accelerations, and static friction that holds them. Empty until one
@@ -25,7 +26,7 @@ final class Support implements Serializable {
         // a scene in which nothing rests pays nothing
     }
 
-    void set(int body, double ax, double ay, double alpha) {
+    void set(int body, double ax, double ay, double alpha, boolean isDriven) {
         int b = State.BLOCK * body;
         if (b >= accelerations.length) {
             accelerations = Arrays.copyOf(accelerations, Math.max(2 * accelerations.length, b + State.BLOCK));
@@ -33,6 +34,7 @@ final class Support implements Serializable {
         accelerations[b] = ax;
         accelerations[b + 1] = ay;
         accelerations[b + 2] = alpha;
+        pushesDriven |= isDriven && (ax != 0 || ay != 0 || alpha != 0);
     }
 
     /** The acceleration that contacts give to a coordinate of a body. */
@@ -41,11 +43,13 @@ final class Support implements Serializable {
         return k < accelerations.length ? accelerations[k] : 0;
     }
 
-    /** Adds the accelerations that contacts give to a body. */
-    void add(int body, double[] a) {
-        int b = State.BLOCK * body;
-        for (int c = b; c < Math.min(accelerations.length, b + State.BLOCK); c++) {
-            a[c] += accelerations[c];
+    /** Adds the accelerations that contacts give to driven bodies. */
+    void add(IntList bodies, double[] a) {
+        for (int k = 0; pushesDriven && k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int c = b; c < Math.min(accelerations.length, b + State.BLOCK); c++) {
+                a[c] += accelerations[c];
+            }
         }
     }
 

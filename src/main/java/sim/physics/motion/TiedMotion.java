@@ -30,6 +30,7 @@ final class TiedMotion implements Serializable {
     private final State state;
     private final Trajectories trajectories;
     private final Ties ties;
+    private CourseObserver observer;
     private double[] startX = {};
     private double[] startV = {};
     private double[] strideX = {};
@@ -42,6 +43,10 @@ final class TiedMotion implements Serializable {
         this.state = state;
         this.trajectories = trajectories;
         this.ties = ties;
+    }
+
+    void setObserver(CourseObserver who) {
+        observer = who;
     }
 
     /**
@@ -66,6 +71,7 @@ final class TiedMotion implements Serializable {
         path.ensure(state.x().length);
         motion.acceleration(group, t, path.stage);
         ties.confirm(group, false);
+        tell(group);
         double first = ties.watch(group);
         double push = ties.push(group, path.stage);
         double most = push < STRONG * limit ? AMPLE * push : limit;
@@ -80,11 +86,18 @@ final class TiedMotion implements Serializable {
             if (from == 0) {
                 again(group);
                 ties.confirm(group, true); // it is pressed against its stop
+                tell(group);
                 return stride(motion, group, t, most, path);
             }
             first = 1;
         }
         return find(motion, group, t, from, length, first, last, path);
+    }
+
+    private void tell(IntList group) {
+        if (observer != null) {
+            observer.decided(group);
+        }
     }
 
     /** A time at which the group has left its stop; 0 if there is none. */

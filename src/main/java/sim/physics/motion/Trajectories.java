@@ -289,6 +289,12 @@ public final class Trajectories implements Serializable {
         bends[(o & bendMask) + JTHETA] = 0;
     }
 
+    /** Whether a body has a velocity at its anchor. */
+    boolean isMoving(int body) {
+        int o = body * STRIDE;
+        return data[o + VX] != 0 || data[o + VY] != 0 || data[o + OMEGA] != 0;
+    }
+
     /**
      * Marks whether a body's polynomials hold for the present step only.
      *
