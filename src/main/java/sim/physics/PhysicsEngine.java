@@ -23,6 +23,7 @@ import sim.physics.constraint.Reaction;
 import sim.physics.constraint.Stabilization;
 import sim.physics.internal.Check;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Team;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Integrator;
@@ -70,6 +71,10 @@ public final class PhysicsEngine implements Steppable {
 
     private ConstraintSolver constraintSolver = new DirectSolver();
     private boolean broadPhaseIsChosen;
+
+    /** Null while the stepping thread does all the work. */
+    private Team team;
+
     private boolean stepping;
 
     private double timeStep = 1;
@@ -141,24 +146,31 @@ public final class PhysicsEngine implements Steppable {
             settleHeaps(0);
         }
         IntList driven = motion.driven();
+        motion.advanceShared();
         for (int k = 0; k < driven.size; k++) {
             if (motion.companions(driven.values[k]).values[0] == driven.values[k]) {
-                follow(driven.values[k]);
+                follow(driven.values[k], true);
             }
+        }
+        if (driven.size > 0) {
+            detection.lookAround(driven, 0);
         }
     }
 
-    /** Gives a driven body, and those that move with it, new paths from their anchors on. */
-    private void follow(int body) {
+    /**
+     * Gives a driven body, and those that move with it, new paths from their anchors on; their pairs are looked at at once,
+     * or when all driven bodies have paths.
+     */
+    private void follow(int body, boolean all) {
         boolean chooses = motion.getIntegrator().isAdaptive();
-        advance(body, chooses && detection.hasNeighbours(motion.companions(body)));
+        advance(body, chooses && detection.hasNeighbours(motion.companions(body)), all);
         if (motion.isCoarse() && detection.hasNeighbours(motion.companions(body))) {
-            advance(body, true); // on its way it comes near others
+            advance(body, true, all); // on its way it comes near others
         }
         detection.endPath(body);
     }
 
-    private void advance(int body, boolean fine) {
+    private void advance(int body, boolean fine, boolean all) {
         double until = motion.advance(body, fine);
         IntList group = motion.companions(body);
         double tau = trajectories.offset(body);
@@ -166,14 +178,18 @@ public final class PhysicsEngine implements Steppable {
             detection.setPathEnd(group.values[k], until);
         }
         for (int k = 0; k < group.size; k++) {
-            detection.moved(group.values[k], tau, false, -1);
+            if (all) {
+                detection.enter(group.values[k], tau, false);
+            } else {
+                detection.moved(group.values[k], tau, false, -1);
+            }
         }
     }
 
     /** Lets the groups of driven bodies that were noted follow new paths. */
     private void followGroups() {
         for (int k = 0; k < groups.size; k++) {
-            follow(groups.values[k]);
+            follow(groups.values[k], false);
         }
         groups.clear();
     }
@@ -258,7 +274,7 @@ public final class PhysicsEngine implements Steppable {
         if (motion.hold(body)) {
             detection.moved(body, tau, false, -1);
         } else {
-            follow(body);
+            follow(body, false);
         }
     }
 
@@ -617,6 +633,40 @@ public final class PhysicsEngine implements Steppable {
      */
     public void setIntegrator(Integrator integrator) {
         motion.setIntegrator(integrator);
+    }
+
+    /**
+     * Number of threads that may share the work of a step.
+     *
+     * @return 1 unless set
+     */
+    public int getThreads() {
+        return team == null ? 1 : team.size();
+    }
+
+    /**
+     * Lets several threads share the work of a step: the islands of joints and the single bodies that the integrator drives,
+     * the boxes of bodies, and the searches for impacts that begin with the step. The results are the same bit for bit
+     * whatever the number, and so are the counts of work, the order of events and what is thrown. What happens within the
+     * step, impact by impact, stays with the stepping thread, as does all code of authors: bodies under a
+     * {@link ForceGenerator} that does not say that it {@link ForceGenerator#isConcurrent() is concurrent}, islands with a
+     * constraint that is not of this library. A step with too little to share is not shared.
+     *
+     * <p>The helpers are threads of {@link java.util.concurrent.ForkJoinPool#commonPool()}, or of the pool in which the step
+     * is made; the engine owns none. If they are busy elsewhere the stepping thread does the work.
+     *
+     * @param threads the stepping one included; 1 for that one alone
+     * @throws IllegalArgumentException if it is less than 1
+     * @throws IllegalStateException within a step
+     */
+    public void setThreads(int threads) {
+        if (threads < 1) {
+            throw new IllegalArgumentException("threads are " + threads + ": there must be at least 1");
+        }
+        requireBetweenSteps("the number of threads was set");
+        team = threads == 1 ? null : new Team(threads);
+        motion.setTeam(team);
+        detection.setTeam(team);
     }
 
     /**

@@ -8,9 +8,8 @@ import sim.physics.collision.broad.Boxes;
 import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.NarrowPhase;
-import sim.physics.collision.narrow.ShapeTable;
-import sim.physics.internal.Agenda;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Team;
 import sim.physics.internal.Tolerances;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -27,29 +26,16 @@ import sim.physics.motion.Trajectories;
 public final class CollisionDetection implements Pairs.Listener, Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** 1 less the rounding of an instant of a later step. */
-    private static final double ALMOST = 1 - 0x1p-51;
-
     private final State state;
     private final Trajectories trajectories;
-    private final ShapeTable shapes = new ShapeTable();
-    private final Boxes boxes = new Boxes();
-    private final Room room;
     private final Pairs pairs = new Pairs();
-    private final NarrowPhase narrowPhase;
+    private final PairSearch search;
     private final Companions companions;
-    private BroadPhase broadPhase;
+    private final Enclosures enclosures;
     private final CollisionFilter filter = new CollisionFilter();
 
-    private final Agenda bodyAgenda = new Agenda();
-    private final Agenda pairAgenda = new Agenda();
     private final EventQueue queue = new EventQueue();
-
-    /**
-     * When a pair's impact in the present step is. If it is to be looked at in a later step: minus the offset in that step
-     * up to which it is known to be apart. NaN if nothing is known.
-     */
-    private double[] impactTime = new double[16];
+    private final Watch watch;
 
     /** When a body's path ends in the present step, or NaN. */
     private double[] endTime = new double[8];
@@ -63,7 +49,6 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private double pathEnd;
 
     private final PairMarks marks = new PairMarks();
-    private final IntList fresh = new IntList();
     private final IntList together = new IntList();
     private long step;
     private double h;
@@ -78,9 +63,11 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public CollisionDetection(State state, Trajectories trajectories, BroadPhase broadPhase) {
         this.state = state;
         this.trajectories = trajectories;
-        this.broadPhase = broadPhase;
-        this.room = new Room(trajectories, boxes);
-        this.narrowPhase = new NarrowPhase(pairs, trajectories, shapes, boxes);
+        this.enclosures = new Enclosures(this, trajectories, pairs, broadPhase);
+        Boxes boxes = enclosures.boxes();
+        NarrowPhase narrowPhase = new NarrowPhase(pairs, trajectories, enclosures.shapes(), boxes);
+        this.search = new PairSearch(pairs, trajectories, marks, narrowPhase);
+        this.watch = new Watch(this, pairs, search, queue);
         this.companions = new Companions(trajectories, boxes, pairs, marks, narrowPhase);
         pairs.setListener(this);
     }
@@ -109,7 +96,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @return never null
      */
     public NarrowPhase narrowPhase() {
-        return narrowPhase;
+        return search.narrowPhase();
     }
 
     /**
@@ -120,12 +107,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      */
     public void add(int body, double tau) {
         Body view = state.body(body);
-        shapes.set(body, view.getShape());
+        enclosures.prepare(body, view);
         trajectories.setRadius(body, view.getShape().boundingRadius());
         pairs.ensure(body + 1);
-        boxes.ensure(body + 1);
-        boxes.setFixed(body, view.isFixed());
-        bodyAgenda.ensure(body + 1);
         if (body >= endTime.length) {
             endTime = Arrays.copyOf(endTime, Math.max(2 * endTime.length, body + 1));
             known = Arrays.copyOf(known, endTime.length);
@@ -136,10 +120,10 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         idle[body] = false;
         endTime[body] = Double.NaN;
         holdsUntil[body] = h;
-        enclose(body, tau);
-        fresh.clear();
-        broadPhase.add(body, boxes, pairs);
-        examineFresh(tau);
+        enclosures.enclose(body, tau, step, h);
+        watch.clearList();
+        enclosures.add(body);
+        watch.lookAtList(tau);
     }
 
     /**
@@ -150,8 +134,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public void remove(int body) {
         known[body] = false;
         endTime[body] = Double.NaN;
-        broadPhase.remove(body, boxes, pairs);
-        bodyAgenda.schedule(body, Agenda.NEVER);
+        enclosures.remove(body);
     }
 
     /**
@@ -160,10 +143,10 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param replacement an empty broad phase
      */
     public void setBroadPhase(BroadPhase replacement) {
-        broadPhase = replacement;
+        enclosures.setBroadPhase(replacement);
         for (int i = 0; i < state.size(); i++) {
             if (knows(i)) {
-                broadPhase.add(i, boxes, pairs);
+                enclosures.add(i);
             }
         }
     }
@@ -178,25 +161,24 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         step = number;
         h = length;
         queue.clear();
+        watch.begin(number, length);
     }
 
     /** Looks at the bodies that leave their boxes in the step that has begun, and at the pairs that may touch in it. */
     public void look() {
-        fresh.clear();
-        IntList leaving = bodyAgenda.advance(step);
-        for (int k = 0; k < leaving.size; k++) {
-            int body = leaving.values[k];
-            enclose(body, 0);
-            broadPhase.update(body, boxes, pairs);
-        }
-        IntList due = pairAgenda.advance(step);
-        for (int k = 0; k < due.size; k++) {
-            double apart = -impactTime[due.values[k]];
-            if (pairs.first(due.values[k]) >= 0) {
-                examine(due.values[k], apart > 0 ? apart : 0);
-            }
-        }
-        examineFresh(0);
+        watch.clearList();
+        enclosures.renew(step, h);
+        watch.look();
+    }
+
+    /**
+     * Sets which threads share the work of looking at many bodies and pairs.
+     *
+     * @param team null for the calling thread alone
+     */
+    public void setTeam(Team team) {
+        watch.setTeam(team);
+        enclosures.setTeam(team);
     }
 
     /**
@@ -208,18 +190,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param except a pair that need not be looked at, or −1
      */
     public void moved(int body, double tau, boolean teleported, int except) {
-        if (!teleported && trajectories.isDriven(body) && room.holds(body, tau, end(body))) {
-            bodyAgenda.schedule(body, Agenda.NEVER); // it is looked at again in the next step anyway
-        } else if (!boxes.isFixed(body) || teleported) {
-            long date = teleported ? step : room.leavingDate(body, tau, step, h);
-            if (date <= step) {
-                enclose(body, tau);
-                broadPhase.update(body, boxes, pairs);
-                fresh.clear();
-            } else {
-                bodyAgenda.schedule(body, date);
-            }
-        }
+        enter(body, tau, teleported);
         if (idle[body]) {
             return;
         }
@@ -229,10 +200,46 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             int pair = of.values[k];
             watched |= pair == except || !marks.isUnseen(pair);
             if (pair != except) {
-                examine(pair, tau);
+                watch.look(pair, tau);
             }
         }
         idle[body] = !watched;
+    }
+
+    /**
+     * Takes note that a body has a new trajectory, as {@link #moved} does, but leaves its pairs to {@link #lookAround}.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     * @param teleported whether its position changed too
+     */
+    public void enter(int body, double tau, boolean teleported) {
+        enclosures.moved(body, tau, teleported, step, h);
+        watch.clearList();
+    }
+
+    /**
+     * Looks at the pairs of all bodies that have entered new trajectories, at each once.
+     *
+     * @param bodies indices
+     * @param tau offset in the present step
+     */
+    public void lookAround(IntList bodies, double tau) {
+        watch.clearList();
+        for (int m = 0; m < bodies.size; m++) {
+            int body = bodies.values[m];
+            if (idle[body]) {
+                continue;
+            }
+            IntList of = pairs.of(body);
+            boolean watched = false;
+            for (int k = 0; of != null && k < of.size; k++) {
+                watched |= !marks.isUnseen(of.values[k]);
+                watch.list(of.values[k]);
+            }
+            idle[body] = !watched;
+        }
+        watch.lookAtList(tau);
     }
 
     /**
@@ -245,7 +252,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         for (int k = 0; of != null && k < of.size; k++) {
             int p = of.values[k];
             marks.ignore(p, !filter.allows(state.body(pairs.first(p)), state.body(pairs.second(p))));
-            watch(p);
+            attend(p);
         }
     }
 
@@ -266,8 +273,8 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      */
     public void hold(int pair, boolean yes) {
         marks.hold(pair, yes);
-        watch(pair);
-        impactTime[pair] = Double.NaN;
+        attend(pair);
+        watch.impactTime[pair] = Double.NaN;
     }
 
     /**
@@ -300,66 +307,6 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         return body < known.length && known[body];
     }
 
-    private void examineFresh(double tau) {
-        for (int k = 0; k < fresh.size; k++) {
-            if (pairs.first(fresh.values[k]) >= 0) {
-                examine(fresh.values[k], tau);
-            }
-        }
-        fresh.clear();
-    }
-
-    /** Looks for a pair's first contact from an instant on, and plans an impact or the next look. */
-    private void examine(int pair, double tau) {
-        impactTime[pair] = Double.NaN;
-        if (marks.isUnseen(pair)) {
-            pairAgenda.schedule(pair, Agenda.NEVER);
-            return;
-        }
-        double start = narrowPhase.boundingCircles(pair, tau);
-        if (start == Double.POSITIVE_INFINITY) {
-            pairAgenda.schedule(pair, Agenda.NEVER);
-            return;
-        }
-        double end = Math.min(end(pairs.first(pair)), end(pairs.second(pair)));
-        double slack = marks.slack(pair);
-        double t = slack > 0
-                ? narrowPhase.firstContact(pair, tau, start, end, slack)
-                : narrowPhase.firstContact(pair, tau, start, end);
-        if (narrowPhase.isApart()) {
-            schedule(pair, t);
-            return;
-        }
-        if (narrowPhase.isTouching() && t < end) {
-            impactTime[pair] = t;
-            queue.add(t, pair);
-            pairAgenda.schedule(pair, Agenda.NEVER);
-            return;
-        }
-        boolean driven = !narrowPhase.isContinuous()
-                || trajectories.isDriven(pairs.first(pair))
-                || trajectories.isDriven(pairs.second(pair));
-        schedule(pair, driven ? h : t);
-    }
-
-    /** Plans the next look at a pair that is apart up to an offset, which may be infinite. */
-    private void schedule(int pair, double tau) {
-        double later = Math.max(1, Math.floor(tau / h));
-        impactTime[pair] = later * h - tau * ALMOST; // the search goes on from there
-        pairAgenda.schedule(pair, later < 1e15 ? step + (long) later : Agenda.NEVER);
-    }
-
-    /** Puts a body into a new box that holds its path to the end of the step, with room to go on. */
-    private void enclose(int body, double tau) {
-        if (boxes.isFixed(body)) { // its box fits its vertices
-            shapes.encloseFixed(body, trajectories.data(), body * Trajectories.STRIDE, boxes);
-            bodyAgenda.schedule(body, Agenda.NEVER);
-            return;
-        }
-        room.enclose(body, tau, end(body));
-        bodyAgenda.schedule(body, Math.max(step + 1, room.leavingDate(body, tau, step, h)));
-    }
-
     /**
      * Says until when the path of a driven body holds, before it is {@link #moved}.
      *
@@ -382,8 +329,13 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         }
     }
 
+    /** Until when in the step what is known of the paths of a pair's bodies holds. */
+    double pathEnd(int pair) {
+        return Math.min(end(pairs.first(pair)), end(pairs.second(pair)));
+    }
+
     /** Until when in the step what is known of a body's path holds. */
-    private double end(int body) {
+    double end(int body) {
         return trajectories.isDriven(body) ? Math.min(h, holdsUntil[body]) : h;
     }
 
@@ -413,7 +365,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public boolean hasEvent() {
         while (!queue.isEmpty()) {
             int item = queue.firstItem();
-            if (queue.firstTime() == (item >= 0 ? impactTime[item] : endTime[~item])) {
+            if (queue.firstTime() == (item >= 0 ? watch.impactTime[item] : endTime[~item])) {
                 return true;
             }
             queue.removeFirst(); // planned before a later change of course
@@ -467,34 +419,27 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         while (hasEvent() && queue.firstTime() <= until && queue.firstItem() >= 0) {
             int pair = queue.firstItem();
             queue.removeFirst();
-            impactTime[pair] = Double.NaN;
+            watch.impactTime[pair] = Double.NaN;
             together.add(pair);
         }
-        companions.gather(together, tau, impactTime);
+        companions.gather(together, tau, watch.impactTime);
         return together;
     }
 
     @Override
     public void pairBegan(int pair) {
-        if (pair >= impactTime.length) {
-            impactTime = Arrays.copyOf(impactTime, Math.max(2 * impactTime.length, pair + 1));
-        }
-        pairAgenda.ensure(pair + 1);
-        narrowPhase.forget(pair);
-        impactTime[pair] = Double.NaN;
+        watch.add(pair);
         marks.begin(pair, !filter.allows(state.body(pairs.first(pair)), state.body(pairs.second(pair))));
-        watch(pair);
-        fresh.add(pair);
+        attend(pair);
     }
 
-    private void watch(int pair) {
+    private void attend(int pair) {
         idle[pairs.first(pair)] = false;
         idle[pairs.second(pair)] = false;
     }
 
     @Override
     public void pairEnded(int pair) {
-        impactTime[pair] = Double.NaN;
-        pairAgenda.schedule(pair, Agenda.NEVER);
+        watch.remove(pair);
     }
 }

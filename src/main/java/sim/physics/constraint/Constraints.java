@@ -22,13 +22,10 @@ import sim.physics.motion.Ties;
 public final class Constraints implements Ties, Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Gap of a new constraint, relative to the sizes of its bodies, up to which it counts as closed. */
-    private static final double CLOSED = 1e-6;
-
     private final State state;
     private final LinkedHashSet<Constraint> constraints = new LinkedHashSet<>();
     private final LinkedHashSet<Constraint> changed = new LinkedHashSet<>();
-    private final List<Island> islands = new ArrayList<>();
+    private final List<Island> islands;
 
     /** The island of each body. */
     private Island[] of = {};
@@ -43,7 +40,29 @@ public final class Constraints implements Ties, Serializable {
      * @param state the state vectors
      */
     public Constraints(State state) {
+        this(state, new ArrayList<>());
+    }
+
+    private Constraints(State state, List<Island> islands) {
         this.state = state;
+        this.islands = islands;
+    }
+
+    @Override
+    public Ties twin() {
+        return new Constraints(state, islands);
+    }
+
+    @Override
+    public void match(Ties first) {
+        Constraints other = (Constraints) first;
+        of = other.of;
+        stabilization = other.stabilization;
+    }
+
+    @Override
+    public boolean mayBeShared(IntList island) {
+        return of[island.values[0]].isOwn && solver instanceof DirectSolver;
     }
 
     /**
@@ -112,24 +131,7 @@ public final class Constraints implements Ties, Serializable {
         if (constraints.contains(constraint)) {
             throw new IllegalStateException("constraint is " + constraint + ": it was added already");
         }
-        Body b = constraint.getBodyB();
-        if (constraint.getBodyA().isFixed() && (b == null || b.isFixed())) {
-            throw new IllegalArgumentException("constraint is " + constraint + ": none of its bodies can move");
-        }
-        int rows = constraint.getRows();
-        if (rows < 1 || rows > Equations.ROWS) {
-            throw new IllegalArgumentException("rows are " + rows + ": a constraint has 1 to " + Equations.ROWS);
-        }
-        Equations equations = new Equations();
-        constraint.evaluate(equations);
-        for (int row = 0; row < rows; row++) {
-            double gap = Math.abs(equations.c[row]);
-            double size = constraint.isAngle(row) ? 1 : constraint.getSize();
-            if (!(gap <= (closed ? CLOSED * size : Double.MAX_VALUE))) {
-                throw new IllegalArgumentException("constraint is " + constraint + ": it is open by "
-                        + equations.c[row] + " in row " + row + "; assemble() would close it");
-            }
-        }
+        Admissible.check(constraint, closed);
     }
 
     /**

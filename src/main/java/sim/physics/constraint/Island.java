@@ -59,6 +59,9 @@ final class Island implements Serializable {
     boolean isDissolved;
     final boolean isBreakable;
 
+    /** Whether all constraints are our own code. */
+    final boolean isOwn;
+
     /** Whether the solves are those of a projection after a step. */
     boolean isProjected;
 
@@ -156,6 +159,7 @@ final class Island implements Serializable {
         invariants = new Invariants(this);
         shake = new Shake(this);
         passage = new Passage(this);
+        isOwn = those.stream().allMatch(Joint::isOwn);
         isBreakable = those.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());
     }
 

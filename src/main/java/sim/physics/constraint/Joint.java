@@ -101,6 +101,12 @@ public abstract class Joint implements Constraint {
         return breakingForce < Double.POSITIVE_INFINITY || breakingTorque < Double.POSITIVE_INFINITY;
     }
 
+    /** Whether a constraint is all our own code, so that different ones may be evaluated by different threads. */
+    static boolean isOwn(Constraint constraint) {
+        Constraint one = constraint instanceof Switched s ? s.coordinate() : constraint;
+        return one instanceof WireJoint w ? w.hasOwnWire() : one instanceof Joint;
+    }
+
     /** A world point in the coordinates of a body; of the world for null. */
     static double localX(Body body, double x, double y) {
         if (body == null) {

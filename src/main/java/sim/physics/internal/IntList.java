@@ -33,6 +33,43 @@ public final class IntList implements Serializable {
         values[size++] = value;
     }
 
+    /**
+     * Puts a value into an ascending list, if it is not there.
+     *
+     * @param value any
+     */
+    public void include(int value) {
+        int k = place(value);
+        if (k < size && values[k] == value) {
+            return;
+        }
+        add(value);
+        System.arraycopy(values, k, values, k + 1, size - 1 - k);
+        values[k] = value;
+    }
+
+    /**
+     * Takes a value out of an ascending list, if it is there.
+     *
+     * @param value any
+     */
+    public void exclude(int value) {
+        int k = place(value);
+        if (k < size && values[k] == value) {
+            System.arraycopy(values, k + 1, values, k, size - 1 - k);
+            size--;
+        }
+    }
+
+    /** Where the first value is that is not less, looked for from the end. */
+    private int place(int value) {
+        int k = size;
+        while (k > 0 && values[k - 1] >= value) {
+            k--;
+        }
+        return k;
+    }
+
     /** Removes all values and keeps the array. */
     public void clear() {
         size = 0;

@@ -5,6 +5,7 @@ package sim.physics.motion;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Team;
 
 /**
  * Moves bodies that the integrator drives from their anchors on, sets their paths, and brings them to instants between.
@@ -26,7 +27,7 @@ final class DrivenMotion implements Serializable {
     private final Motion motion;
     private final State state;
     private final Trajectories trajectories;
-    private final Path path = new Path();
+    private final Path path;
     private final Sliding sliding;
 
     /** Null while nothing ties bodies together. */
@@ -48,11 +49,22 @@ final class DrivenMotion implements Serializable {
 
     private boolean isCoarse;
 
-    DrivenMotion(Motion motion, State state, Trajectories trajectories) {
+    /** How far other threads have integrated groups in this step, by their first bodies, if they have. */
+    private double[] sharedLength = {};
+
+    private boolean isShared;
+
+    /** What integrating a group there has thrown, if one has, and its first body. */
+    private transient Throwable failure;
+
+    private int failed;
+
+    DrivenMotion(Motion motion, State state, Trajectories trajectories, Path path) {
+        this.path = path;
         this.motion = motion;
         this.state = state;
         this.trajectories = trajectories;
-        this.sliding = new Sliding(motion, state, path);
+        this.sliding = new Sliding(motion, state, trajectories, path);
     }
 
     void setTies(Ties ties) {
@@ -64,8 +76,68 @@ final class DrivenMotion implements Serializable {
         return isCoarse;
     }
 
+    Path path() {
+        return path;
+    }
+
+    /** Shares the workspace of another one; now or never it has room for all bodies. */
+    void match(DrivenMotion first, Ties ties, Ties firstTies) {
+        first.ensure();
+        path.ensure(state.x().length);
+        if (tied != null) {
+            ties.match(firstTies);
+            tied.match(first.tied);
+        }
+    }
+
+    /** Makes room for what other threads find. */
+    void expectShared() {
+        ensure();
+        if (sharedLength.length < endAt.length) {
+            sharedLength = new double[endAt.length];
+        }
+        isShared = true;
+    }
+
+    /** Takes note that integrating a group has thrown something, which is thrown when it is the group's turn. */
+    void setFailure(int first, Throwable thrown) {
+        failed = first;
+        failure = thrown;
+    }
+
+    /** Integrates a group from its anchors, for another one that publishes that later; returns how far. */
+    double strideShared(IntList group) {
+        double tau = trajectories.offset(group.values[0]);
+        return stride(group, tau, trajectories.h() - tau);
+    }
+
+    /** Takes note how far a thread has integrated a group; 0 if it has not. */
+    void setShared(int first, double length) {
+        sharedLength[first] = length;
+    }
+
+    /** Forgets what other threads have found, at the start of a step. */
+    void forgetShared() {
+        if (isShared) {
+            Arrays.fill(sharedLength, 0); // the last step was not finished
+        }
+        failure = null;
+        isShared = false;
+    }
+
+    /** Takes note that all that other threads have found has been made use of. */
+    void endShared() {
+        isShared = false;
+    }
+
     /** Advances a group; returns the offset up to which its paths hold. */
     double advance(IntList group, boolean fine) {
+        if (isShared && sharedLength[group.values[0]] > 0) {
+            return advanceShared(group);
+        }
+        if (isShared && failure != null && failed == group.values[0]) {
+            Team.rethrow(failure);
+        }
         ensure();
         int first = group.values[0];
         double tau = trajectories.offset(first);
@@ -88,6 +160,19 @@ final class DrivenMotion implements Serializable {
             pace[group.values[k]] = step;
         }
         return publish(group, tau, length == rest ? trajectories.h() : tau + length);
+    }
+
+    /** The same for a group that a thread has integrated already. */
+    private double advanceShared(IntList group) {
+        int first = group.values[0];
+        double length = sharedLength[first];
+        sharedLength[first] = 0;
+        isCoarse = false;
+        for (int k = 0; k < group.size; k++) {
+            pace[group.values[k]] = trajectories.h();
+        }
+        double tau = trajectories.offset(first);
+        return publish(group, tau, length == trajectories.h() - tau ? trajectories.h() : tau + length);
     }
 
     /** The step that the integrator makes of itself with a body, at most that of the engine. */

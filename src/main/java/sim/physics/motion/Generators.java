@@ -25,6 +25,9 @@ final class Generators implements Serializable {
     /** Whether some generator couples bodies. */
     boolean coupled;
 
+    /** Whether several threads may ask for the forces on different bodies. */
+    boolean concurrent = true;
+
     /** Those that need the integrator. */
     private ForceGenerator[] driving = {};
 
@@ -49,6 +52,7 @@ final class Generators implements Serializable {
         gravityX = 0;
         gravityY = 0;
         coupled = false;
+        concurrent = true;
         surface = null;
         List<ForceGenerator> others = new ArrayList<>();
         for (ForceGenerator g : all) {
@@ -58,6 +62,7 @@ final class Generators implements Serializable {
             } else {
                 others.add(g);
                 coupled |= g.isCoupled();
+                concurrent &= g.isConcurrent() && !g.isCoupled();
                 surface = g instanceof SurfaceFriction s ? s : surface;
             }
         }
@@ -100,8 +105,34 @@ final class Generators implements Serializable {
         return false;
     }
 
+    /** The accelerations that applied forces, generators and uniform fields give to bodies. */
+    void accelerate(IntList bodies, double time, State state, Forces forces, double[] a) {
+        double[] f = state.f();
+        double[] w = state.w().values();
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            Body body = state.body(bodies.values[k]);
+            f[b] = body.appliedX();
+            f[b + 1] = body.appliedY();
+            f[b + 2] = body.appliedTorque();
+            addForces(body, time, forces);
+            a[b] = gravityX + w[b] * f[b]; // (5), (7)
+            a[b + 1] = gravityY + w[b + 1] * f[b + 1];
+            a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
+        }
+    }
+
+    /** Whether constant static friction alone holds a body that is at rest. */
+    boolean hold(Body body) {
+        if (surface == null || coupled || body.isPushed() || drivesOtherThan(surface, body)) {
+            return false;
+        }
+        double mass = body.getMass();
+        return surface.actsOn(body) && surface.holds(body, mass * gravityX, mass * gravityY, 0);
+    }
+
     /** Adds the forces on a body, but for those of uniform fields. */
-    void addForces(Body body, double time, Forces forces) {
+    private void addForces(Body body, double time, Forces forces) {
         for (ForceGenerator g : driving) {
             if (g.actsOn(body)) {
                 g.addForce(body, time, forces);

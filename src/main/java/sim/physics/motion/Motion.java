@@ -3,10 +3,10 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Team;
 
 /**
  * Moves the bodies through a step, the write-up's chapter <i>Motion</i>: (5)–(15).
@@ -21,24 +21,22 @@ public final class Motion implements EquationsOfMotion, Serializable {
     private final State state;
     private final Trajectories trajectories;
     private final Forces forces;
-    private final Generators generators = new Generators();
+    private final Generators generators;
     private Integrator integrator = new RungeKutta4();
     private double time;
 
     /** Driven bodies in ascending order; bodies with an applied force in this step. */
-    private final IntList driven = new IntList();
-    private final IntList pushed = new IntList();
+    private final IntList driven;
+    private final IntList pushed;
     private final IntList alone = new IntList();
-    private final DrivenMotion drivenMotion;
+    final DrivenMotion drivenMotion;
+    private final Rest rest;
 
     /** Null while nothing ties bodies together. */
     private Ties ties;
 
-    /** Accelerations that contacts at rest give to bodies, 3n. */
-    private double[] support = new double[24];
-
-    /** Bodies at rest that static friction holds. */
-    private boolean[] held = new boolean[8];
+    /** Null unless threads share the work. */
+    private SharedMotion shared;
 
     /**
      * Makes the motion of an engine.
@@ -50,7 +48,57 @@ public final class Motion implements EquationsOfMotion, Serializable {
         this.state = state;
         this.trajectories = trajectories;
         this.forces = new Forces(state);
-        this.drivenMotion = new DrivenMotion(this, state, trajectories);
+        this.generators = new Generators();
+        this.driven = new IntList();
+        this.pushed = new IntList();
+        this.rest = new Rest();
+        this.drivenMotion = new DrivenMotion(this, state, trajectories, new Path());
+    }
+
+    /** One for another thread, which integrates some bodies while the first one integrates others; see {@link #match}. */
+    Motion(Motion first) {
+        state = first.state;
+        trajectories = first.trajectories;
+        forces = new Forces(state);
+        generators = first.generators;
+        driven = first.driven;
+        pushed = first.pushed;
+        rest = first.rest;
+        drivenMotion = new DrivenMotion(this, state, trajectories, first.drivenMotion.path());
+    }
+
+    /** Takes over from the first one what may have changed. */
+    void match(Motion first) {
+        time = first.time;
+        integrator = first.integrator;
+        if (ties == null && first.ties != null) {
+            setTies(first.ties.twin());
+        }
+        drivenMotion.match(first.drivenMotion, ties, first.ties);
+    }
+
+    /**
+     * Sets which threads share the work of integrating many bodies.
+     *
+     * @param team null for the calling thread alone
+     */
+    public void setTeam(Team team) {
+        shared = team == null ? null : new SharedMotion(this, team);
+    }
+
+    /**
+     * Integrates those groups of driven bodies that may be shared over the step that begins, if it pays; {@link #advance}
+     * then makes use of that. What an integration throws is thrown there.
+     */
+    public void advanceShared() {
+        if (shared != null && generators.concurrent) {
+            shared.advance(driven);
+        }
+    }
+
+    /** Whether nothing that an author wrote is called when a group is integrated, or it may be by any thread. */
+    boolean mayBeShared(IntList group) {
+        return integrator.isConcurrent() && (!isTiedGroup(group) || ties.mayBeShared(group));
     }
 
     /**
@@ -127,6 +175,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void begin(double startOfStep) {
         time = startOfStep;
+        drivenMotion.forgetShared();
         state.setUnsettled(true);
     }
 
@@ -137,14 +186,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @param tau offset in the present step
      */
     public void admit(int body, double tau) {
-        if (support.length < State.BLOCK * state.size()) {
-            support = Arrays.copyOf(support, 2 * State.BLOCK * state.size());
-            held = Arrays.copyOf(held, 2 * state.size());
-        }
+        rest.ensure(state.size());
         trajectories.anchor(body, tau, state);
         drivenMotion.forget(body);
         Body view = state.body(body);
-        release(body);
+        rest.release(body);
         setDriven(body, !view.isFixed() && isDriven(view));
         if (view.isFixed()) {
             return;
@@ -166,16 +212,16 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (trajectories.isDriven(body)) {
             return;
         }
-        if (held[body]) {
+        if (rest.held[body]) {
             trajectories.accelerate(body, 0, 0, 0);
             return;
         }
         double[] w = state.w().values();
         int b = State.BLOCK * body;
         Body view = state.body(body);
-        double ax = generators.gravityX + w[b] * view.appliedX() + support[b]; // (5)
-        double ay = generators.gravityY + w[b] * view.appliedY() + support[b + 1];
-        double alpha = w[b + State.THETA] * view.appliedTorque() + support[b + 2]; // (6)
+        double ax = generators.gravityX + w[b] * view.appliedX() + rest.support[b]; // (5)
+        double ay = generators.gravityY + w[b] * view.appliedY() + rest.support[b + 1];
+        double alpha = w[b + State.THETA] * view.appliedTorque() + rest.support[b + 2]; // (6)
         trajectories.accelerate(body, ax, ay, alpha);
     }
 
@@ -198,6 +244,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     /** Ends the step: writes where the driven bodies are; the forces that were applied for the step have acted. */
     public void finish() {
+        drivenMotion.endShared();
         for (int k = 0; k < driven.size; k++) {
             drivenMotion.finish(driven.values[k]);
         }
@@ -216,17 +263,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (was == yes) {
             return;
         }
-        int k = driven.size;
-        while (k > 0 && driven.values[k - 1] >= body) {
-            k--;
-        }
         if (yes) {
-            driven.add(body);
-            System.arraycopy(driven.values, k, driven.values, k + 1, driven.size - 1 - k);
-            driven.values[k] = body;
+            driven.include(body);
         } else {
-            System.arraycopy(driven.values, k + 1, driven.values, k, driven.size - 1 - k);
-            driven.size--;
+            driven.exclude(body);
         }
     }
 
@@ -237,7 +277,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void remove(int body) {
         setDriven(body, false);
-        release(body);
+        rest.release(body);
     }
 
     /**
@@ -355,9 +395,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @param alpha rad/time²
      */
     public void support(int body, double ax, double ay, double alpha) {
-        support[State.BLOCK * body] = ax;
-        support[State.BLOCK * body + 1] = ay;
-        support[State.BLOCK * body + 2] = alpha;
+        rest.support(body, ax, ay, alpha);
         course(body);
     }
 
@@ -372,20 +410,9 @@ public final class Motion implements EquationsOfMotion, Serializable {
         int b = State.BLOCK * body;
         double[] w = state.w().values();
         Body view = state.body(body);
-        a[at] = held[body] ? 0 : generators.gravityX + w[b] * view.appliedX();
-        a[at + 1] = held[body] ? 0 : generators.gravityY + w[b] * view.appliedY();
-        a[at + 2] = held[body] ? 0 : w[b + State.THETA] * view.appliedTorque();
-    }
-
-    /** Ends a body's rest; false if it did not rest. */
-    private boolean release(int body) {
-        int b = State.BLOCK * body;
-        boolean rested = held[body] || support[b] != 0 || support[b + 1] != 0 || support[b + 2] != 0;
-        support[b] = 0;
-        support[b + 1] = 0;
-        support[b + 2] = 0;
-        held[body] = false;
-        return rested;
+        a[at] = rest.held[body] ? 0 : generators.gravityX + w[b] * view.appliedX();
+        a[at + 1] = rest.held[body] ? 0 : generators.gravityY + w[b] * view.appliedY();
+        a[at + 2] = rest.held[body] ? 0 : w[b + State.THETA] * view.appliedTorque();
     }
 
     /**
@@ -395,7 +422,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void deflect(int body) {
         drivenMotion.forget(body);
-        if (release(body)) {
+        if (rest.release(body)) {
             setDriven(body, isDriven(state.body(body)));
             course(body);
         }
@@ -408,11 +435,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @return whether it is at rest until something happens to it
      */
     public boolean hold(int body) {
-        if (!rests(body)) {
+        if (moves(body) || isTied(body) || !generators.hold(state.body(body))) {
             return false;
         }
         setDriven(body, false);
-        held[body] = true;
+        rest.held[body] = true;
         course(body);
         return true;
     }
@@ -427,26 +454,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
         return pushed.size == 0 && !generators.drive() ? generators : null;
     }
 
-    /** Length of the present step. */
-    double step() {
-        return trajectories.h();
-    }
-
-    private boolean rests(int body) {
+    private boolean moves(int body) {
         int o = Trajectories.STRIDE * body;
         double[] m = trajectories.data();
-        Body view = state.body(body);
-        boolean moves = m[o + Trajectories.VX] != 0 || m[o + Trajectories.VY] != 0 || m[o + Trajectories.OMEGA] != 0;
-        SurfaceFriction surface = generators.surface;
-        if (surface == null || generators.coupled || moves || view.isPushed() || isTied(body)) {
-            return false;
-        }
-        if (generators.drivesOtherThan(surface, view)) {
-            return false;
-        }
-        double mass = view.getMass();
-        return surface.actsOn(view)
-                && surface.holds(view, mass * generators.gravityX, mass * generators.gravityY, 0);
+        return m[o + Trajectories.VX] != 0 || m[o + Trajectories.VY] != 0 || m[o + Trajectories.OMEGA] != 0;
     }
 
     @Override
@@ -454,7 +465,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (fields() != null) {
             generators.fall(bodies, a);
         } else {
-            force(bodies, t, a);
+            generators.accelerate(bodies, t, state, forces, a); // (5)–(8)
         }
         if (isTiedGroup(bodies)) {
             ties.accelerate(bodies, a); // (34)–(41)
@@ -479,22 +490,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
     public void settle(IntList bodies) {
         if (isTiedGroup(bodies)) {
             ties.settle(bodies);
-        }
-    }
-
-    private void force(IntList bodies, double t, double[] a) {
-        double[] f = state.f();
-        double[] w = state.w().values();
-        for (int k = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            Body body = state.body(bodies.values[k]);
-            f[b] = body.appliedX();
-            f[b + 1] = body.appliedY();
-            f[b + 2] = body.appliedTorque();
-            generators.addForces(body, t, forces);
-            a[b] = generators.gravityX + w[b] * f[b]; // (5), (7)
-            a[b + 1] = generators.gravityY + w[b + 1] * f[b + 1];
-            a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
         }
     }
 }

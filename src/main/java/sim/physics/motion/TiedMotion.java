@@ -41,6 +41,15 @@ final class TiedMotion implements Serializable {
         this.ties = ties;
     }
 
+    /** Shares the workspace of another one, which has room for all bodies then. */
+    void match(TiedMotion first) {
+        first.ensure();
+        startX = first.startX;
+        startV = first.startV;
+        strideX = first.strideX;
+        strideV = first.strideV;
+    }
+
     /**
      * Advances a group from an offset until a motor reaches its speed or a joint its stop, or to the end of the step.
      *
@@ -165,14 +174,18 @@ final class TiedMotion implements Serializable {
     }
 
     private void begin(IntList group) {
+        ensure();
+        copy(group, state.x(), startX);
+        copy(group, state.v(), startV);
+    }
+
+    private void ensure() {
         if (startX.length < state.x().length) {
             startX = Arrays.copyOf(startX, state.x().length);
             startV = Arrays.copyOf(startV, state.x().length);
             strideX = Arrays.copyOf(strideX, state.x().length);
             strideV = Arrays.copyOf(strideV, state.x().length);
         }
-        copy(group, state.x(), startX);
-        copy(group, state.v(), startV);
     }
 
     /** The cubics from the start to where the bodies are now. */

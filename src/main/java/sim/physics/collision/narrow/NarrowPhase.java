@@ -56,6 +56,39 @@ public final class NarrowPhase implements Serializable {
     }
 
     /**
+     * Makes one for another thread, which looks at pairs while this one looks at others.
+     *
+     * @return knows what this one knows after {@link #match}
+     */
+    public NarrowPhase twin() {
+        return new NarrowPhase(pairs, trajectories, shapes, boxes);
+    }
+
+    /**
+     * Shares what another one knows of the pairs, as long as no pair begins.
+     *
+     * @param other where this one comes from
+     */
+    public void match(NarrowPhase other) {
+        codes = other.codes;
+        continuous = other.continuous;
+    }
+
+    /**
+     * Takes over the count of work that another one has done.
+     *
+     * @param twin made by {@link #twin()}
+     */
+    public void take(NarrowPhase twin) {
+        if (twin.timeOfImpact != null) {
+            wake();
+            timeOfImpact.evaluations += twin.evaluations();
+            twin.timeOfImpact.evaluations = 0;
+            twin.separatingLine.evaluations = 0;
+        }
+    }
+
+    /**
      * Forgets what was known of a pair number, for a pair that begins.
      *
      * @param pair its number

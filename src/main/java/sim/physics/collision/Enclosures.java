@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision;
+
+import java.io.Serializable;
+import sim.physics.collision.broad.Boxes;
+import sim.physics.collision.broad.BroadPhase;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.collision.narrow.ShapeTable;
+import sim.physics.internal.Agenda;
+import sim.physics.internal.IntList;
+import sim.physics.internal.Team;
+import sim.physics.motion.Body;
+import sim.physics.motion.Trajectories;
+
+/** The boxes that bodies are in, when they leave them, and what the broad phase is told of that. */
+final class Enclosures implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Bodies from which on it pays to share them. */
+    private static final int FEWEST_SHARED = 512;
+
+    private final CollisionDetection detection;
+    private final Trajectories trajectories;
+    private final Pairs pairs;
+    private final ShapeTable shapes = new ShapeTable();
+    private final Boxes boxes = new Boxes();
+    private final Room room;
+    private final Agenda agenda = new Agenda();
+    private BroadPhase broadPhase;
+
+    /** Null unless threads share the work. */
+    private Team team;
+
+    private transient SharedBoxes shared;
+    private int size;
+
+    Enclosures(CollisionDetection detection, Trajectories trajectories, Pairs pairs, BroadPhase broadPhase) {
+        this.detection = detection;
+        this.trajectories = trajectories;
+        this.pairs = pairs;
+        this.broadPhase = broadPhase;
+        room = new Room(trajectories, boxes);
+    }
+
+    ShapeTable shapes() {
+        return shapes;
+    }
+
+    Boxes boxes() {
+        return boxes;
+    }
+
+    void setTeam(Team team) {
+        this.team = team;
+        shared = null;
+    }
+
+    /** Makes room for a body. */
+    void prepare(int body, Body view) {
+        shapes.set(body, view.getShape());
+        boxes.ensure(body + 1);
+        boxes.setFixed(body, view.isFixed());
+        agenda.ensure(body + 1);
+        size = Math.max(size, body + 1);
+    }
+
+    /** Tells the broad phase of a body. */
+    void add(int body) {
+        broadPhase.add(body, boxes, pairs);
+    }
+
+    void remove(int body) {
+        broadPhase.remove(body, boxes, pairs);
+        agenda.schedule(body, Agenda.NEVER);
+    }
+
+    /** Puts an empty broad phase in the place of the present one; the bodies are to be added again. */
+    void setBroadPhase(BroadPhase replacement) {
+        broadPhase = replacement;
+    }
+
+    /** New boxes for the bodies that leave theirs in a step that begins. */
+    void renew(long step, double h) {
+        IntList leaving = agenda.advance(step);
+        boolean isShared = team != null && leaving.size >= FEWEST_SHARED;
+        if (isShared) {
+            shared = shared == null ? new SharedBoxes(detection, trajectories, team) : shared;
+            shared.make(leaving, size, step, h);
+        }
+        for (int k = 0; k < leaving.size; k++) {
+            int body = leaving.values[k];
+            if (isShared && !boxes.isFixed(body)) {
+                shared.put(body, boxes);
+                agenda.schedule(body, Math.max(step + 1, shared.date(k)));
+            } else {
+                enclose(body, 0, step, h);
+            }
+            broadPhase.update(body, boxes, pairs);
+        }
+    }
+
+    /**
+     * Takes note that a body has a new trajectory.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     * @param teleported whether its position changed too
+     * @param step number of the step
+     * @param h its length
+     */
+    void moved(int body, double tau, boolean teleported, long step, double h) {
+        if (!teleported && trajectories.isDriven(body) && room.holds(body, tau, detection.end(body))) {
+            agenda.schedule(body, Agenda.NEVER); // it is looked at again in the next step anyway
+        } else if (!boxes.isFixed(body) || teleported) {
+            long date = teleported ? step : room.leavingDate(body, tau, step, h);
+            if (date <= step) {
+                enclose(body, tau, step, h);
+                broadPhase.update(body, boxes, pairs);
+            } else {
+                agenda.schedule(body, date);
+            }
+        }
+    }
+
+    /** Puts a body into a new box that holds its path to the end of the step, with room to go on. */
+    void enclose(int body, double tau, long step, double h) {
+        if (boxes.isFixed(body)) { // its box fits its vertices
+            shapes.encloseFixed(body, trajectories.data(), body * Trajectories.STRIDE, boxes);
+            agenda.schedule(body, Agenda.NEVER);
+            return;
+        }
+        room.enclose(body, tau, detection.end(body));
+        agenda.schedule(body, Math.max(step + 1, room.leavingDate(body, tau, step, h)));
+    }
+}

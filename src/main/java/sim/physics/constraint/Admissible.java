@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import sim.physics.motion.Body;
+
+/** What is asked of a constraint before it is added. */
+final class Admissible {
+    /** Gap of a new constraint, relative to the sizes of its bodies, up to which it counts as closed. */
+    private static final double CLOSED = 1e-6;
+
+    private Admissible() {}
+
+    /** Throws an exception unless a body can move, there are 1 to 3 rows, and they are satisfied if they must be. */
+    static void check(Constraint constraint, boolean closed) {
+        Body b = constraint.getBodyB();
+        if (constraint.getBodyA().isFixed() && (b == null || b.isFixed())) {
+            throw new IllegalArgumentException("constraint is " + constraint + ": none of its bodies can move");
+        }
+        int rows = constraint.getRows();
+        if (rows < 1 || rows > Equations.ROWS) {
+            throw new IllegalArgumentException("rows are " + rows + ": a constraint has 1 to " + Equations.ROWS);
+        }
+        Equations equations = new Equations();
+        constraint.evaluate(equations);
+        for (int row = 0; row < rows; row++) {
+            double gap = Math.abs(equations.c[row]);
+            double size = constraint.isAngle(row) ? 1 : constraint.getSize();
+            if (!(gap <= (closed ? CLOSED * size : Double.MAX_VALUE))) {
+                throw new IllegalArgumentException("constraint is " + constraint + ": it is open by "
+                        + equations.c[row] + " in row " + row + "; assemble() would close it");
+            }
+        }
+    }
+}
