@@ -644,6 +644,11 @@ public final class PhysicsEngine implements Steppable {
         return team == null ? 1 : team.size();
     }
 
+    /** How often work was shared by threads. */
+    long sharedWorks() {
+        return team == null ? 0 : team.works();
+    }
+
     /**
      * Lets several threads share the work of a step: the islands of joints and the single bodies that the integrator drives,
      * the boxes of bodies, and the searches for impacts that begin with the step. The results are the same bit for bit

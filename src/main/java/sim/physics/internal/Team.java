@@ -55,6 +55,7 @@ public final class Team implements Serializable {
 
     private transient Throwable failure;
     private transient int failed;
+    private long works;
 
     /**
      * Makes a team; it starts no thread.
@@ -75,6 +76,15 @@ public final class Team implements Serializable {
     }
 
     /**
+     * Number of works that were done together.
+     *
+     * @return since the team was made
+     */
+    public long works() {
+        return works;
+    }
+
+    /**
      * Does a work. If items throw something, the others are done all the same, or not at all.
      *
      * @param what the work
@@ -83,6 +93,7 @@ public final class Team implements Serializable {
      */
     public int run(Work what, int count) {
         wake();
+        works++;
         work = what;
         items = count;
         portions = Math.min(count, PORTIONS * size);
