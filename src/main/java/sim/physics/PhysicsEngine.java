@@ -60,6 +60,17 @@ public final class PhysicsEngine implements Steppable {
 
     private final IntList changed = new IntList();
     private final IntList groups = new IntList();
+
+    /** Driven bodies whose new paths detection has not been told of. */
+    private final IntList entering = new IntList();
+
+    /** How detection is told of new paths: of a body and its pairs, of a body, or later of all bodies. */
+    private enum Entry {
+        BODY_AND_PAIRS,
+        BODY,
+        TOGETHER
+    }
+
     private final Admission admission = new Admission(
             state, trajectories, motion, detection, response.resting(), response.heaps());
 
@@ -146,31 +157,33 @@ public final class PhysicsEngine implements Steppable {
             settleHeaps(0);
         }
         IntList driven = motion.driven();
-        motion.advanceShared();
-        for (int k = 0; k < driven.size; k++) {
-            if (motion.companions(driven.values[k]).values[0] == driven.values[k]) {
-                follow(driven.values[k], true);
+        boolean shared = motion.advanceShared();
+        entering.clear();
+        try {
+            for (int k = 0; k < driven.size; k++) {
+                if (motion.companions(driven.values[k]).values[0] == driven.values[k]) {
+                    follow(driven.values[k], shared ? Entry.TOGETHER : Entry.BODY);
+                }
             }
+        } finally {
+            detection.enter(entering); // also if a group cannot go on
         }
         if (driven.size > 0) {
             detection.lookAround(driven, 0);
         }
     }
 
-    /**
-     * Gives a driven body, and those that move with it, new paths from their anchors on; their pairs are looked at at once,
-     * or when all driven bodies have paths.
-     */
-    private void follow(int body, boolean all) {
+    /** Gives a driven body, and those that move with it, new paths from their anchors on. */
+    private void follow(int body, Entry entry) {
         boolean chooses = motion.getIntegrator().isAdaptive();
-        advance(body, chooses && detection.hasNeighbours(motion.companions(body)), all);
+        advance(body, chooses && detection.hasNeighbours(motion.companions(body)), entry);
         if (motion.isCoarse() && detection.hasNeighbours(motion.companions(body))) {
-            advance(body, true, all); // on its way it comes near others
+            advance(body, true, entry); // on its way it comes near others
         }
         detection.endPath(body);
     }
 
-    private void advance(int body, boolean fine, boolean all) {
+    private void advance(int body, boolean fine, Entry entry) {
         double until = motion.advance(body, fine);
         IntList group = motion.companions(body);
         double tau = trajectories.offset(body);
@@ -178,10 +191,10 @@ public final class PhysicsEngine implements Steppable {
             detection.setPathEnd(group.values[k], until);
         }
         for (int k = 0; k < group.size; k++) {
-            if (all) {
-                detection.enter(group.values[k], tau, false);
-            } else {
-                detection.moved(group.values[k], tau, false, -1);
+            switch (entry) {
+                case TOGETHER -> entering.add(group.values[k]);
+                case BODY -> detection.enter(group.values[k], tau);
+                default -> detection.moved(group.values[k], tau, false, -1);
             }
         }
     }
@@ -189,7 +202,7 @@ public final class PhysicsEngine implements Steppable {
     /** Lets the groups of driven bodies that were noted follow new paths. */
     private void followGroups() {
         for (int k = 0; k < groups.size; k++) {
-            follow(groups.values[k], false);
+            follow(groups.values[k], Entry.BODY_AND_PAIRS);
         }
         groups.clear();
     }
@@ -274,7 +287,7 @@ public final class PhysicsEngine implements Steppable {
         if (motion.hold(body)) {
             detection.moved(body, tau, false, -1);
         } else {
-            follow(body, false);
+            follow(body, Entry.BODY_AND_PAIRS);
         }
     }
 

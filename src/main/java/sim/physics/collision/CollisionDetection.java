@@ -190,7 +190,8 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param except a pair that need not be looked at, or −1
      */
     public void moved(int body, double tau, boolean teleported, int except) {
-        enter(body, tau, teleported);
+        enclosures.moved(body, tau, teleported, step, h);
+        watch.clearList();
         if (idle[body]) {
             return;
         }
@@ -211,10 +212,19 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      *
      * @param body index
      * @param tau offset in the present step
-     * @param teleported whether its position changed too
      */
-    public void enter(int body, double tau, boolean teleported) {
-        enclosures.moved(body, tau, teleported, step, h);
+    public void enter(int body, double tau) {
+        enclosures.moved(body, tau, false, step, h);
+        watch.clearList();
+    }
+
+    /**
+     * Does that for many bodies that are driven from the start of the step on, in their order.
+     *
+     * @param bodies indices
+     */
+    public void enter(IntList bodies) {
+        enclosures.moved(bodies, step, h);
         watch.clearList();
     }
 

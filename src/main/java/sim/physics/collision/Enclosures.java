@@ -83,16 +83,15 @@ final class Enclosures implements Serializable {
     /** New boxes for the bodies that leave theirs in a step that begins. */
     void renew(long step, double h) {
         IntList leaving = agenda.advance(step);
-        boolean isShared = team != null && leaving.size >= FEWEST_SHARED;
+        boolean isShared = sharesWorkOn(leaving);
         if (isShared) {
-            shared = shared == null ? new SharedBoxes(detection, trajectories, team) : shared;
-            shared.make(leaving, size, step, h);
+            shared.renew(leaving, size, step, h);
         }
         for (int k = 0; k < leaving.size; k++) {
             int body = leaving.values[k];
             if (isShared && !boxes.isFixed(body)) {
                 shared.put(body, boxes);
-                agenda.schedule(body, Math.max(step + 1, shared.date(k)));
+                agenda.schedule(body, shared.date(k));
             } else {
                 enclose(body, 0, step, h);
             }
@@ -121,6 +120,33 @@ final class Enclosures implements Serializable {
                 agenda.schedule(body, date);
             }
         }
+    }
+
+    /** The same for driven bodies that have new trajectories from the start of the step on, one after the other. */
+    void moved(IntList bodies, long step, double h) {
+        if (!sharesWorkOn(bodies)) {
+            for (int k = 0; k < bodies.size; k++) {
+                moved(bodies.values[k], 0, false, step, h);
+            }
+            return;
+        }
+        shared.enter(bodies, size, step, h);
+        for (int k = 0; k < bodies.size; k++) {
+            int body = bodies.values[k];
+            agenda.schedule(body, shared.date(k));
+            if (shared.isNew(k)) {
+                shared.put(body, boxes);
+                broadPhase.update(body, boxes, pairs);
+            }
+        }
+    }
+
+    private boolean sharesWorkOn(IntList bodies) {
+        if (team == null || bodies.size < FEWEST_SHARED) {
+            return false;
+        }
+        shared = shared == null ? new SharedBoxes(detection, trajectories, room, team) : shared;
+        return true;
     }
 
     /** Puts a body into a new box that holds its path to the end of the step, with room to go on. */

@@ -49,8 +49,8 @@ final class DrivenMotion implements Serializable {
 
     private boolean isCoarse;
 
-    /** How far other threads have integrated groups in this step, by their first bodies, if they have. */
-    private double[] sharedLength = {};
+    /** Up to which offset threads have advanced groups in this step, by their first bodies; 0 if they have not. */
+    private double[] sharedEnd = {};
 
     private boolean isShared;
 
@@ -93,33 +93,43 @@ final class DrivenMotion implements Serializable {
     /** Makes room for what other threads find. */
     void expectShared() {
         ensure();
-        if (sharedLength.length < endAt.length) {
-            sharedLength = new double[endAt.length];
+        if (sharedEnd.length < endAt.length) {
+            sharedEnd = new double[endAt.length];
         }
         isShared = true;
     }
 
     /** Takes note that integrating a group has thrown something, which is thrown when it is the group's turn. */
     void setFailure(int first, Throwable thrown) {
+        sharedEnd[first] = 0;
         failed = first;
         failure = thrown;
     }
 
-    /** Integrates a group from its anchors, for another one that publishes that later; returns how far. */
-    double strideShared(IntList group) {
+    /** Integrates a group from its anchors by another one's means. */
+    void advanceShared(IntList group, DrivenMotion means) {
         double tau = trajectories.offset(group.values[0]);
-        return stride(group, tau, trajectories.h() - tau);
+        double rest = trajectories.h() - tau;
+        double length = means.stride(group, tau, rest);
+        for (int k = 0; k < group.size; k++) {
+            pace[group.values[k]] = trajectories.h();
+        }
+        sharedEnd[group.values[0]] = publish(group, tau, length == rest ? trajectories.h() : tau + length);
     }
 
-    /** Takes note how far a thread has integrated a group; 0 if it has not. */
-    void setShared(int first, double length) {
-        sharedLength[first] = length;
+    /** Takes back what a thread has done to a group. */
+    void undoShared(IntList group) {
+        sharedEnd[group.values[0]] = 0;
+        restore(group);
+        for (int k = 0; k < group.size; k++) {
+            trajectories.anchor(group.values[k], 0, state);
+        }
     }
 
     /** Forgets what other threads have found, at the start of a step. */
     void forgetShared() {
         if (isShared) {
-            Arrays.fill(sharedLength, 0); // the last step was not finished
+            Arrays.fill(sharedEnd, 0); // the last step was not finished
         }
         failure = null;
         isShared = false;
@@ -132,14 +142,17 @@ final class DrivenMotion implements Serializable {
 
     /** Advances a group; returns the offset up to which its paths hold. */
     double advance(IntList group, boolean fine) {
-        if (isShared && sharedLength[group.values[0]] > 0) {
-            return advanceShared(group);
+        int first = group.values[0];
+        if (isShared && sharedEnd[first] > 0) {
+            double end = sharedEnd[first];
+            sharedEnd[first] = 0;
+            isCoarse = false;
+            return end;
         }
-        if (isShared && failure != null && failed == group.values[0]) {
+        if (failure != null && failed == first) {
             Team.rethrow(failure);
         }
         ensure();
-        int first = group.values[0];
         double tau = trajectories.offset(first);
         double rest = trajectories.h() - tau;
         boolean chooses = motion.getIntegrator().isAdaptive();
@@ -160,19 +173,6 @@ final class DrivenMotion implements Serializable {
             pace[group.values[k]] = step;
         }
         return publish(group, tau, length == rest ? trajectories.h() : tau + length);
-    }
-
-    /** The same for a group that a thread has integrated already. */
-    private double advanceShared(IntList group) {
-        int first = group.values[0];
-        double length = sharedLength[first];
-        sharedLength[first] = 0;
-        isCoarse = false;
-        for (int k = 0; k < group.size; k++) {
-            pace[group.values[k]] = trajectories.h();
-        }
-        double tau = trajectories.offset(first);
-        return publish(group, tau, length == trajectories.h() - tau ? trajectories.h() : tau + length);
     }
 
     /** The step that the integrator makes of itself with a body, at most that of the engine. */

@@ -89,11 +89,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
     /**
      * Integrates those groups of driven bodies that may be shared over the step that begins, if it pays; {@link #advance}
      * then makes use of that. What an integration throws is thrown there.
+     *
+     * @return false if nothing was done
      */
-    public void advanceShared() {
-        if (shared != null && generators.concurrent) {
-            shared.advance(driven);
-        }
+    public boolean advanceShared() {
+        return shared != null && generators.concurrent && shared.advance(driven);
     }
 
     /** Whether nothing that an author wrote is called when a group is integrated, or it may be by any thread. */

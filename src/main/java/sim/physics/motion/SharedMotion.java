@@ -28,10 +28,10 @@ final class SharedMotion implements Team.Work, Serializable {
         this.team = team;
     }
 
-    /** Integrates the groups that may be shared. */
-    void advance(IntList driven) {
-        if (driven.size < FEWEST_SHARED) {
-            return;
+    /** Integrates the groups that may be shared; false if that does not pay. */
+    boolean advance(IntList driven) {
+        if (driven.size < FEWEST_SHARED || motion.getIntegrator().isAdaptive()) {
+            return false;
         }
         wake(driven.size);
         int count = 0;
@@ -43,7 +43,7 @@ final class SharedMotion implements Team.Work, Serializable {
             }
         }
         if (count < 2) {
-            return;
+            return false;
         }
         motion.drivenMotion.expectShared();
         for (int k = 1; k < twins.length; k++) {
@@ -52,12 +52,11 @@ final class SharedMotion implements Team.Work, Serializable {
         int failed = team.run(this, count);
         if (failed >= 0) {
             motion.drivenMotion.setFailure(firsts[failed], team.failure());
-            motion.drivenMotion.setShared(firsts[failed], 0);
         }
         for (int k = failed + 1; failed >= 0 && k < count; k++) { // as if nobody had come to these
-            motion.drivenMotion.setShared(firsts[k], 0);
-            motion.restore(motion.companions(firsts[k]));
+            motion.drivenMotion.undoShared(motion.companions(firsts[k]));
         }
+        return true;
     }
 
     private void wake(int bodies) {
@@ -78,6 +77,6 @@ final class SharedMotion implements Team.Work, Serializable {
     public void work(int worker, int item) {
         Motion twin = twins[worker];
         int first = firsts[item];
-        motion.drivenMotion.setShared(first, twin.drivenMotion.strideShared(twin.companions(first)));
+        motion.drivenMotion.advanceShared(twin.companions(first), twin.drivenMotion);
     }
 }
