@@ -17,7 +17,7 @@ final class Watch implements Serializable {
     private static final double ALMOST = 1 - 0x1p-51;
 
     /** Pairs from which on it pays to share the looks at them. */
-    private static final int FEWEST_SHARED = 256;
+    private static final int FEWEST_SHARED = 512;
 
     /** The time of an impact of a pair that is in a list already. */
     private static final double LISTED = Double.NEGATIVE_INFINITY;

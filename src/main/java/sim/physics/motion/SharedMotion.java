@@ -14,7 +14,7 @@ final class SharedMotion implements Team.Work, Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Bodies from which on it pays. */
-    private static final int FEWEST_SHARED = 64;
+    private static final int FEWEST_SHARED = 128;
 
     private final Motion motion;
     private final Team team;
