@@ -682,7 +682,12 @@ public final class PhysicsEngine implements Steppable {
             throw new IllegalArgumentException("threads are " + threads + ": there must be at least 1");
         }
         requireBetweenSteps("the number of threads was set");
-        team = threads == 1 ? null : new Team(threads);
+        setThreads(threads, false);
+    }
+
+    /** The same, for tests: works are shared that are too small for it to pay, too. */
+    void setThreads(int threads, boolean always) {
+        team = threads == 1 ? null : new Team(threads, always);
         motion.setTeam(team);
         detection.setTeam(team);
     }

@@ -177,7 +177,7 @@ class ThreadsTest {
 
     private static List<Long> run(Supplier<PhysicsEngine> scene, int threads, int steps, boolean isWatched) {
         PhysicsEngine engine = scene.get();
-        engine.setThreads(threads);
+        engine.setThreads(threads, true);
         Diary diary = new Diary();
         if (isWatched) {
             engine.addListener(diary);
@@ -198,7 +198,7 @@ class ThreadsTest {
 
     @Test
     void aGas() {
-        assertSameBits(() -> gas(9000), 40, 10_000);
+        assertSameBits(() -> gas(2000), 60, 2000);
     }
 
     @Test
@@ -249,7 +249,7 @@ class ThreadsTest {
         run(alone, 90);
         PhysicsEngine engine = workshop();
         for (int k = 0; k < 90; k++) {
-            engine.setThreads(1 + k % 4);
+            engine.setThreads(1 + k % 4, k % 3 == 0);
             engine.step();
         }
         assertThat(Scenes.hash(engine)).isEqualTo(Scenes.hash(alone));
@@ -283,7 +283,7 @@ class ThreadsTest {
         assertThat(expected).isInstanceOf(IllegalStateException.class).hasMessageContaining("no force at");
         for (int threads : NUMBERS) {
             PhysicsEngine engine = scene.get();
-            engine.setThreads(threads);
+            engine.setThreads(threads, true);
             Throwable thrown = POOL.submit(() -> catchThrowable(engine::step)).join();
             assertThat(thrown).hasSameClassAs(expected).hasMessage(expected.getMessage());
             assertThat(Scenes.hash(engine)).isEqualTo(Scenes.hash(alone));
@@ -306,7 +306,7 @@ class ThreadsTest {
         Throwable expected = catchThrowable(() -> run(alone, 20));
         for (int threads : NUMBERS) {
             PhysicsEngine engine = scene.get();
-            engine.setThreads(threads);
+            engine.setThreads(threads, true);
             Throwable thrown = POOL.submit(() -> catchThrowable(() -> run(engine, 20))).join();
             assertThat(String.valueOf(thrown)).isEqualTo(String.valueOf(expected));
             assertThat(engine.getSteps()).isEqualTo(alone.getSteps());
@@ -316,9 +316,9 @@ class ThreadsTest {
 
     @Test
     void smallStepsAreNotShared() {
-        PhysicsEngine gas = Scenes.gas(Scenes.Kind.FIGURE_1, 100, 1);
+        PhysicsEngine gas = gas(3000);
         gas.setThreads(4);
-        run(gas, 200);
+        run(gas, 20);
         assertThat(gas.sharedWorks()).isZero();
         PhysicsEngine chain = new PhysicsEngine();
         chain.add(new Gravity(0, -1));

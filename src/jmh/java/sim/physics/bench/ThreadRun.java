@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.bench;
 
-import com.sun.management.OperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
 import java.util.Locale;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.PinJoint;
+import sim.physics.internal.Team;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
@@ -20,21 +20,36 @@ import sim.physics.shape.Rectangle;
 
 /**
  * Compares steps that several threads share with those of one thread: two engines with the same scene take turns in one JVM,
- * a batch of steps each, and change who begins. Printed are medians of the rounds: µs per step by the clock, µs of CPU time
- * of the stepping thread and of the whole process, and the medians of the rounds' ratios.
+ * step by step, and change who begins. Printed are quantiles of the time of a step by the clock, and the medians of its CPU
+ * time in the stepping thread.
  *
- * <p>On a machine that others use too the clock favours many threads, which get a larger share of it; the stepping thread's
- * CPU time does not count what it waits for others. The truth lies between, and only a quiet machine shows it.
+ * <p>On a machine that others use too the median by the clock favours many threads, which get a larger share of it, and so
+ * may say anything. The least twentieth are steps that nobody disturbed, if there were some. What a second thread can do on
+ * the machine in these minutes is shown by the scene "loop": arithmetic that takes no memory.
  *
  * <pre>
- * ThreadRun rounds threads scene n [scene n …]        ThreadRun 21 2 gas 10000 chains 1000 rods 1000 forces 10000
+ * ThreadRun seconds threads scene n [scene n …]        ThreadRun 12 2 gas 10000 chains 1000 rods 1000 forces 10000
  * </pre>
  */
 public final class ThreadRun {
-    private static final double BATCH_SECONDS = 0.2;
-    private static final double WARM_UP_SECONDS = 6;
+    private static final int FEWEST_STEPS = 20;
+    private static final int MOST_STEPS = 20_000;
 
     private ThreadRun() {}
+
+    /** Arithmetic of about a microsecond an item. */
+    private static final class Loop implements Team.Work {
+        private final double[] results = new double[1 << 16];
+
+        @Override
+        public void work(int worker, int item) {
+            double x = item + 1;
+            for (int k = 0; k < 200; k++) {
+                x = Math.sqrt(x + k);
+            }
+            results[item & 0xffff] = x;
+        }
+    }
 
     /** Keeps each body near where it is, as an author would write it. */
     private static final class Lattice implements ForceGenerator {
@@ -58,59 +73,81 @@ public final class ThreadRun {
     /**
      * Runs the comparison.
      *
-     * @param args rounds, threads, then scenes and their sizes
+     * @param args seconds to measure, threads, then scenes and their sizes
      */
     public static void main(String[] args) {
         for (int k = 2; k + 1 < args.length; k += 2) {
-            compare(args[k], Integer.parseInt(args[k + 1]), Integer.parseInt(args[1]), Integer.parseInt(args[0]));
+            compare(args[k], Integer.parseInt(args[k + 1]), Integer.parseInt(args[1]), Double.parseDouble(args[0]));
         }
     }
 
-    private static void compare(String scene, int n, int threads, int rounds) {
-        PhysicsEngine[] engines = {make(scene, n), make(scene, n)};
-        engines[1].setThreads(threads);
+    private static void compare(String scene, int n, int threads, double seconds) {
+        Runnable[] runners = new Runnable[2];
+        PhysicsEngine[] engines = new PhysicsEngine[2];
+        for (int e = 0; e < 2 && !scene.equals("loop"); e++) {
+            engines[e] = make(scene, n);
+            runners[e] = engines[e]::step;
+        }
+        if (scene.equals("loop")) {
+            Team team = new Team(threads, true);
+            Team.Work work = new Loop();
+            runners[0] = () -> alone(work, n);
+            runners[1] = () -> team.run(work, n);
+        } else {
+            engines[1].setThreads(threads);
+        }
+        measure(runners, seconds / 2); // to warm up
+        double[][][] times = measure(runners, seconds);
+        int steps = times[0][0].length;
+        String same = engines[0] == null ? "" : ", same places " + same(engines);
+        System.out.printf(Locale.ROOT, "%s %d, %d steps%s%n", scene, n, steps, same);
+        print("clock, least 1/20", times[0], 0.05, threads);
+        print("clock, median", times[0], 0.5, threads);
+        print("CPU, median", times[1], 0.5, threads);
+    }
+
+    private static void alone(Team.Work work, int items) {
+        for (int k = 0; k < items; k++) {
+            work.work(0, k);
+        }
+    }
+
+    private static void print(String what, double[][] times, double part, int threads) {
+        double alone = quantile(times[0], part);
+        double shared = quantile(times[1], part);
+        System.out.printf(
+                Locale.ROOT, "    %-18s 1 thread %9.1f us, %d threads %9.1f us, ratio %.2f%n",
+                what, alone, threads, shared, alone / shared);
+    }
+
+    /** Times of steps in µs: by the clock and of CPU, by engine. */
+    private static double[][][] measure(Runnable[] engines, double seconds) {
+        double[][][] times = new double[2][2][MOST_STEPS];
         long begun = System.nanoTime();
-        int warm = 0;
-        for (; warm < 20 || System.nanoTime() - begun < WARM_UP_SECONDS * 1e9; warm++) {
-            engines[0].step();
-            engines[1].step();
-        }
-        int steps = (int) Math.max(1, warm * BATCH_SECONDS / WARM_UP_SECONDS);
-        double[][][] times = new double[3][2][rounds];
-        for (int round = 0; round < rounds; round++) {
+        int step = 0;
+        while (step < FEWEST_STEPS || step < MOST_STEPS && System.nanoTime() - begun < seconds * 1e9) {
             for (int turn = 0; turn < 2; turn++) {
-                int e = (round + turn) % 2;
-                double[] time = batch(engines[e], steps);
-                for (int kind = 0; kind < 3; kind++) {
-                    times[kind][e][round] = time[kind];
-                }
+                int e = (step + turn) % 2;
+                double[] time = step(engines[e]);
+                times[0][e][step] = time[0];
+                times[1][e][step] = time[1];
             }
+            step++;
         }
-        System.out.printf(Locale.ROOT, "%s %d, %d steps a batch, same places %b%n", scene, n, steps, same(engines));
-        String[] names = {"clock", "stepping thread", "process"};
-        for (int kind = 0; kind < 3; kind++) {
-            double[] ratios = new double[rounds];
-            for (int round = 0; round < rounds; round++) {
-                ratios[round] = times[kind][0][round] / times[kind][1][round];
-            }
-            System.out.printf(
-                    Locale.ROOT, "    %-16s 1 thread %9.1f us, %d threads %9.1f us, ratio %.2f [%.2f, %.2f]%n",
-                    names[kind], quantile(times[kind][0], 0.5), threads, quantile(times[kind][1], 0.5),
-                    quantile(ratios, 0.5), quantile(ratios, 0.25), quantile(ratios, 0.75));
+        for (double[][] kind : times) {
+            kind[0] = Arrays.copyOf(kind[0], step);
+            kind[1] = Arrays.copyOf(kind[1], step);
         }
+        return times;
     }
 
-    private static double[] batch(PhysicsEngine engine, int steps) {
+    private static double[] step(Runnable engine) {
         ThreadMXBean thread = ManagementFactory.getThreadMXBean();
-        OperatingSystemMXBean process = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
-        long[] begun = {System.nanoTime(), thread.getCurrentThreadCpuTime(), process.getProcessCpuTime()};
-        for (int k = 0; k < steps; k++) {
-            engine.step();
-        }
-        long[] ended = {System.nanoTime(), thread.getCurrentThreadCpuTime(), process.getProcessCpuTime()};
-        double[] micros = new double[3];
-        Arrays.setAll(micros, k -> (ended[k] - begun[k]) * 1e-3 / steps);
-        return micros;
+        long cpu = thread.getCurrentThreadCpuTime();
+        long clock = System.nanoTime();
+        engine.run();
+        double micros = (System.nanoTime() - clock) * 1e-3;
+        return new double[] {micros, (thread.getCurrentThreadCpuTime() - cpu) * 1e-3};
     }
 
     private static boolean same(PhysicsEngine[] engines) {

@@ -17,8 +17,10 @@ import sim.physics.motion.Trajectories;
 final class Enclosures implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Bodies from which on it pays to share them. */
-    private static final int FEWEST_SHARED = 512;
+    /** Bodies from which on it pays to share their boxes: of driven bodies, and of those that leave theirs. */
+    private static final int FEWEST_DRIVEN = 512;
+
+    private static final int FEWEST_LEAVING = 4096;
 
     private final CollisionDetection detection;
     private final Trajectories trajectories;
@@ -83,7 +85,7 @@ final class Enclosures implements Serializable {
     /** New boxes for the bodies that leave theirs in a step that begins. */
     void renew(long step, double h) {
         IntList leaving = agenda.advance(step);
-        boolean isShared = sharesWorkOn(leaving);
+        boolean isShared = shares(leaving, FEWEST_LEAVING);
         if (isShared) {
             shared.renew(leaving, size, step, h);
         }
@@ -124,7 +126,7 @@ final class Enclosures implements Serializable {
 
     /** The same for driven bodies that have new trajectories from the start of the step on, one after the other. */
     void moved(IntList bodies, long step, double h) {
-        if (!sharesWorkOn(bodies)) {
+        if (!shares(bodies, FEWEST_DRIVEN)) {
             for (int k = 0; k < bodies.size; k++) {
                 moved(bodies.values[k], 0, false, step, h);
             }
@@ -141,8 +143,8 @@ final class Enclosures implements Serializable {
         }
     }
 
-    private boolean sharesWorkOn(IntList bodies) {
-        if (team == null || bodies.size < FEWEST_SHARED) {
+    private boolean shares(IntList bodies, int least) {
+        if (team == null || !team.pays(bodies.size, least)) {
             return false;
         }
         shared = shared == null ? new SharedBoxes(detection, trajectories, room, team) : shared;

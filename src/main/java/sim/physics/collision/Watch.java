@@ -16,8 +16,10 @@ final class Watch implements Serializable {
     /** 1 less the rounding of an instant of a later step. */
     private static final double ALMOST = 1 - 0x1p-51;
 
-    /** Pairs from which on it pays to share the looks at them. */
-    private static final int FEWEST_SHARED = 512;
+    /** Pairs from which on it pays to share the looks at them: after a step of the integrator, and of free bodies. */
+    private static final int FEWEST_DRIVEN = 512;
+
+    private static final int FEWEST_DUE = 4096;
 
     /** The time of an impact of a pair that is in a list already. */
     private static final double LISTED = Double.NEGATIVE_INFINITY;
@@ -90,7 +92,7 @@ final class Watch implements Serializable {
     /** Looks at the pairs that are due in a step that has begun, and at those in the list. */
     void look() {
         IntList due = agenda.advance(step);
-        SharedLooks together = sharedLooks(due.size + fresh.size);
+        SharedLooks together = sharedLooks(due.size + fresh.size, FEWEST_DUE);
         for (int k = 0; k < due.size; k++) {
             int pair = due.values[k];
             double apart = -impactTime[pair];
@@ -103,7 +105,7 @@ final class Watch implements Serializable {
 
     /** Looks at the pairs in the list. */
     void lookAtList(double tau) {
-        lookAtList(tau, sharedLooks(fresh.size));
+        lookAtList(tau, sharedLooks(fresh.size, FEWEST_DRIVEN));
     }
 
     /** Looks at the pairs in the list, at each once; also at those given to who shares the work, if it is shared. */
@@ -128,8 +130,8 @@ final class Watch implements Serializable {
         }
     }
 
-    private SharedLooks sharedLooks(int count) {
-        if (team == null || count < FEWEST_SHARED) {
+    private SharedLooks sharedLooks(int count, int least) {
+        if (team == null || !team.pays(count, least)) {
             return null;
         }
         shared = shared == null ? new SharedLooks(detection, this, search, team) : shared;

@@ -41,6 +41,7 @@ public final class Team implements Serializable {
     }
 
     private final int size;
+    private final boolean always;
     private transient Helper[] helpers;
 
     /** Number of the work, and how many of its portions nobody has taken yet. */
@@ -61,9 +62,22 @@ public final class Team implements Serializable {
      * Makes a team; it starts no thread.
      *
      * @param size number of threads, the calling one included, 2 or more
+     * @param always whether works are shared that are too small for it to pay, for tests
      */
-    public Team(int size) {
+    public Team(int size, boolean always) {
         this.size = size;
+        this.always = always;
+    }
+
+    /**
+     * Whether it pays to share a work.
+     *
+     * @param count number of its items
+     * @param least number from which on it pays
+     * @return true if it is to be done together
+     */
+    public boolean pays(int count, int least) {
+        return count >= (always ? 2 : least);
     }
 
     /**

@@ -14,7 +14,7 @@ final class SharedMotion implements Team.Work, Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Bodies from which on it pays. */
-    private static final int FEWEST_SHARED = 128;
+    private static final int FEWEST_SHARED = 512;
 
     private final Motion motion;
     private final Team team;
@@ -30,7 +30,7 @@ final class SharedMotion implements Team.Work, Serializable {
 
     /** Integrates the groups that may be shared; false if that does not pay. */
     boolean advance(IntList driven) {
-        if (driven.size < FEWEST_SHARED || motion.getIntegrator().isAdaptive()) {
+        if (!team.pays(driven.size, FEWEST_SHARED) || motion.getIntegrator().isAdaptive()) {
             return false;
         }
         wake(driven.size);
