@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.ForkJoinWorkerThread;
 import org.junit.jupiter.api.Test;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
@@ -27,25 +25,14 @@ import sim.physics.shape.Rectangle;
 class AllocationTest {
     private static final int WINDOWS = 25;
 
-    /** Those of the common pool that have been met. */
-    private static final CopyOnWriteArrayList<Thread> HELPERS = new CopyOnWriteArrayList<>();
-
     /** Keeps bodies near the origin. */
     private static final class Spring implements ForceGenerator {
         private static final long serialVersionUID = 1L;
 
         @Override
         public void addForce(Body body, double time, Forces forces) {
-            if (Thread.currentThread() instanceof ForkJoinWorkerThread) {
-                HELPERS.addIfAbsent(Thread.currentThread());
-            }
             double k = 1e-5 * body.getMass();
             forces.add(body, -k * body.getX(), -k * body.getY());
-        }
-
-        @Override
-        public boolean isConcurrent() {
-            return true;
         }
     }
 
@@ -61,22 +48,13 @@ class AllocationTest {
         long least = Long.MAX_VALUE;
         for (int window = 0; window < WINDOWS; window++) {
             long impacts = engine.getImpacts();
-            long before = allocated(threads);
+            long before = threads.getCurrentThreadAllocatedBytes();
             run(engine, steps);
-            long bytes = allocated(threads) - before;
+            long bytes = threads.getCurrentThreadAllocatedBytes() - before;
             assertThat(engine.getImpacts()).isGreaterThan(impacts);
             least = Math.min(least, bytes);
         }
         assertThat(least).as("bytes in %d steps", steps).isZero();
-    }
-
-    /** By this thread, and by those that help. */
-    private static long allocated(ThreadMXBean threads) {
-        long sum = threads.getCurrentThreadAllocatedBytes();
-        for (int k = 0; k < HELPERS.size(); k++) {
-            sum += threads.getThreadAllocatedBytes(HELPERS.get(k).getId());
-        }
-        return sum;
     }
 
     private static PhysicsEngine circles(int n) {
@@ -130,14 +108,6 @@ class AllocationTest {
         engine.setIntegrator(new RungeKutta4());
         engine.add(new Spring());
         assertAllocatesNothing(engine, 100);
-    }
-
-    @Test
-    void bodiesOnASpringThatThreadsShare() {
-        PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 600, 7);
-        engine.add(new Spring());
-        engine.setThreads(3);
-        assertAllocatesNothing(engine, 10);
     }
 
     @Test
