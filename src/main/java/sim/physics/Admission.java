@@ -43,6 +43,9 @@ final class Admission implements Presence, Serializable {
     /** Offset in the present step of the collision that is being handled. */
     private double now;
 
+    /** Null unless the engine is audited. */
+    private Audit audit;
+
     private final double[] written = new double[2 * State.BLOCK];
 
     Admission(
@@ -64,6 +67,10 @@ final class Admission implements Presence, Serializable {
         constraints = those;
         motion.setTies(those);
         detection.filter().setTies(those);
+    }
+
+    void setAudit(Audit those) {
+        audit = those;
     }
 
     /** Sets the instant at which listeners are called. */
@@ -103,9 +110,12 @@ final class Admission implements Presence, Serializable {
             }
             regroup(tau);
         }
+        if (trajectories.data().length == 0) {
+            state.trim();
+        }
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
-            trajectories.ensure(index + 1); // also for the block of a body that was removed before its first step
+            trajectories.ensure(state.size()); // also for the block of a body that was removed before its first step
             if (state.body(index) != null) {
                 admit(index, tau);
             }
@@ -119,6 +129,9 @@ final class Admission implements Presence, Serializable {
     }
 
     private void admit(int index, double tau) {
+        if (audit != null) {
+            audit.written(index, tau);
+        }
         resting.forget(index);
         if (isWhereItWas(index, tau)) {
             heaps.struck(index);
@@ -134,6 +147,9 @@ final class Admission implements Presence, Serializable {
         }
         if (trajectories.isDriven(index)) {
             driven.add(index);
+        }
+        if (audit != null) {
+            audit.admitted(index, tau);
         }
     }
 
@@ -300,6 +316,9 @@ final class Admission implements Presence, Serializable {
             }
         }
         int index = body.index();
+        if (audit != null) {
+            audit.removed(index);
+        }
         if (detection.knows(index)) {
             resting.forget(index);
             heaps.forget(index);

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import sim.engine.SimState;
 import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.SortAndSweep;
+import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.SurfaceFriction;
@@ -47,6 +48,30 @@ class LifeOfBodiesTest {
         b.setPosition(-50, 0);
         run(engine, 5);
         assertThat(b.getX()).isCloseTo(-45, within(1e-13));
+    }
+
+    @Test
+    void aBodyThatPassesThroughOthersMeetsThemWhenItIsToldTo() {
+        PhysicsEngine engine = new PhysicsEngine();
+        Body ghost = engine.add(new Body(new Circle(1)).at(0, 0).moving(1, 0));
+        Body hung = engine.add(new Body(new Circle(1)).at(0, 20).moving(1, 0)); // driven by the integrator
+        engine.add(new PinJoint(hung, 0, 1000));
+        engine.add(Body.fixed(new Rectangle(1, 100)).at(30, 0));
+        engine.add(Body.fixed(new Rectangle(1, 100)).at(70, 0));
+        ghost.setCollisionGroup(1, 0);
+        hung.setCollisionGroup(0, -1);
+        run(engine, 50);
+        assertThat(ghost.getX()).isEqualTo(50);
+        assertThat(hung.getX()).isCloseTo(50, within(0.1));
+        assertThat(engine.getImpacts()).isZero();
+        ghost.setCollisionGroup(1, -1);
+        hung.setCollisionGroup(2, 1 << 2);
+        run(engine, 30);
+        assertThat(engine.getImpacts()).isEqualTo(1);
+        assertThat(ghost.getX()).isCloseTo(57, within(1e-12)); // back from 68.5 after 18.5
+        hung.setCollisionGroup(1, -1);
+        run(engine, 150);
+        assertThat(engine.getImpacts()).isGreaterThan(1);
     }
 
     @Test

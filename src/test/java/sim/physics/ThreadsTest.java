@@ -30,6 +30,7 @@ import sim.physics.motion.Forces;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Rattle;
 import sim.physics.motion.SurfaceFriction;
+import sim.physics.motion.SymplecticEuler;
 import sim.physics.motion.ViscousFriction;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
@@ -218,6 +219,61 @@ class ThreadsTest {
             engine.setIntegrator(new Rattle(4));
             return engine;
         }, 60, 70);
+        assertSameBits(() -> {
+            PhysicsEngine engine = workshop();
+            engine.setIntegrator(new SymplecticEuler());
+            return engine;
+        }, 60, 70);
+    }
+
+    /** Chains and boxes under drag that fall on the ground and stay there, so that contacts push what the integrator drives. */
+    private static PhysicsEngine ground() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1 / 60.0);
+        engine.add(new Gravity(0, -9.81));
+        engine.add(new ViscousFriction(0.05));
+        engine.add(Body.fixed(new Rectangle(400, 2)).at(80, -1));
+        for (int c = 0; c < 24; c++) {
+            Body last = null;
+            for (int k = 0; k < 4; k++) {
+                Body body = engine.add(new Body(new Rectangle(1, 0.2)).at(7 * c + k, 0.4 + 0.02 * c));
+                if (last != null) {
+                    engine.add(new PinJoint(last, body, 7 * c + k - 0.5, 0.4 + 0.02 * c));
+                }
+                last = body;
+            }
+            Body box = engine.add(new Body(new Rectangle(0.6, 0.5)).at(7 * c + 5, 0.3 + 0.03 * c));
+            box.setSurfaceFriction(0.3);
+        }
+        return engine;
+    }
+
+    @Test
+    void chainsAndBoxesThatLieOnTheGround() {
+        assertSameBits(ThreadsTest::ground, 120, 100);
+    }
+
+    @Test
+    void pathsThatAreTooCoarseNearOthers() {
+        assertSameBits(() -> {
+            PhysicsEngine engine = workshop();
+            engine.setTimeStep(1 / 12.0);
+            engine.bodies().forEach(body -> body.setAngularVelocity(body.getAngularVelocity() + 3));
+            return engine;
+        }, 40, 150);
+    }
+
+    @Test
+    void anAuditSaysTheSame() {
+        List<String> said = new ArrayList<>();
+        for (int threads : new int[] {1, 3}) {
+            PhysicsEngine engine = workshop();
+            engine.setThreads(threads, true);
+            engine.setAudited(true);
+            POOL.submit(() -> run(engine, 20)).join();
+            said.add(Scenes.hash(engine) + " " + engine.getRunReport());
+        }
+        assertThat(said.get(1)).isEqualTo(said.get(0));
     }
 
     @Test

@@ -21,7 +21,7 @@ final class Batch {
      */
     Batch(String engine, BenchScene scene, int n, long seed) {
         runners = new Runner[scene.copies(n)];
-        steps = scene.steps();
+        steps = scene.steps(n);
         expectedBodies = (long) n * runners.length;
         for (int c = 0; c < runners.length; c++) {
             SceneData data = scene.make(n, 1000 * seed + c);

@@ -33,7 +33,7 @@ import java.util.Locale;
  * PairedRun s3 100 5 dyn4j,dyn4j-noccd,jbox2d read
  * </pre>
  *
- * <p>Scenes are s3, figure1 and polygons; with {@code read} all poses are read after each step.
+ * <p>Scenes are s3, circles, figure1 and polygons; with {@code read} all poses are read after each step.
  */
 public final class PairedRun {
     private static final double WARM_UP_SECONDS = 6;
@@ -54,7 +54,7 @@ public final class PairedRun {
         }
         if (args.length < 3) {
             System.err.println("arguments: scene n rounds [engines] [read]");
-            System.err.println("scenes: s3 figure1 polygons; engines: " + Engines.NAMES);
+            System.err.println("scenes: s3 circles figure1 polygons; engines: " + Engines.NAMES);
             return;
         }
         BenchScene scene = BenchScene.of(args[0]);
@@ -66,7 +66,7 @@ public final class PairedRun {
         System.out.printf(
                 Locale.ROOT,
                 "%d rounds of %d x %d steps, JDK %s, poses %s%n",
-                rounds, scene.copies(n), scene.steps(), Runtime.version(), read ? "read each step" : "not read");
+                rounds, scene.copies(n), scene.steps(n), Runtime.version(), read ? "read each step" : "not read");
         double[][][] results = interleave(engines, new String[] {args[0], args[1], Boolean.toString(read)}, rounds);
         report(engines, results, scene, n);
     }

@@ -24,7 +24,7 @@ record Curve(String engine, String method, OwnMethod own, int order) {
                 // dense systems of hundreds of unknowns: not what an implicit method is for
                 boolean large = scene.model.parts.size() > 40 && (method.name().equals("Radau IIA"));
                 if (applies && !large) {
-                    curves.add(new Curve(OURS, method.name(), method, method.name().equals("Euler") ? 1 : 4));
+                    curves.add(new Curve(OURS, method.name(), method, method.name().endsWith("Euler") ? 1 : 4));
                 }
             }
         } else {
@@ -64,7 +64,7 @@ record Curve(String engine, String method, OwnMethod own, int order) {
     /** Settings from coarse to fine: tolerances, or steps from one instant to the next. */
     double[] settings(ReportScene scene) {
         if (isAdaptive()) {
-            double[] tolerances = new double[11];
+            double[] tolerances = new double[13];
             for (int k = 0; k < tolerances.length; k++) {
                 tolerances[k] = Double.parseDouble("1e-" + (k + 3));
             }

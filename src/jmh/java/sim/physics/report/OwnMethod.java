@@ -12,6 +12,7 @@ import sim.physics.motion.Integrator;
 import sim.physics.motion.RadauIIA;
 import sim.physics.motion.Rattle;
 import sim.physics.motion.RungeKutta4;
+import sim.physics.motion.SymplecticEuler;
 
 /**
  * A method of this engine: a line each.
@@ -24,6 +25,7 @@ import sim.physics.motion.RungeKutta4;
 record OwnMethod(String name, boolean adaptive, boolean conservative, DoubleFunction<Integrator> maker) {
     static final List<OwnMethod> ALL = List.of(
             new OwnMethod("Euler", false, false, tolerance -> new Euler()),
+            new OwnMethod("Symplectic Euler", false, false, tolerance -> new SymplecticEuler()),
             new OwnMethod("RK4", false, false, tolerance -> new RungeKutta4()),
             new OwnMethod("Rattle 2", false, true, tolerance -> new Rattle(2)),
             new OwnMethod("Rattle 4", false, true, tolerance -> new Rattle(4)),

@@ -4,6 +4,7 @@ package sim.physics.report;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.SplittableRandom;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.RodJoint;
@@ -98,6 +99,17 @@ final class OwnWorld implements World {
     public void step() {
         engine.step();
         steps++;
+    }
+
+    /** Makes each body faster or slower by a speed, along its velocity; joints take what they do not allow. */
+    void kick(double speed, SplittableRandom random) {
+        for (Body body : bodies) {
+            double v = Math.hypot(body.getVelocityX(), body.getVelocityY());
+            if (v > 0) {
+                double longer = 1 + (random.nextBoolean() ? speed : -speed) / v;
+                body.setVelocity(longer * body.getVelocityX(), longer * body.getVelocityY());
+            }
+        }
     }
 
     @Override

@@ -8,6 +8,7 @@ import sim.physics.collision.broad.Boxes;
 import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.NarrowPhase;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Team;
 import sim.physics.internal.Tolerances;
@@ -28,7 +29,10 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
 
     private final State state;
     private final Trajectories trajectories;
+
+    /** A pair's time is said by {@link Watch}. */
     private final Pairs pairs = new Pairs();
+
     private final PairSearch search;
     private final Companions companions;
     private final Enclosures enclosures;
@@ -37,18 +41,13 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private final EventQueue queue = new EventQueue();
     private final Watch watch;
 
-    /** When a body's path ends in the present step, or NaN. */
-    private double[] endTime = new double[8];
-
-    /** Until when a driven body's path holds. */
-    private double[] holdsUntil = new double[8];
-
+    private final PathEnds pathEnds = new PathEnds();
     private boolean[] known = new boolean[8];
     /** Bodies none of whose pairs need be looked at. */
     private boolean[] idle = new boolean[8];
     private double pathEnd;
 
-    private final PairMarks marks = new PairMarks();
+    private final PairMarks marks = new PairMarks(pairs);
     private final IntList together = new IntList();
     private long step;
     private double h;
@@ -63,11 +62,11 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public CollisionDetection(State state, Trajectories trajectories, BroadPhase broadPhase) {
         this.state = state;
         this.trajectories = trajectories;
-        this.enclosures = new Enclosures(this, trajectories, pairs, broadPhase);
+        this.enclosures = new Enclosures(this, state, trajectories, pairs, broadPhase);
         Boxes boxes = enclosures.boxes();
         NarrowPhase narrowPhase = new NarrowPhase(pairs, trajectories, enclosures.shapes(), boxes);
         this.search = new PairSearch(pairs, trajectories, marks, narrowPhase);
-        this.watch = new Watch(this, pairs, search, queue);
+        this.watch = new Watch(this, pairs, search, queue, enclosures.order());
         this.companions = new Companions(trajectories, boxes, pairs, marks, narrowPhase);
         pairs.setListener(this);
     }
@@ -109,17 +108,14 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         Body view = state.body(body);
         enclosures.prepare(body, view);
         trajectories.setRadius(body, view.getShape().boundingRadius());
-        pairs.ensure(body + 1);
-        if (body >= endTime.length) {
-            endTime = Arrays.copyOf(endTime, Math.max(2 * endTime.length, body + 1));
-            known = Arrays.copyOf(known, endTime.length);
-            idle = Arrays.copyOf(idle, endTime.length);
-            holdsUntil = Arrays.copyOf(holdsUntil, endTime.length);
+        pairs.ensure(state.size());
+        if (body >= known.length) {
+            known = Arrays.copyOf(known, Growth.length(known.length, state.size()));
+            idle = Arrays.copyOf(idle, known.length);
         }
         known[body] = true;
         idle[body] = false;
-        endTime[body] = Double.NaN;
-        holdsUntil[body] = h;
+        pathEnds.clear(body);
         enclosures.enclose(body, tau, step, h);
         watch.clearList();
         enclosures.add(body);
@@ -133,7 +129,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      */
     public void remove(int body) {
         known[body] = false;
-        endTime[body] = Double.NaN;
+        pathEnds.clear(body);
         enclosures.remove(body);
     }
 
@@ -195,10 +191,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         if (idle[body]) {
             return;
         }
-        IntList of = pairs.of(body);
         boolean watched = false;
-        for (int k = 0; of != null && k < of.size; k++) {
-            int pair = of.values[k];
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            int pair = pairs.of(body, k);
             watched |= pair == except || !marks.isUnseen(pair);
             if (pair != except) {
                 watch.look(pair, tau);
@@ -241,11 +236,11 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             if (idle[body]) {
                 continue;
             }
-            IntList of = pairs.of(body);
             boolean watched = false;
-            for (int k = 0; of != null && k < of.size; k++) {
-                watched |= !marks.isUnseen(of.values[k]);
-                watch.list(of.values[k]);
+            for (int k = 0; k < pairs.countOf(body); k++) {
+                int pair = pairs.of(body, k);
+                watched |= !marks.isUnseen(pair);
+                watch.list(pair);
             }
             idle[body] = !watched;
         }
@@ -258,10 +253,10 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param body index
      */
     public void refilter(int body) {
-        IntList of = pairs.of(body);
-        for (int k = 0; of != null && k < of.size; k++) {
-            int p = of.values[k];
-            marks.ignore(p, !filter.allows(state.body(pairs.first(p)), state.body(pairs.second(p))));
+        enclosures.admit(body, state.body(body));
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            int p = pairs.of(body, k);
+            marks.ignore(p, filter.forbids(state, pairs.first(p), pairs.second(p)));
             attend(p);
         }
     }
@@ -284,7 +279,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public void hold(int pair, boolean yes) {
         marks.hold(pair, yes);
         attend(pair);
-        watch.impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
     }
 
     /**
@@ -294,7 +289,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param tau offset in the present step
      */
     public void plan(int body, double tau) {
-        endTime[body] = tau;
+        pathEnds.plan(body, tau);
         queue.add(tau, ~body);
     }
 
@@ -304,7 +299,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param body index
      */
     public void unplan(int body) {
-        endTime[body] = Double.NaN;
+        pathEnds.forget(body);
     }
 
     /**
@@ -324,7 +319,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param tau offset in the present step
      */
     public void setPathEnd(int body, double tau) {
-        holdsUntil[body] = tau;
+        pathEnds.setHoldsUntil(body, tau);
     }
 
     /**
@@ -333,9 +328,11 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param body index
      */
     public void endPath(int body) {
-        endTime[body] = holdsUntil[body] < h ? holdsUntil[body] : Double.NaN;
-        if (holdsUntil[body] < h) {
-            queue.add(holdsUntil[body], ~body);
+        double until = pathEnds.holdsUntil(body);
+        if (until < h) {
+            plan(body, until);
+        } else {
+            pathEnds.forget(body);
         }
     }
 
@@ -346,7 +343,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
 
     /** Until when in the step what is known of a body's path holds. */
     double end(int body) {
-        return trajectories.isDriven(body) ? Math.min(h, holdsUntil[body]) : h;
+        return trajectories.isDriven(body) ? Math.min(h, pathEnds.holdsUntil(body)) : h;
     }
 
     /**
@@ -356,15 +353,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @return true if a pair of one of them is looked at
      */
     public boolean hasNeighbours(IntList bodies) {
-        for (int k = 0; k < bodies.size; k++) {
-            IntList of = pairs.of(bodies.values[k]);
-            for (int m = 0; of != null && m < of.size; m++) {
-                if (!marks.isIgnored(of.values[m])) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return marks.hasNeighbours(bodies);
     }
 
     /**
@@ -375,7 +364,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public boolean hasEvent() {
         while (!queue.isEmpty()) {
             int item = queue.firstItem();
-            if (queue.firstTime() == (item >= 0 ? watch.impactTime[item] : endTime[~item])) {
+            if (queue.firstTime() == (item >= 0 ? pairs.time(item) : pathEnds.end(~item))) {
                 return true;
             }
             queue.removeFirst(); // planned before a later change of course
@@ -395,7 +384,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         }
         pathEnd = queue.firstTime();
         queue.removeFirst();
-        endTime[~item] = Double.NaN;
+        pathEnds.forget(~item);
         return ~item;
     }
 
@@ -429,17 +418,17 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         while (hasEvent() && queue.firstTime() <= until && queue.firstItem() >= 0) {
             int pair = queue.firstItem();
             queue.removeFirst();
-            watch.impactTime[pair] = Double.NaN;
+            pairs.setTime(pair, Double.NaN);
             together.add(pair);
         }
-        companions.gather(together, tau, watch.impactTime);
+        companions.gather(together, tau);
         return together;
     }
 
     @Override
     public void pairBegan(int pair) {
         watch.add(pair);
-        marks.begin(pair, !filter.allows(state.body(pairs.first(pair)), state.body(pairs.second(pair))));
+        marks.begin(pair, filter.forbids(state, pairs.first(pair), pairs.second(pair)));
         attend(pair);
     }
 

@@ -35,11 +35,10 @@ final class Companions implements Serializable {
     /**
      * Adds pairs to those that touch.
      *
-     * @param together the pairs that touch; their planned impacts are NaN
+     * @param together the pairs that touch; their planned impacts are NaN, and so are those of pairs that are added
      * @param tau offset in the present step
-     * @param impactTime planned impacts by pair; NaN afterwards for those that were added
      */
-    void gather(IntList together, double tau, double[] impactTime) {
+    void gather(IntList together, double tau) {
         for (int k = 0; k < together.size; k++) {
             int a = pairs.first(together.values[k]);
             int b = pairs.second(together.values[k]);
@@ -47,13 +46,12 @@ final class Companions implements Serializable {
             if (boxes.isFixed(a) == boxes.isFixed(b) || trajectories.isDriven(body)) {
                 continue;
             }
-            IntList of = pairs.of(body);
-            for (int m = 0; m < of.size; m++) {
-                int pair = of.values[m];
+            for (int m = 0; m < pairs.countOf(body); m++) {
+                int pair = pairs.of(body, m);
                 if (boxes.isFixed(pairs.other(pair, body))
                         && !has(together, pair)
-                        && touches(pair, tau, impactTime[pair])) {
-                    impactTime[pair] = Double.NaN;
+                        && touches(pair, tau, pairs.time(pair))) {
+                    pairs.setTime(pair, Double.NaN);
                     together.add(pair);
                 }
             }

@@ -5,12 +5,15 @@ package sim.physics.collision;
 import java.io.Serializable;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.collision.broad.BroadPhase;
+import sim.physics.collision.broad.CellGrid;
+import sim.physics.collision.broad.Departures;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.ShapeTable;
 import sim.physics.internal.Agenda;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Team;
 import sim.physics.motion.Body;
+import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
 /** The boxes that bodies are in, when they leave them, and what the broad phase is told of that. */
@@ -23,11 +26,13 @@ final class Enclosures implements Serializable {
     private static final int FEWEST_LEAVING = 4096;
 
     private final CollisionDetection detection;
+    private final State state;
     private final Trajectories trajectories;
     private final Pairs pairs;
     private final ShapeTable shapes = new ShapeTable();
     private final Boxes boxes = new Boxes();
     private final Room room;
+    private final SpaceOrder order;
     private final Agenda agenda = new Agenda();
     private BroadPhase broadPhase;
 
@@ -35,14 +40,16 @@ final class Enclosures implements Serializable {
     private Team team;
 
     private transient SharedBoxes shared;
-    private int size;
 
-    Enclosures(CollisionDetection detection, Trajectories trajectories, Pairs pairs, BroadPhase broadPhase) {
+    Enclosures(
+            CollisionDetection detection, State state, Trajectories trajectories, Pairs pairs, BroadPhase broadPhase) {
         this.detection = detection;
+        this.state = state;
         this.trajectories = trajectories;
         this.pairs = pairs;
         this.broadPhase = broadPhase;
         room = new Room(trajectories, boxes);
+        order = new SpaceOrder(boxes, pairs);
     }
 
     ShapeTable shapes() {
@@ -53,6 +60,10 @@ final class Enclosures implements Serializable {
         return boxes;
     }
 
+    SpaceOrder order() {
+        return order;
+    }
+
     void setTeam(Team team) {
         this.team = team;
         shared = null;
@@ -61,10 +72,13 @@ final class Enclosures implements Serializable {
     /** Makes room for a body. */
     void prepare(int body, Body view) {
         shapes.set(body, view.getShape());
-        boxes.ensure(body + 1);
-        boxes.setFixed(body, view.isFixed());
-        agenda.ensure(body + 1);
-        size = Math.max(size, body + 1);
+        admit(body, view);
+        agenda.ensure(state.size());
+    }
+
+    /** Takes a body in, or takes note of what it collides with. */
+    void admit(int body, Body view) {
+        room.admit(body, view, state.size());
     }
 
     /** Tells the broad phase of a body. */
@@ -85,9 +99,16 @@ final class Enclosures implements Serializable {
     /** New boxes for the bodies that leave theirs in a step that begins. */
     void renew(long step, double h) {
         IntList leaving = agenda.advance(step);
+        Departures departures = null;
+        if (broadPhase instanceof CellGrid && order.isLong(leaving)) { // the same, but in the order of space
+            departures = order.sortLeaving(leaving, state.size());
+            for (int k = 0; k < leaving.size; k++) {
+                departures.keep(leaving.values[k], boxes);
+            }
+        }
         boolean isShared = shares(leaving, FEWEST_LEAVING);
         if (isShared) {
-            shared.renew(leaving, size, step, h);
+            shared.renew(leaving, state.size(), step, h);
         }
         for (int k = 0; k < leaving.size; k++) {
             int body = leaving.values[k];
@@ -97,7 +118,12 @@ final class Enclosures implements Serializable {
             } else {
                 enclose(body, 0, step, h);
             }
-            broadPhase.update(body, boxes, pairs);
+            if (departures == null) {
+                broadPhase.update(body, boxes, pairs);
+            }
+        }
+        for (int k = 0; departures != null && k < leaving.size; k++) {
+            ((CellGrid) broadPhase).update(leaving.values[k], boxes, pairs, departures);
         }
     }
 
@@ -132,7 +158,7 @@ final class Enclosures implements Serializable {
             }
             return;
         }
-        shared.enter(bodies, size, step, h);
+        shared.enter(bodies, state.size(), step, h);
         for (int k = 0; k < bodies.size; k++) {
             int body = bodies.values[k];
             agenda.schedule(body, shared.date(k));

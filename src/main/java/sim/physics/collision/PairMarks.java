@@ -4,42 +4,64 @@ package sim.physics.collision;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.internal.IntList;
 
 /** What is known of pairs beside their closest features: which are let pass, rest on one another, or lie in a heap. */
 public final class PairMarks implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    private boolean[] ignored = new boolean[16];
+    private static final int IGNORED = 1;
 
-    /** Pairs at rest on one another, which are not looked at. */
-    private boolean[] held = new boolean[16];
+    /** At rest on one another, not looked at. */
+    private static final int HELD = 2;
 
-    /** How deep pairs in a heap may be; empty while there is none. */
-    private double[] slack = {};
+    private final Pairs pairs;
 
-    PairMarks() {
-        // grows with the pairs
+    /** How deep pairs may be; empty while none may. */
+    private double[] depth = {};
+
+    /** Pairs in a heap; empty while there is none. */
+    private boolean[] lasting = {};
+
+    PairMarks(Pairs pairs) {
+        this.pairs = pairs;
     }
 
     void begin(int pair, boolean isIgnored) {
-        if (pair >= ignored.length) {
-            ignored = Arrays.copyOf(ignored, Math.max(2 * ignored.length, pair + 1));
-            held = Arrays.copyOf(held, ignored.length);
+        pairs.setMarks(pair, isIgnored ? IGNORED : 0);
+        if (pair < depth.length) {
+            depth[pair] = 0;
         }
-        ignored[pair] = isIgnored;
-        held[pair] = false;
-        if (pair < slack.length) {
-            slack[pair] = 0;
+        if (pair < lasting.length) {
+            lasting[pair] = false;
         }
     }
 
     /** Whether a pair is not to be looked at. */
     boolean isUnseen(int pair) {
-        return ignored[pair] || held[pair];
+        return pairs.marks(pair) != 0;
+    }
+
+    /** Whether a body of a list has a pair that does not pass through one another. */
+    boolean hasNeighbours(IntList bodies) {
+        for (int k = 0; k < bodies.size; k++) {
+            for (int m = 0; m < pairs.countOf(bodies.values[k]); m++) {
+                if (!isIgnored(pairs.of(bodies.values[k], m))) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     void hold(int pair, boolean yes) {
-        held[pair] = yes;
+        mark(pair, HELD, yes);
+    }
+
+    private void mark(int pair, int what, boolean yes) {
+        int marks = pairs.marks(pair);
+        pairs.setMarks(pair, yes ? marks | what : marks & ~what);
     }
 
     /**
@@ -49,7 +71,7 @@ public final class PairMarks implements Serializable {
      * @param yes whether it passes
      */
     public void ignore(int pair, boolean yes) {
-        ignored[pair] = yes;
+        mark(pair, IGNORED, yes);
     }
 
     /**
@@ -59,7 +81,7 @@ public final class PairMarks implements Serializable {
      * @return false if they collide
      */
     public boolean isIgnored(int pair) {
-        return ignored[pair];
+        return (pairs.marks(pair) & IGNORED) != 0;
     }
 
     /**
@@ -69,20 +91,20 @@ public final class PairMarks implements Serializable {
      * @return as {@link CollisionDetection#hold} said, until the pair ends
      */
     public boolean isHeld(int pair) {
-        return held[pair];
+        return (pairs.marks(pair) & HELD) != 0;
     }
 
     /**
      * Says how deep a pair may be before it counts as an impact.
      *
      * @param pair its number
-     * @param depth length; 0 until it is set, and when the pair begins anew
+     * @param most length; 0 until it is set, and when the pair begins anew
      */
-    public void setSlack(int pair, double depth) {
-        if (pair >= slack.length) {
-            slack = Arrays.copyOf(slack, Math.max(2 * slack.length, pair + 1));
+    public void setDepth(int pair, double most) {
+        if (pair >= depth.length) {
+            depth = Arrays.copyOf(depth, Math.max(2 * depth.length, pair + 1));
         }
-        slack[pair] = depth;
+        depth[pair] = most;
     }
 
     /**
@@ -91,7 +113,30 @@ public final class PairMarks implements Serializable {
      * @param pair its number
      * @return length, 0 for most
      */
-    public double slack(int pair) {
-        return pair < slack.length ? slack[pair] : 0;
+    public double depth(int pair) {
+        return pair < depth.length ? depth[pair] : 0;
+    }
+
+    /**
+     * Says whether the bodies of a pair lie on one another in a heap.
+     *
+     * @param pair its number
+     * @param yes whether they do; not any more when the pair begins anew
+     */
+    public void setLasting(int pair, boolean yes) {
+        if (pair >= lasting.length) {
+            lasting = Arrays.copyOf(lasting, Math.max(2 * lasting.length, pair + 1));
+        }
+        lasting[pair] = yes;
+    }
+
+    /**
+     * Whether the bodies of a pair lie on one another in a heap.
+     *
+     * @param pair its number
+     * @return false for most
+     */
+    public boolean isLasting(int pair) {
+        return pair < lasting.length && lasting[pair];
     }
 }

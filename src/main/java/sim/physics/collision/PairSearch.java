@@ -64,9 +64,9 @@ final class PairSearch implements Serializable {
         if (start == Double.POSITIVE_INFINITY) {
             return 0;
         }
-        double slack = marks.slack(pair);
-        double t = slack > 0
-                ? narrowPhase.firstContact(pair, tau, start, end, slack)
+        double depth = marks.depth(pair);
+        double t = depth > 0
+                ? narrowPhase.firstContact(pair, tau, start, end, depth)
                 : narrowPhase.firstContact(pair, tau, start, end);
         found = LATER;
         if (narrowPhase.isApart()) {

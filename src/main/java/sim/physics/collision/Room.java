@@ -3,8 +3,11 @@
 package sim.physics.collision;
 
 import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.internal.Growth;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.internal.Agenda;
+import sim.physics.motion.Body;
 import sim.physics.motion.Trajectories;
 
 /** The boxes of moving bodies, with room to move on: how large they are made, and until when a body stays in its own. */
@@ -27,21 +30,39 @@ final class Room implements Serializable {
     private final Trajectories trajectories;
     private final Boxes boxes;
 
+    /** Bodies that collide with nothing, which may leave their boxes. */
+    private boolean[] isAloof = new boolean[8];
+
     Room(Trajectories trajectories, Boxes boxes) {
         this.trajectories = trajectories;
         this.boxes = boxes;
     }
 
+    /** Takes over from another one which bodies collide with nothing. */
+    void match(Room other) {
+        isAloof = other.isAloof;
+    }
+
+    /** Takes a body in, or takes note of what it collides with. */
+    void admit(int body, Body view, int bodies) {
+        if (body >= isAloof.length) {
+            isAloof = Arrays.copyOf(isAloof, Growth.length(isAloof.length, bodies));
+        }
+        boxes.ensure(bodies);
+        boxes.setFixed(body, view.isFixed());
+        isAloof[body] = view.getCategory() == 0 || view.getCollidesWith() == 0;
+    }
+
     /** The step in which a body's centre leaves the room that its box has. */
     long leavingDate(int body, double tau, long step, double h) {
-        if (boxes.isFixed(body)) {
+        if (boxes.isFixed(body) || isAloof[body]) {
             return Agenda.NEVER;
         }
         double[] m = trajectories.data();
         int o = body * Trajectories.STRIDE;
         double[] d = boxes.data();
         int b = body * Boxes.STRIDE;
-        double radius = m[o + Trajectories.RADIUS];
+        double radius = trajectories.radius(body);
         double time = trajectories.duration(body, tau);
         double t = leavingTime(o, time, h, d[b] + radius, d[b + 2] - radius);
         t = Math.min(t, leavingTime(o + 1, time, h, d[b + 1] + radius, d[b + 3] - radius));
@@ -52,8 +73,10 @@ final class Room implements Serializable {
     /** How long a coordinate surely stays between two bounds. */
     private double leavingTime(int o, double time, double h, double low, double high) {
         double[] m = trajectories.data();
-        double a = m[o + Trajectories.AX];
-        double j = m[o + Trajectories.JX];
+        double[] k = trajectories.bends();
+        int mask = trajectories.bendMask();
+        double a = k[(o & mask) + Trajectories.AX];
+        double j = k[(o & mask) + Trajectories.JX];
         double x = m[o] + time * (m[o + Trajectories.VX] + time * (a + time * j));
         double v = m[o + Trajectories.VX] + time * (2 * a + 3 * time * j);
         if (a == 0 && j == 0) {
@@ -73,7 +96,7 @@ final class Room implements Serializable {
         double[] m = trajectories.data();
         int o = body * Trajectories.STRIDE;
         double time = trajectories.duration(body, tau);
-        double radius = m[o + Trajectories.RADIUS];
+        double radius = trajectories.radius(body);
         double rest = h - tau;
         double vx = speed(o, time);
         double vy = speed(o + 1, time);
@@ -111,25 +134,34 @@ final class Room implements Serializable {
 
     private boolean isUniform(int o) {
         double[] m = trajectories.data();
-        return m[o + Trajectories.AX] == 0
-                && m[o + Trajectories.AY] == 0
-                && m[o + Trajectories.JX] == 0
-                && m[o + Trajectories.JY] == 0
-                && m[o + Trajectories.DRIVEN] == 0;
+        double[] k = trajectories.bends();
+        int mask = trajectories.bendMask();
+        return k[(o & mask) + Trajectories.AX] == 0
+                && k[(o & mask) + Trajectories.AY] == 0
+                && k[(o & mask) + Trajectories.JX] == 0
+                && k[(o & mask) + Trajectories.JY] == 0
+                && k[(o & mask) + Trajectories.DRIVEN] == 0;
     }
 
     private double place(int o, double d) {
         double[] m = trajectories.data();
-        return m[o] + d * (m[o + Trajectories.VX] + d * (m[o + Trajectories.AX] + d * m[o + Trajectories.JX]));
+        double[] k = trajectories.bends();
+        int mask = trajectories.bendMask();
+        return m[o] + d * (m[o + Trajectories.VX] + d * (k[(o & mask) + Trajectories.AX] + d * k[(o & mask) + Trajectories.JX]));
     }
 
     private double speed(int o, double d) {
         double[] m = trajectories.data();
-        return m[o + Trajectories.VX] + d * (2 * m[o + Trajectories.AX] + 3 * d * m[o + Trajectories.JX]);
+        double[] k = trajectories.bends();
+        int mask = trajectories.bendMask();
+        return m[o + Trajectories.VX] + d * (2 * k[(o & mask) + Trajectories.AX] + 3 * d * k[(o & mask) + Trajectories.JX]);
     }
 
-    /** Whether a body surely stays in its box to the end of the step. */
+    /** Whether a body surely stays in its box to the end of the step, or need not. */
     boolean holds(int body, double tau, double h) {
+        if (isAloof[body]) {
+            return true;
+        }
         double[] m = trajectories.data();
         int at = body * Trajectories.STRIDE;
         if (m[at + Trajectories.OFFSET] == tau && m[at + Trajectories.STEP] == trajectories.step()) {
@@ -140,7 +172,7 @@ final class Room implements Serializable {
         int b = body * Boxes.STRIDE;
         double time = trajectories.duration(body, tau);
         double rest = h - tau;
-        double radius = trajectories.data()[o + Trajectories.RADIUS];
+        double radius = trajectories.radius(body);
         double x = place(o, time);
         double y = place(o + 1, time);
         double wayX = radius + rest * Math.abs(speed(o, time)) + pathBound(o, time, rest);
@@ -152,11 +184,13 @@ final class Room implements Serializable {
     private boolean holdsFromAnchor(int body, double rest) {
         double[] d = boxes.data();
         double[] m = trajectories.data();
+        double[] k = trajectories.bends();
+        int mask = trajectories.bendMask();
         int o = body * Trajectories.STRIDE;
         int b = body * Boxes.STRIDE;
-        double ax = Math.abs(m[o + Trajectories.AX]) + 3 * Math.abs(m[o + Trajectories.JX]) * rest;
-        double ay = Math.abs(m[o + Trajectories.AY]) + 3 * Math.abs(m[o + Trajectories.JY]) * rest;
-        double radius = m[o + Trajectories.RADIUS];
+        double ax = Math.abs(k[(o & mask) + Trajectories.AX]) + 3 * Math.abs(k[(o & mask) + Trajectories.JX]) * rest;
+        double ay = Math.abs(k[(o & mask) + Trajectories.AY]) + 3 * Math.abs(k[(o & mask) + Trajectories.JY]) * rest;
+        double radius = trajectories.radius(body);
         double wayX = radius + rest * (Math.abs(m[o + Trajectories.VX]) + ax * rest);
         double wayY = radius + rest * (Math.abs(m[o + Trajectories.VY]) + ay * rest);
         double x = m[o];
@@ -167,7 +201,10 @@ final class Room implements Serializable {
     /** How far the accelerations can carry a coordinate off its straight path in a time. */
     private double pathBound(int o, double d, double rest) {
         double[] m = trajectories.data();
-        double a = Math.abs(m[o + Trajectories.AX]) + 3 * Math.abs(m[o + Trajectories.JX]) * (Math.abs(d) + rest);
+        double[] k = trajectories.bends();
+        int mask = trajectories.bendMask();
+        double j = Math.abs(k[(o & mask) + Trajectories.JX]);
+        double a = Math.abs(k[(o & mask) + Trajectories.AX]) + 3 * j * (Math.abs(d) + rest);
         return a * rest * rest;
     }
 }

@@ -50,6 +50,7 @@ final class SharedBoxes implements Team.Work {
         this.step = step;
         this.h = h;
         ahead.ensure(size);
+        next.match(present);
         if (dates.length < those.size) {
             dates = Arrays.copyOf(dates, 2 * those.size);
             isNew = Arrays.copyOf(isNew, dates.length);

@@ -3,13 +3,16 @@
 package sim.physics.collision;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.internal.Agenda;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Team;
 
-/** The pairs whose boxes overlap: when each is looked at again, and when its impact is, if that is in the present step. */
+/**
+ * The pairs whose boxes overlap: when each is looked at again, and when its impact is, if that is in the present step. That
+ * is kept as the pair's time. If it is to be looked at in a later step, it is minus the offset in that step up to which the
+ * pair is known to be apart; NaN if nothing is known.
+ */
 final class Watch implements Serializable {
     private static final long serialVersionUID = 1L;
 
@@ -28,13 +31,8 @@ final class Watch implements Serializable {
     private final Pairs pairs;
     private final PairSearch search;
     private final EventQueue queue;
+    private final SpaceOrder order;
     private final Agenda agenda = new Agenda();
-
-    /**
-     * When a pair's impact in the present step is. If it is to be looked at in a later step: minus the offset in that step
-     * up to which it is known to be apart. NaN if nothing is known.
-     */
-    double[] impactTime = new double[16];
 
     private final IntList fresh = new IntList();
 
@@ -45,11 +43,12 @@ final class Watch implements Serializable {
     private long step;
     private double h;
 
-    Watch(CollisionDetection detection, Pairs pairs, PairSearch search, EventQueue queue) {
+    Watch(CollisionDetection detection, Pairs pairs, PairSearch search, EventQueue queue, SpaceOrder order) {
         this.detection = detection;
         this.pairs = pairs;
         this.search = search;
         this.queue = queue;
+        this.order = order;
     }
 
     void setTeam(Team team) {
@@ -64,18 +63,15 @@ final class Watch implements Serializable {
 
     /** Takes a pair that begins into the list of those to be looked at. */
     void add(int pair) {
-        if (pair >= impactTime.length) {
-            impactTime = Arrays.copyOf(impactTime, Math.max(2 * impactTime.length, pair + 1));
-        }
         agenda.ensure(pair + 1);
         search.narrowPhase().forget(pair);
-        impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
         fresh.add(pair);
     }
 
     /** Plans no look at a pair. */
     void remove(int pair) {
-        impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
         agenda.schedule(pair, Agenda.NEVER);
     }
 
@@ -92,10 +88,11 @@ final class Watch implements Serializable {
     /** Looks at the pairs that are due in a step that has begun, and at those in the list. */
     void look() {
         IntList due = agenda.advance(step);
+        order.sortPairs(due);
         SharedLooks together = sharedLooks(due.size + fresh.size, FEWEST_DUE);
         for (int k = 0; k < due.size; k++) {
             int pair = due.values[k];
-            double apart = -impactTime[pair];
+            double apart = -pairs.time(pair);
             if (pairs.first(pair) >= 0) {
                 look(pair, apart > 0 ? apart : 0, together);
             }
@@ -113,13 +110,13 @@ final class Watch implements Serializable {
         int count = 0;
         for (int k = 0; k < fresh.size; k++) {
             int pair = fresh.values[k];
-            if (pairs.first(pair) >= 0 && impactTime[pair] != LISTED) {
-                impactTime[pair] = LISTED;
+            if (pairs.first(pair) >= 0 && pairs.time(pair) != LISTED) {
+                pairs.setTime(pair, LISTED);
                 fresh.values[count++] = pair;
             }
         }
         for (int k = 0; k < count; k++) {
-            impactTime[fresh.values[k]] = Double.NaN;
+            pairs.setTime(fresh.values[k], Double.NaN);
         }
         for (int k = 0; k < count; k++) {
             look(fresh.values[k], tau, together);
@@ -148,7 +145,7 @@ final class Watch implements Serializable {
 
     /** Looks for a pair's first contact from an instant on, and plans an impact or the next look. */
     void look(int pair, double tau) {
-        impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
         double t = search.look(pair, tau, detection.pathEnd(pair));
         plan(pair, search.found, t);
     }
@@ -159,10 +156,10 @@ final class Watch implements Serializable {
             schedule(pair, t);
             return;
         }
-        impactTime[pair] = Double.NaN;
+        pairs.setTime(pair, Double.NaN);
         agenda.schedule(pair, Agenda.NEVER);
         if (found == PairSearch.IMPACT) {
-            impactTime[pair] = t;
+            pairs.setTime(pair, t);
             queue.add(t, pair);
         }
     }
@@ -170,7 +167,7 @@ final class Watch implements Serializable {
     /** Plans the next look at a pair that is apart up to an offset, which may be infinite. */
     private void schedule(int pair, double tau) {
         double later = Math.max(1, Math.floor(tau / h));
-        impactTime[pair] = later * h - tau * ALMOST; // the search goes on from there
+        pairs.setTime(pair, later * h - tau * ALMOST); // the search goes on from there
         agenda.schedule(pair, later < 1e15 ? step + (long) later : Agenda.NEVER);
     }
 }

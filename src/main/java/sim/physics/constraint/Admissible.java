@@ -4,14 +4,13 @@ package sim.physics.constraint;
 
 import sim.physics.motion.Body;
 
-/** What is asked of a constraint before it is added. */
+/** What a constraint must be before it is added. */
 final class Admissible {
     /** Gap of a new constraint, relative to the sizes of its bodies, up to which it counts as closed. */
     private static final double CLOSED = 1e-6;
 
     private Admissible() {}
 
-    /** Throws an exception unless a body can move, there are 1 to 3 rows, and they are satisfied if they must be. */
     static void check(Constraint constraint, boolean closed) {
         Body b = constraint.getBodyB();
         if (constraint.getBodyA().isFixed() && (b == null || b.isFixed())) {

@@ -8,7 +8,6 @@ import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
-import java.util.TreeSet;
 import sim.physics.internal.IntList;
 import sim.physics.matrix.BlockSparseMatrix;
 import sim.physics.motion.Body;
@@ -25,7 +24,7 @@ public final class Constraints implements Ties, Serializable {
     private final State state;
     private final LinkedHashSet<Constraint> constraints = new LinkedHashSet<>();
     private final LinkedHashSet<Constraint> changed = new LinkedHashSet<>();
-    private final List<Island> islands;
+    private List<Island> islands = new ArrayList<>();
 
     /** The island of each body. */
     private Island[] of = {};
@@ -33,6 +32,7 @@ public final class Constraints implements Ties, Serializable {
     private ConstraintSolver solver = new DirectSolver();
     private final Projection projection = new Projection();
     private Stabilization stabilization = Stabilization.projection();
+    private long version;
 
     /**
      * Makes an empty set of constraints.
@@ -40,22 +40,18 @@ public final class Constraints implements Ties, Serializable {
      * @param state the state vectors
      */
     public Constraints(State state) {
-        this(state, new ArrayList<>());
-    }
-
-    private Constraints(State state, List<Island> islands) {
         this.state = state;
-        this.islands = islands;
     }
 
     @Override
-    public Ties twin() {
-        return new Constraints(state, islands);
+    public Ties helper() {
+        return new Constraints(state);
     }
 
     @Override
     public void match(Ties first) {
         Constraints other = (Constraints) first;
+        islands = other.islands;
         of = other.of;
         stabilization = other.stabilization;
     }
@@ -164,6 +160,7 @@ public final class Constraints implements Ties, Serializable {
      * @param body a body of the state
      */
     public void touched(Body body) {
+        version++;
         if (!body.isFixed()) {
             if (isTied(body.index())) {
                 of[body.index()].forgetMasses();
@@ -192,28 +189,12 @@ public final class Constraints implements Ties, Serializable {
      * @return indices in ascending order
      */
     public IntList concerned() {
-        TreeSet<Integer> found = new TreeSet<>();
-        for (Constraint c : changed) {
-            concern(c.getBodyA(), found);
-            concern(c.getBodyB(), found);
-        }
-        IntList list = new IntList();
-        found.forEach(list::add);
-        return list;
-    }
-
-    private void concern(Body body, TreeSet<Integer> found) {
-        if (body == null || body.isFixed() || body.state() != state || !found.add(body.index())) {
-            return;
-        }
-        IntList tied = isTied(body.index()) ? island(body.index()) : new IntList();
-        for (int k = 0; k < tied.size; k++) {
-            found.add(tied.values[k]);
-        }
+        return Concerned.by(changed, state, this);
     }
 
     /** Forms the islands anew that changes concern. */
     public void regroup() {
+        version++;
         if (of.length < state.size()) {
             of = Arrays.copyOf(of, Math.max(2 * of.length, state.size()));
         }
@@ -305,6 +286,9 @@ public final class Constraints implements Ties, Serializable {
     public boolean advance(IntList bodies, double gx, double gy, double h) {
         Island one = islandOf(bodies.values[0]);
         boolean isOne = one != null && one.bodies == bodies && !stabilization.isFeedback();
+        if (isOne && one.tree != null) {
+            return one.tree.advance(state, solver, gx, gy, h);
+        }
         return isOne && one.chain != null && one.chain.advance(state, solver, gx, gy, h);
     }
 
@@ -494,5 +478,23 @@ public final class Constraints implements Ties, Serializable {
             least = Math.min(least, island.switches.push(state, a));
         }
         return least;
+    }
+
+    @Override
+    public Ties twin() {
+        Constraints twin = new Constraints(state);
+        constraints.forEach(twin::add);
+        twin.regroup();
+        return twin;
+    }
+
+    @Override
+    public long version() {
+        return version;
+    }
+
+    @Override
+    public double[] switches(IntList bodies, double[] kept, boolean restore) {
+        return Switches.exchange(of(bodies), kept, restore);
     }
 }

@@ -79,7 +79,10 @@ final class Island implements Serializable {
 
     private final boolean onlyPins;
 
-    /** Null unless the constraints are pins that form a chain. */
+    /** Null unless the constraints are pins that form a tree. */
+    final TreeStep tree;
+
+    /** Null unless the constraints are pins that form a chain between two places that do not move. */
     final ChainStep chain;
 
     final Switches switches;
@@ -154,7 +157,8 @@ final class Island implements Serializable {
         if (onlyPins) {
             pins.setShared(shared);
         }
-        chain = onlyPins ? pins.chain() : null;
+        tree = onlyPins ? pins.tree() : null;
+        chain = onlyPins && tree == null ? pins.chain() : null;
         switches = new Switches(this);
         invariants = new Invariants(this);
         shake = new Shake(this);
@@ -401,12 +405,8 @@ final class Island implements Serializable {
     List<Constraint> overloaded() {
         List<Constraint> breaking = new ArrayList<>();
         for (Constraint k : inOrder) {
-            if (k instanceof Joint joint && joint.isBreakable()) {
-                Reaction load = reaction(k);
-                double torque = k instanceof PinJoint ? 0 : Math.abs(load.torque());
-                if (load.force() > joint.getBreakingForce() || torque > joint.getBreakingTorque()) {
-                    breaking.add(k);
-                }
+            if (k instanceof Joint joint && joint.isBreakable() && joint.breaksUnder(reaction(k))) {
+                breaking.add(k);
             }
         }
         return breaking;
@@ -416,6 +416,9 @@ final class Island implements Serializable {
         spread = 0;
         passage.forget();
         pins.forgetMasses();
+        if (tree != null) {
+            tree.forgetMasses();
+        }
         if (chain != null) {
             chain.forgetMasses();
         }

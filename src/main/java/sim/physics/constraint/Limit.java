@@ -75,6 +75,16 @@ public final class Limit extends Switched {
     }
 
     @Override
+    double remembered() {
+        return side;
+    }
+
+    @Override
+    void remember(double what) {
+        side = (int) what;
+    }
+
+    @Override
     double gap(double q) {
         return q - (side < 0 ? lower : upper);
     }

@@ -84,6 +84,16 @@ public final class Motor extends Switched {
     }
 
     @Override
+    double remembered() {
+        return scale;
+    }
+
+    @Override
+    void remember(double what) {
+        scale = what;
+    }
+
+    @Override
     double gap(double q) {
         return 0;
     }

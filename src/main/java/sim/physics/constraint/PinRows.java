@@ -75,6 +75,12 @@ final class PinRows implements Serializable {
         }
     }
 
+    /** The steps of the pins if they form a tree, or null. */
+    TreeStep tree() {
+        PinTree tree = TreeLayout.find(island, arms);
+        return tree == null ? null : new TreeStep(island, tree);
+    }
+
     /** The steps of the pins if they form a chain, or null. */
     ChainStep chain() {
         PinChain chain = ChainLayout.find(island, arms);

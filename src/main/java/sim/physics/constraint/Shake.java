@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import sim.physics.internal.DenseFactor;
+import sim.physics.motion.Carry;
 import sim.physics.motion.State;
 
 /**
@@ -182,6 +183,7 @@ final class Shake implements Serializable {
     }
 
     private void move(State state, double h) {
+        Carry carry = state.carry();
         double[] w = state.w().values();
         double[] x = state.x();
         double[] v = state.v();
@@ -192,8 +194,8 @@ final class Shake implements Serializable {
             for (int s = island.blockA[p], side = 0; side < 2; side++, s = island.blockB[p], o += 6) {
                 for (int c = 0; s >= 0 && c < State.BLOCK; c++) {
                     double d = w[s + c] * (rows[o + c] * l0 + rows[o + 3 + c] * l1);
-                    x[s + c] += d;
-                    v[s + c] += d / h;
+                    carry.addX(x, s + c, d);
+                    carry.addV(v, s + c, d / h);
                 }
             }
         }

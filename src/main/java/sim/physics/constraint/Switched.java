@@ -12,6 +12,9 @@ import sim.physics.motion.Body;
 abstract class Switched implements Constraint {
     private static final long serialVersionUID = 1L;
 
+    /** Number of values of {@link #keep}. */
+    static final int MEMORY = 12;
+
     private final Constraint coordinate;
 
     /** Whether the row acts; and if it does not, the force along the coordinate. */
@@ -106,6 +109,32 @@ abstract class Switched implements Constraint {
     final Reaction reaction(double f) {
         return new Reaction(row[0] * f, row[1] * f, row[2] * f);
     }
+
+    /** Copies all that changes with time. */
+    final void keep(double[] to, int at) {
+        to[at] = isOn ? 1 : 0;
+        to[at + 1] = force;
+        to[at + 2] = isOnNow ? 1 : 0;
+        to[at + 3] = forceNow;
+        to[at + 4] = value;
+        to[at + 5] = remembered();
+        System.arraycopy(row, 0, to, at + 6, row.length);
+    }
+
+    final void restore(double[] from, int at) {
+        isOn = from[at] != 0;
+        force = from[at + 1];
+        isOnNow = from[at + 2] != 0;
+        forceNow = from[at + 3];
+        value = from[at + 4];
+        remember(from[at + 5]);
+        System.arraycopy(from, at + 6, row, 0, row.length);
+    }
+
+    /** What the row keeps in mind from one decision to the next. */
+    abstract double remembered();
+
+    abstract void remember(double what);
 
     /** The value that the row keeps at 0 when it is on; 0 if it keeps a speed only. */
     abstract double gap(double q);

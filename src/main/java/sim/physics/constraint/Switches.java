@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import sim.physics.motion.State;
 
@@ -119,6 +120,24 @@ final class Switches implements Serializable {
         }
     }
 
+    /** Copies what the rows of some islands remember to an array, or a larger one, or from there. */
+    static double[] exchange(List<Island> islands, double[] kept, boolean restore) {
+        double[] values = kept;
+        int at = 0;
+        for (int k = 0; k < islands.size(); k++) {
+            for (Switched s : islands.get(k).switches.rows) {
+                if (restore) {
+                    s.restore(values, at);
+                } else {
+                    values = values.length < at + Switched.MEMORY ? Arrays.copyOf(values, 2 * at + Switched.MEMORY) : values;
+                    s.keep(values, at);
+                }
+                at += Switched.MEMORY;
+            }
+        }
+        return values;
+    }
+
     /** Decides which rows act; returns whether some row asks for another speed than there is. */
     boolean decide(State state) {
         island.evaluate(state);
@@ -142,6 +161,7 @@ final class Switches implements Serializable {
         for (Switched s : rows) {
             if (!s.isOn) {
                 s.hold(s.value());
+                s.isOnNow = s.isOn;
             }
         }
     }

@@ -8,19 +8,43 @@ import java.util.Arrays;
 /**
  * Which items are to be looked at in which step: a wheel of buckets, one a step. Scheduling an item again replaces its
  * earlier date. Both operations take constant time, and an item that is not due costs nothing.
+ *
+ * <p>The buckets share one array of chunks, which a bucket takes and gives back, because each of them is full at a time of
+ * its own: an item takes 8 bytes, and 4 for each bucket in which it waits, or waited before it was scheduled again.
  */
 public final class Agenda implements Serializable {
-    private static final long serialVersionUID = 2L;
+    private static final long serialVersionUID = 3L;
 
     /** The date of an item that is never due. */
     public static final long NEVER = Long.MAX_VALUE;
 
     private static final int BUCKETS = 64;
 
-    private final IntList[] wheel = new IntList[BUCKETS];
+    /** Length of a chunk; its last value is the chunk after it. */
+    private static final int CHUNK = 32;
 
-    /** Per item: the step it is wanted in, and the bucket's step it really waits in (at most BUCKETS − 1 ahead). */
-    private long[] dates = new long[16];
+    /** Bits of a word below the date: the bucket in which the item really waits, or {@link #NOWHERE}. */
+    private static final int SHIFT = 7;
+
+    private static final int NOWHERE = BUCKETS;
+    private static final long LATEST = NEVER >> SHIFT;
+    private static final long EMPTY = LATEST << SHIFT | NOWHERE;
+
+    /** Per item: the step it is wanted in, and the bucket where it waits, at most BUCKETS − 1 steps ahead. */
+    private long[] words = {};
+
+    private int[] chunks = {};
+
+    /** Chunks that were in use ever, and the first of those that are not now, plus 1. */
+    private int used;
+
+    private int free;
+
+    /** Per bucket: its first chunk, its last one, and how many items lie in it. */
+    private final int[] first = new int[BUCKETS];
+
+    private final int[] last = new int[BUCKETS];
+    private final int[] count = new int[BUCKETS];
 
     private long now;
 
@@ -28,22 +52,19 @@ public final class Agenda implements Serializable {
 
     /** Makes an empty agenda at step 0. */
     public Agenda() {
-        for (int k = 0; k < BUCKETS; k++) {
-            wheel[k] = new IntList();
-        }
-        Arrays.fill(dates, NEVER);
+        // room comes with the items
     }
 
     /**
      * Makes room for items.
      *
-     * @param count number of items
+     * @param items number of items
      */
-    public void ensure(int count) {
-        int old = dates.length;
-        if (old < 2 * count) {
-            dates = Arrays.copyOf(dates, Math.max(2 * old, 2 * count));
-            Arrays.fill(dates, old, dates.length, NEVER);
+    public void ensure(int items) {
+        int old = words.length;
+        if (old < items) {
+            words = Arrays.copyOf(words, Growth.length(old, items));
+            Arrays.fill(words, old, words.length, EMPTY);
         }
     }
 
@@ -54,16 +75,44 @@ public final class Agenda implements Serializable {
      * @param step a step after the present one, or {@link #NEVER}
      */
     public void schedule(int item, long step) {
-        dates[2 * item] = step;
         if (step == NEVER) {
-            dates[2 * item + 1] = NEVER;
+            words[item] = EMPTY;
             return;
         }
-        long bucket = Math.min(step, now + BUCKETS - 1);
-        if (dates[2 * item + 1] != bucket) {
-            dates[2 * item + 1] = bucket;
-            wheel[(int) (bucket % BUCKETS)].add(item);
+        int bucket = (int) (Math.min(step, now + BUCKETS - 1) & BUCKETS - 1);
+        int waits = (int) words[item] & 2 * BUCKETS - 1;
+        words[item] = step << SHIFT | bucket;
+        if (waits != bucket) {
+            append(bucket, item);
         }
+    }
+
+    private void append(int bucket, int item) {
+        int place = count[bucket]++ % (CHUNK - 1);
+        if (place == 0) {
+            int chunk = take();
+            if (count[bucket] == 1) {
+                first[bucket] = chunk;
+            } else {
+                chunks[last[bucket] + CHUNK - 1] = chunk;
+            }
+            last[bucket] = chunk;
+        }
+        chunks[last[bucket] + place] = item;
+    }
+
+    private int take() {
+        if (free > 0) {
+            int chunk = free - 1;
+            free = chunks[chunk + CHUNK - 1];
+            return chunk;
+        }
+        int chunk = used;
+        used += CHUNK;
+        if (used > chunks.length) {
+            chunks = Arrays.copyOf(chunks, Growth.length(chunks.length, used));
+        }
+        return chunk;
     }
 
     /**
@@ -73,7 +122,8 @@ public final class Agenda implements Serializable {
      * @return a step, or {@link #NEVER}
      */
     public long date(int item) {
-        return dates[2 * item];
+        long date = words[item] >> SHIFT;
+        return date == LATEST ? NEVER : date;
     }
 
     /**
@@ -85,22 +135,34 @@ public final class Agenda implements Serializable {
     public IntList advance(long step) {
         now = step;
         due.clear();
-        IntList bucket = wheel[(int) (step % BUCKETS)];
-        int count = bucket.size;
-        bucket.clear();
-        for (int k = 0; k < count; k++) {
-            int item = bucket.values[k];
-            if (dates[2 * item + 1] != step) {
-                continue;
-            }
-            dates[2 * item + 1] = NEVER;
-            if (dates[2 * item] > step) {
-                schedule(item, dates[2 * item]);
-            } else {
-                dates[2 * item] = NEVER;
-                due.add(item);
+        int bucket = (int) (step & BUCKETS - 1);
+        int waiting = count[bucket];
+        int chunk = first[bucket];
+        for (int k = 0, place = 0; k < waiting; k++) {
+            look(chunks[chunk + place], bucket, step);
+            if (++place == CHUNK - 1 || k == waiting - 1) {
+                int next = chunks[chunk + CHUNK - 1];
+                chunks[chunk + CHUNK - 1] = free;
+                free = chunk + 1;
+                chunk = next;
+                place = 0;
             }
         }
+        count[bucket] = 0;
         return due;
+    }
+
+    /** Takes an item out of a bucket, unless it has been scheduled to another one since, and finds out whether it is due. */
+    private void look(int item, int bucket, long step) {
+        long word = words[item];
+        if (((int) word & 2 * BUCKETS - 1) != bucket) {
+            return;
+        }
+        words[item] = EMPTY;
+        if (word >> SHIFT > step) {
+            schedule(item, word >> SHIFT);
+        } else {
+            due.add(item);
+        }
     }
 }

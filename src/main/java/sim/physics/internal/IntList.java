@@ -34,44 +34,50 @@ public final class IntList implements Serializable {
     }
 
     /**
-     * Puts a value into an ascending list, if it is not there.
+     * Replaces all values by one.
      *
-     * @param value any
+     * @param value the one
+     * @return this list
      */
-    public void include(int value) {
+    public IntList only(int value) {
+        size = 0;
+        add(value);
+        return this;
+    }
+
+    /** Removes all values and keeps the array. */
+    public void clear() {
+        size = 0;
+    }
+
+    /**
+     * Puts a value into a list in ascending order.
+     *
+     * @param value one that is not there
+     */
+    public void insert(int value) {
         int k = place(value);
-        if (k < size && values[k] == value) {
-            return;
-        }
         add(value);
         System.arraycopy(values, k, values, k + 1, size - 1 - k);
         values[k] = value;
     }
 
     /**
-     * Takes a value out of an ascending list, if it is there.
+     * Takes a value out of a list in ascending order.
      *
-     * @param value any
+     * @param value one that is there
      */
-    public void exclude(int value) {
+    public void takeOut(int value) {
         int k = place(value);
-        if (k < size && values[k] == value) {
-            System.arraycopy(values, k + 1, values, k, size - 1 - k);
-            size--;
-        }
+        System.arraycopy(values, k + 1, values, k, size - 1 - k);
+        size--;
     }
 
-    /** Where the first value is that is not less, looked for from the end. */
     private int place(int value) {
         int k = size;
         while (k > 0 && values[k - 1] >= value) {
             k--;
         }
         return k;
-    }
-
-    /** Removes all values and keeps the array. */
-    public void clear() {
-        size = 0;
     }
 }

@@ -18,9 +18,9 @@ import sim.physics.shape.Shape;
  * their area (density 1), restitution 1, no friction, and collide with everything.
  */
 public class Body implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
-    private final Shape shape;
+    private Shape shape;
     private final boolean fixed;
 
     private State state;
@@ -30,18 +30,9 @@ public class Body implements Serializable {
     private double inertia;
     private double restitution = 1;
     private double friction;
-    private double surfaceFriction;
-    private double surfaceStaticFriction;
-    private long category = 1;
-    private long collidesWith = -1L;
 
-    private SurfacePatch patch;
-
-    /** Force and torque that the author applied for the next step. */
-    private double appliedX;
-
-    private double appliedY;
-    private double appliedTorque;
+    /** Null until the body has some. */
+    private Particulars particulars;
 
     /**
      * Makes a movable body of density 1 at the origin, at rest.
@@ -130,7 +121,8 @@ public class Body implements Serializable {
     }
 
     /**
-     * The shape, in coordinates whose origin is the centre of mass.
+     * The shape, in coordinates whose origin is the centre of mass. Bodies of an engine may share one that is equal to the
+     * shapes they were made with.
      *
      * @return never null
      */
@@ -354,7 +346,7 @@ public class Body implements Serializable {
      * @return μk
      */
     public final double getSurfaceFriction() {
-        return surfaceFriction;
+        return particulars == null ? 0 : particulars.surfaceFriction;
     }
 
     /**
@@ -363,7 +355,7 @@ public class Body implements Serializable {
      * @return μs, at least μk
      */
     public final double getSurfaceStaticFriction() {
-        return surfaceStaticFriction;
+        return particulars == null ? 0 : particulars.surfaceStaticFriction;
     }
 
     /**
@@ -390,8 +382,10 @@ public class Body implements Serializable {
             throw new IllegalArgumentException("static surface friction is " + atRest
                     + ": it must not be less than the kinetic one, " + kinetic);
         }
-        surfaceFriction = kinetic;
-        surfaceStaticFriction = atRest;
+        if (atRest != getSurfaceStaticFriction() || kinetic != getSurfaceFriction()) {
+            particulars().surfaceFriction = kinetic;
+            particulars().surfaceStaticFriction = atRest;
+        }
         state.touch(index);
     }
 
@@ -401,7 +395,7 @@ public class Body implements Serializable {
      * @return bits
      */
     public final long getCategory() {
-        return category;
+        return particulars == null ? 1 : particulars.category;
     }
 
     /**
@@ -410,7 +404,7 @@ public class Body implements Serializable {
      * @return bits
      */
     public final long getCollidesWith() {
-        return collidesWith;
+        return particulars == null ? -1L : particulars.collidesWith;
     }
 
     /**
@@ -421,8 +415,11 @@ public class Body implements Serializable {
      * @param collidesWith the categories it collides with, bits
      */
     public final void setCollisionGroup(long category, long collidesWith) {
-        this.category = category;
-        this.collidesWith = collidesWith;
+        if (category != getCategory() || collidesWith != getCollidesWith()) {
+            particulars().category = category;
+            particulars().collidesWith = collidesWith;
+            state.group();
+        }
         state.touch(index);
     }
 
@@ -436,8 +433,10 @@ public class Body implements Serializable {
         Check.finite("fx", fx);
         Check.finite("fy", fy);
         requireMovable("force", true);
-        appliedX += fx;
-        appliedY += fy;
+        if (fx != 0 || fy != 0) {
+            particulars().appliedX += fx;
+            particulars().appliedY += fy;
+        }
         state.touch(index);
     }
 
@@ -464,7 +463,9 @@ public class Body implements Serializable {
     public final void addTorque(double torque) {
         Check.finite("torque", torque);
         requireMovable("torque", true);
-        appliedTorque += torque;
+        if (torque != 0) {
+            particulars().appliedTorque += torque;
+        }
         state.touch(index);
     }
 
@@ -525,34 +526,46 @@ public class Body implements Serializable {
         index = newIndex;
     }
 
+    /** Takes an equal shape in place of its own, to share it. */
+    final void share(Shape equal) {
+        shape = equal;
+    }
+
     /** The patch by which this body rubs on the plane below it. */
     final SurfacePatch surfacePatch() {
-        if (patch == null) {
-            patch = SurfacePatch.of(shape);
+        if (particulars().patch == null) {
+            particulars().patch = SurfacePatch.of(shape);
         }
-        return patch;
+        return particulars().patch;
     }
 
     final double appliedX() {
-        return appliedX;
+        return particulars == null ? 0 : particulars.appliedX;
     }
 
     final double appliedY() {
-        return appliedY;
+        return particulars == null ? 0 : particulars.appliedY;
     }
 
     final double appliedTorque() {
-        return appliedTorque;
+        return particulars == null ? 0 : particulars.appliedTorque;
     }
 
     final boolean isPushed() {
-        return appliedX != 0 || appliedY != 0 || appliedTorque != 0;
+        return appliedX() != 0 || appliedY() != 0 || appliedTorque() != 0;
     }
 
     final void clearApplied() {
-        appliedX = 0;
-        appliedY = 0;
-        appliedTorque = 0;
+        if (particulars != null) {
+            particulars.appliedX = 0;
+            particulars.appliedY = 0;
+            particulars.appliedTorque = 0;
+        }
+    }
+
+    private Particulars particulars() {
+        particulars = particulars == null ? new Particulars() : particulars;
+        return particulars;
     }
 
     private void requireMovable(String what, boolean changes) {

@@ -5,7 +5,6 @@ package sim.physics.motion;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.IntList;
-import sim.physics.internal.Team;
 
 /**
  * Moves bodies that the integrator drives from their anchors on, sets their paths, and brings them to instants between.
@@ -19,6 +18,15 @@ final class DrivenMotion implements Serializable {
     /** How far the path of a body that others are near may be from its motion, relative to its size. */
     private static final double FINE = 1e-7;
 
+    /** The same with steps of fixed length, where the instant of an impact is corrected by the motion itself. */
+    private static final double COARSE = 1e-4;
+
+    /** Times that a body is struck in consecutive steps from which on it is not left to that correction. */
+    private static final int OFTEN = 3;
+
+    /** Part of such a step that is not divided. */
+    private static final double LEAST = 1.0 / 64;
+
     /** The path's error is of fourth order in its length; this much less than allowed is aimed at. */
     private static final double SAFE = 0.5;
 
@@ -27,11 +35,14 @@ final class DrivenMotion implements Serializable {
     private final Motion motion;
     private final State state;
     private final Trajectories trajectories;
-    private final Path path;
+    private final Path path = new Path();
     private final Sliding sliding;
 
     /** Null while nothing ties bodies together. */
     private TiedMotion tied;
+
+    /** Null unless somebody audits the engine. */
+    private CourseObserver observer;
 
     /** Where the driven bodies are at the end of their paths, 3n each. */
     private double[] endX = {};
@@ -47,28 +58,40 @@ final class DrivenMotion implements Serializable {
     /** The step that the integrator makes of itself, at most that of the engine, by body. */
     private double[] pace = {};
 
+    /** The step in which a body was struck last, and how often until then in a row of steps. */
+    private double[] struckIn = {};
+
+    private int[] strikes = {};
+
     private boolean isCoarse;
 
-    /** Up to which offset threads have advanced groups in this step, by their first bodies; 0 if they have not. */
-    private double[] sharedEnd = {};
+    /** Whether the arrays above hold the ends; if not, the state vectors still do. */
+    private boolean areEndsKept;
 
-    private boolean isShared;
+    /** What threads have done before it was the groups' turn; null unless they have in this step. */
+    private transient Ahead ahead;
 
-    /** What integrating a group there has thrown, if one has, and its first body. */
-    private transient Throwable failure;
-
-    private int failed;
-
-    DrivenMotion(Motion motion, State state, Trajectories trajectories, Path path) {
-        this.path = path;
+    DrivenMotion(Motion motion, State state, Trajectories trajectories) {
         this.motion = motion;
         this.state = state;
         this.trajectories = trajectories;
-        this.sliding = new Sliding(motion, state, trajectories, path);
+        this.sliding = new Sliding(motion, state, path);
     }
 
     void setTies(Ties ties) {
         tied = ties == null ? null : new TiedMotion(state, trajectories, ties);
+        setObserver(observer);
+    }
+
+    boolean isObserved() {
+        return observer != null;
+    }
+
+    void setObserver(CourseObserver who) {
+        observer = who;
+        if (tied != null) {
+            tied.setObserver(who);
+        }
     }
 
     /** Whether the last paths may be too far from the motion for bodies that others are near. */
@@ -76,103 +99,127 @@ final class DrivenMotion implements Serializable {
         return isCoarse;
     }
 
-    Path path() {
-        return path;
-    }
-
-    /** Shares the workspace of another one; now or never it has room for all bodies. */
-    void match(DrivenMotion first, Ties ties, Ties firstTies) {
-        first.ensure();
-        path.ensure(state.x().length);
-        if (tied != null) {
-            ties.match(firstTies);
-            tied.match(first.tied);
-        }
-    }
-
-    /** Makes room for what other threads find. */
-    void expectShared() {
-        ensure();
-        if (sharedEnd.length < endAt.length) {
-            sharedEnd = new double[endAt.length];
-        }
-        isShared = true;
-    }
-
-    /** Takes note that integrating a group has thrown something, which is thrown when it is the group's turn. */
-    void setFailure(int first, Throwable thrown) {
-        sharedEnd[first] = 0;
-        failed = first;
-        failure = thrown;
-    }
-
-    /** Integrates a group from its anchors by another one's means. */
-    void advanceShared(IntList group, DrivenMotion means) {
-        double tau = trajectories.offset(group.values[0]);
-        double rest = trajectories.h() - tau;
-        double length = means.stride(group, tau, rest);
-        for (int k = 0; k < group.size; k++) {
-            pace[group.values[k]] = trajectories.h();
-        }
-        sharedEnd[group.values[0]] = publish(group, tau, length == rest ? trajectories.h() : tau + length);
-    }
-
-    /** Takes back what a thread has done to a group. */
-    void undoShared(IntList group) {
-        sharedEnd[group.values[0]] = 0;
-        restore(group);
-        for (int k = 0; k < group.size; k++) {
-            trajectories.anchor(group.values[k], 0, state);
-        }
-    }
-
-    /** Forgets what other threads have found, at the start of a step. */
-    void forgetShared() {
-        if (isShared) {
-            Arrays.fill(sharedEnd, 0); // the last step was not finished
-        }
-        failure = null;
-        isShared = false;
-    }
-
-    /** Takes note that all that other threads have found has been made use of. */
-    void endShared() {
-        isShared = false;
-    }
-
     /** Advances a group; returns the offset up to which its paths hold. */
     double advance(IntList group, boolean fine) {
-        int first = group.values[0];
-        if (isShared && sharedEnd[first] > 0) {
-            double end = sharedEnd[first];
-            sharedEnd[first] = 0;
-            isCoarse = false;
-            return end;
-        }
-        if (failure != null && failed == first) {
-            Team.rethrow(failure);
-        }
         ensure();
+        int first = group.values[0];
+        int done = ahead == null ? Ahead.NOTHING : ahead.take(first);
+        if (done != Ahead.NOTHING && (!fine || !ahead.isCoarse(first))) {
+            fineLength[first] = done == Ahead.STRIDE ? ahead.fineLength(first) : fineLength[first];
+            isCoarse = ahead.isCoarse(first);
+            return ahead.length(first);
+        }
+        if (done == Ahead.NOTHING && tied != null && leaps(group, first, fine)) {
+            return trajectories.h();
+        }
         double tau = trajectories.offset(first);
         double rest = trajectories.h() - tau;
         boolean chooses = motion.getIntegrator().isAdaptive();
-        double known = fine && chooses ? fineLength[first] : 0;
-        double length = stride(group, tau, known > 0 ? Math.min(known, rest) : rest);
-        isCoarse = false;
-        if (chooses) {
-            double error = pathError(group, length);
-            while (fine && error > 1) {
-                length = stride(group, tau, length * root(error));
-                error = pathError(group, length);
-            }
-            fineLength[first] = length * root(error);
-            isCoarse = error > 1;
+        double known = fine ? fineLength[first] : 0;
+        double length =
+                done == Ahead.STRIDE ? ahead.length(first) : stride(group, tau, known > 0 ? Math.min(known, rest) : rest);
+        double error = done == Ahead.STRIDE ? ahead.error(first) : pathError(group, length);
+        double shortest = chooses ? 0 : LEAST * trajectories.h();
+        while (fine && error > 1 && length > shortest) {
+            length = stride(group, tau, length * root(error));
+            error = pathError(group, length);
         }
+        fineLength[first] = length * root(error);
+        isCoarse = error > 1;
         double step = chooses ? Math.min(trajectories.h(), Math.max(length, path.next[first])) : trajectories.h();
         for (int k = 0; k < group.size; k++) {
             pace[group.values[k]] = step;
         }
         return publish(group, tau, length == rest ? trajectories.h() : tau + length);
+    }
+
+    /** Shares the arrays of another one, which has room for all bodies then, to do what it would do with other groups. */
+    void match(DrivenMotion other, Ties ties, Ties otherTies) {
+        other.ensure();
+        other.path.ensure(state.x().length);
+        path.match(other.path);
+        endX = other.endX;
+        endV = other.endV;
+        endAt = other.endAt;
+        fineLength = other.fineLength;
+        pace = other.pace;
+        struckIn = other.struckIn;
+        strikes = other.strikes;
+        areEndsKept = other.areEndsKept;
+        if (tied != null) {
+            ties.match(otherTies);
+            tied.match(other.tied);
+        }
+    }
+
+    /** Whether the first stride of a group's step is the same whether the path is to be fine or not. */
+    boolean hasOneBeginning(int first) {
+        return first >= fineLength.length || !(fineLength[first] > 0 && fineLength[first] < trajectories.h());
+    }
+
+    /** Does what {@link #advance} does first with a group at the start of a step, in whatever thread. */
+    void advanceAhead(IntList group, Ahead notes) {
+        int first = group.values[0];
+        if (tied != null && leaps(group, first, false)) {
+            notes.leap(first, trajectories.h(), isCoarse);
+            return;
+        }
+        double h = trajectories.h();
+        double length = stride(group, 0, h);
+        double error = pathError(group, length);
+        for (int k = 0; k < group.size; k++) {
+            pace[group.values[k]] = h;
+        }
+        notes.stride(first, publish(group, 0, length), error, length * root(error));
+    }
+
+    /** Takes note of what threads have done with groups in this step. */
+    void setAhead(Ahead notes) {
+        ahead = notes;
+    }
+
+    /** Whether nothing but making use of it is left to do with a group, be bodies near or not. */
+    boolean isDone(int first) {
+        return ahead != null && ahead.isFine(first);
+    }
+
+    /** Puts a group back to its anchors, at the start of a step, as if no thread had come to it. */
+    void undo(IntList group) {
+        restore(group);
+        for (int k = 0; k < group.size; k++) {
+            trajectories.anchor(group.values[k], 0, state);
+            endAt[group.values[k]] = Double.NaN;
+        }
+    }
+
+    /** Integrates a group from its anchors into the state vectors; returns how far. */
+    double probe(IntList group, double length) {
+        return stride(group, trajectories.offset(group.values[0]), length);
+    }
+
+    /** Makes the whole step of a group at once, from the state vectors, if nothing has happened in it so far. */
+    private boolean leaps(IntList group, int first, boolean fine) {
+        double h = trajectories.h();
+        boolean isFresh = !areEndsKept && trajectories.offset(first) == 0 && motion.isTiedGroup(group);
+        if (fine && isFresh) {
+            restore(group); // the vectors may hold the ends of paths that were not fine enough
+        }
+        if (!isFresh || !tied.leap(motion, group, h)) {
+            return false;
+        }
+        path.knowsFirst = false;
+        isCoarse = pathError(group, h) > 1;
+        if (isCoarse && fine) {
+            return false;
+        }
+        double per = 1 / h;
+        for (int k = 0; k < group.size; k++) {
+            int body = group.values[k];
+            trajectories.lead(body, per, state);
+            endAt[body] = h;
+            pace[body] = h;
+        }
+        return true;
     }
 
     /** The step that the integrator makes of itself with a body, at most that of the engine. */
@@ -188,6 +235,7 @@ final class DrivenMotion implements Serializable {
     /** Integrates a group from its anchors; returns how far. */
     private double stride(IntList group, double tau, double limit) {
         restore(group);
+        path.knowsFirst = false;
         double t = motion.time(tau);
         if (motion.isTiedGroup(group)) {
             return tied.advanceUntilSwitch(motion, group, t, tau, limit, path);
@@ -204,27 +252,44 @@ final class DrivenMotion implements Serializable {
      * constant is off by c s²(h − s)², so its second derivative at the start by 2 c h².
      */
     private double pathError(IntList group, double length) {
-        double[] m = trajectories.data();
+        double near = isPressed(group) || motion.getIntegrator().isAdaptive() ? FINE : COARSE;
         double most = 0;
         for (int k = 0; k < group.size; k++) {
             int b = State.BLOCK * group.values[k];
-            double radius = m[Trajectories.STRIDE * group.values[k] + Trajectories.RADIUS];
+            if (!path.knowsFirst) {
+                double turn = length * Math.abs(trajectories.data()[Trajectories.STRIDE * group.values[k] + Trajectories.OMEGA]);
+                most = Math.max(most, turn * turn * turn * turn / (384 * near));
+                continue;
+            }
+            double radius = trajectories.radius(group.values[k]);
             double way = Math.abs(path.first[b] - 2 * path.a[b]) + Math.abs(path.first[b + 1] - 2 * path.a[b + 1]);
             double turn = Math.abs(path.first[b + 2] - 2 * path.a[b + 2]);
             most = Math.max(most, Math.max(way / radius, turn));
         }
-        return most * length * length / (32 * FINE);
+        return path.knowsFirst ? most * length * length / (32 * near) : most;
+    }
+
+    /** Whether a body of the group has been struck often of late: then it is pressed against something. */
+    private boolean isPressed(IntList group) {
+        boolean yes = false;
+        for (int k = 0; k < group.size; k++) {
+            int body = group.values[k];
+            yes |= strikes[body] >= OFTEN && trajectories.step() - struckIn[body] <= 1;
+        }
+        return yes;
     }
 
     private double publish(IntList group, double tau, double end) {
-        double[] m = trajectories.data();
+        double[] bends = trajectories.unfold();
         for (int k = 0; k < group.size; k++) {
             int o = Trajectories.STRIDE * group.values[k];
             int b = State.BLOCK * group.values[k];
-            copy(path.a, b, m, o + Trajectories.AX);
-            copy(path.j, b, m, o + Trajectories.JX);
-            copy(state.x(), b, endX, b);
-            copy(state.v(), b, endV, b);
+            copy(path.a, b, bends, o + Trajectories.AX);
+            copy(path.j, b, bends, o + Trajectories.JX);
+            if (areEndsKept) {
+                copy(state.x(), b, endX, b);
+                copy(state.v(), b, endV, b);
+            }
             endAt[group.values[k]] = end;
         }
         return end;
@@ -241,6 +306,9 @@ final class DrivenMotion implements Serializable {
             restore(group);
             cover(group, trajectories.offset(first), tau);
         }
+        if (observer != null) {
+            observer.covered(group, trajectories.offset(first), tau);
+        }
         for (int k = 0; k < group.size; k++) {
             trajectories.anchor(group.values[k], tau, state);
             endAt[group.values[k]] = Double.NaN;
@@ -248,7 +316,7 @@ final class DrivenMotion implements Serializable {
     }
 
     /** Integrates a group from one offset to another, which may be an earlier one. */
-    private void cover(IntList group, double from, double to) {
+    void cover(IntList group, double from, double to) {
         double t = motion.time(from);
         double length = to - from;
         SurfaceFriction surface = motion.surfaceUnder(group);
@@ -273,6 +341,10 @@ final class DrivenMotion implements Serializable {
 
     /** Puts the anchors of bodies back into the state vectors. */
     void restore(IntList group) {
+        restore(trajectories, state, group);
+    }
+
+    static void restore(Trajectories trajectories, State state, IntList group) {
         double[] m = trajectories.data();
         for (int k = 0; k < group.size; k++) {
             int o = Trajectories.STRIDE * group.values[k];
@@ -289,17 +361,60 @@ final class DrivenMotion implements Serializable {
         to[where + 2] = from[at + 2];
     }
 
+    /** Begins a step. */
+    void begin() {
+        areEndsKept = false;
+        ahead = null;
+    }
+
+    /** The state vectors, which hold where the paths of driven bodies end, are about to be used otherwise. */
+    void keepEnds(IntList driven) {
+        if (areEndsKept) {
+            return;
+        }
+        ensure();
+        areEndsKept = true;
+        for (int k = 0; k < driven.size; k++) {
+            int b = State.BLOCK * driven.values[k];
+            copy(state.x(), b, endX, b);
+            copy(state.v(), b, endV, b);
+        }
+    }
+
+    /** Writes where paths end into the state vectors, unless that is what they hold. */
+    void finish(IntList driven) {
+        for (int k = 0; areEndsKept && k < driven.size; k++) {
+            finish(driven.values[k]);
+        }
+    }
+
     /** Writes where a body's path ends into the state vectors. */
-    void finish(int body) {
+    private void finish(int body) {
         int b = State.BLOCK * body;
         copy(endX, b, state.x(), b);
         copy(endV, b, state.v(), b);
+    }
+
+    /** The state vectors hold the ends of all paths. */
+    void finished() {
+        if (observer == null) {
+            return;
+        }
+        IntList driven = motion.driven();
+        for (int k = 0; k < driven.size; k++) {
+            IntList group = motion.companions(driven.values[k]);
+            if (group.values[0] == driven.values[k]) {
+                observer.covered(group, trajectories.offset(driven.values[k]), trajectories.h());
+            }
+        }
     }
 
     /** Takes note that a body's course has changed at its anchor. */
     void forget(int body) {
         if (body < endAt.length) {
             endAt[body] = Double.NaN;
+            strikes[body] = trajectories.step() - struckIn[body] <= 1 ? strikes[body] + 1 : 1;
+            struckIn[body] = trajectories.step();
         }
     }
 
@@ -313,6 +428,9 @@ final class DrivenMotion implements Serializable {
             Arrays.fill(endAt, bodies, endAt.length, Double.NaN);
             fineLength = Arrays.copyOf(fineLength, n / State.BLOCK);
             pace = Arrays.copyOf(pace, n / State.BLOCK);
+            struckIn = Arrays.copyOf(struckIn, n / State.BLOCK);
+            strikes = Arrays.copyOf(strikes, n / State.BLOCK);
+            Arrays.fill(struckIn, bodies, endAt.length, Double.NaN);
         }
     }
 }

@@ -30,8 +30,10 @@ public final class Euler implements Integrator {
                 x[b] += h * v[b]; // (12), (14)
                 v[b] += h * a[b]; // (11), (15)
                 path.straight(b);
+                path.first[b] = 0;
             }
         }
+        path.knowsFirst = true;
         return h;
     }
 

@@ -42,6 +42,16 @@ public interface ForceGenerator extends Serializable {
     }
 
     /**
+     * The energy that the generator stores now, so that an audit of the engine takes what it does for no loss. Uniform
+     * fields are known.
+     *
+     * @return potential energy where its bodies are; 0, unless overridden: all that the forces do is work
+     */
+    default double energy() {
+        return 0;
+    }
+
+    /**
      * Whether several threads may ask for the forces on different bodies at the same time, see
      * {@code PhysicsEngine.setThreads}: {@link #addForce} and {@link #actsOn} write nothing but the force on that body, and
      * read nothing that changes within a step but that body.

@@ -80,6 +80,23 @@ final class Generators implements Serializable {
         }
     }
 
+    /** The accelerations of all forces; the force vector takes those of generators, and what was applied. */
+    void accelerate(State state, IntList bodies, double t, Forces forces, double[] a) {
+        double[] f = state.f();
+        double[] w = state.w().values();
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            Body body = state.body(bodies.values[k]);
+            f[b] = body.appliedX();
+            f[b + 1] = body.appliedY();
+            f[b + 2] = body.appliedTorque();
+            addForces(body, t, forces);
+            a[b] = gravityX + w[b] * f[b]; // (5), (7)
+            a[b + 1] = gravityY + w[b + 1] * f[b + 1];
+            a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
+        }
+    }
+
     /** Whether there is any generator that may act. */
     boolean isAny() {
         return driving.length > 0 || gravityX != 0 || gravityY != 0;
@@ -105,25 +122,8 @@ final class Generators implements Serializable {
         return false;
     }
 
-    /** The accelerations that applied forces, generators and uniform fields give to bodies. */
-    void accelerate(IntList bodies, double time, State state, Forces forces, double[] a) {
-        double[] f = state.f();
-        double[] w = state.w().values();
-        for (int k = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            Body body = state.body(bodies.values[k]);
-            f[b] = body.appliedX();
-            f[b + 1] = body.appliedY();
-            f[b + 2] = body.appliedTorque();
-            addForces(body, time, forces);
-            a[b] = gravityX + w[b] * f[b]; // (5), (7)
-            a[b + 1] = gravityY + w[b + 1] * f[b + 1];
-            a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
-        }
-    }
-
-    /** Whether constant static friction alone holds a body that is at rest. */
-    boolean hold(Body body) {
+    /** Whether static friction holds a body at rest. */
+    boolean holds(Body body) {
         if (surface == null || coupled || body.isPushed() || drivesOtherThan(surface, body)) {
             return false;
         }
@@ -138,5 +138,27 @@ final class Generators implements Serializable {
                 g.addForce(body, time, forces);
             }
         }
+    }
+
+    /** The energy that is stored in generators which act on a body of a group. */
+    double storedEnergy(State state, IntList group) {
+        double sum = 0;
+        for (ForceGenerator g : driving) {
+            boolean acts = false;
+            for (int k = 0; !acts && k < group.size; k++) {
+                acts = g.actsOn(state.body(group.values[k]));
+            }
+            sum += acts ? g.energy() : 0;
+        }
+        return sum;
+    }
+
+    /** The energy that is stored in all generators. */
+    double storedEnergy() {
+        double sum = 0;
+        for (ForceGenerator g : driving) {
+            sum += g.energy();
+        }
+        return sum;
     }
 }

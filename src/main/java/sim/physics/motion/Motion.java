@@ -6,7 +6,6 @@ import java.io.Serializable;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.internal.IntList;
-import sim.physics.internal.Team;
 
 /**
  * Moves the bodies through a step, the write-up's chapter <i>Motion</i>: (5)–(15).
@@ -20,23 +19,22 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     private final State state;
     private final Trajectories trajectories;
-    private final Forces forces;
-    private final Generators generators;
+    final Forces forces;
+    final Generators generators;
     private Integrator integrator = new RungeKutta4();
-    private double time;
+    double time;
 
     /** Driven bodies in ascending order; bodies with an applied force in this step. */
     private final IntList driven;
     private final IntList pushed;
     private final IntList alone = new IntList();
     final DrivenMotion drivenMotion;
-    private final Rest rest;
 
     /** Null while nothing ties bodies together. */
-    private Ties ties;
+    Ties ties;
 
-    /** Null unless threads share the work. */
-    private SharedMotion shared;
+    /** What bears bodies at rest. */
+    final Support support;
 
     /**
      * Makes the motion of an engine.
@@ -51,54 +49,35 @@ public final class Motion implements EquationsOfMotion, Serializable {
         this.generators = new Generators();
         this.driven = new IntList();
         this.pushed = new IntList();
-        this.rest = new Rest();
-        this.drivenMotion = new DrivenMotion(this, state, trajectories, new Path());
+        this.support = new Support();
+        this.drivenMotion = new DrivenMotion(this, state, trajectories);
     }
 
-    /** One for another thread, which integrates some bodies while the first one integrates others; see {@link #match}. */
-    Motion(Motion first) {
-        state = first.state;
-        trajectories = first.trajectories;
+    /** Another motion of the same bodies under the same forces, with workspace, method and ties of its own. */
+    Motion(Motion original) {
+        state = original.state;
+        trajectories = original.trajectories;
         forces = new Forces(state);
-        generators = first.generators;
-        driven = first.driven;
-        pushed = first.pushed;
-        rest = first.rest;
-        drivenMotion = new DrivenMotion(this, state, trajectories, first.drivenMotion.path());
-    }
-
-    /** Takes over from the first one what may have changed. */
-    void match(Motion first) {
-        time = first.time;
-        integrator = first.integrator;
-        if (ties == null && first.ties != null) {
-            setTies(first.ties.twin());
-        }
-        drivenMotion.match(first.drivenMotion, ties, first.ties);
+        generators = original.generators;
+        driven = original.driven;
+        pushed = original.pushed;
+        support = original.support;
+        drivenMotion = new DrivenMotion(this, state, trajectories);
     }
 
     /**
-     * Sets which threads share the work of integrating many bodies.
+     * Sets who is told of what driven bodies have done.
      *
-     * @param team null for the calling thread alone
+     * @param observer null for nobody
      */
-    public void setTeam(Team team) {
-        shared = team == null ? null : new SharedMotion(this, team);
+    public void setObserver(CourseObserver observer) {
+        drivenMotion.setObserver(observer);
     }
 
-    /**
-     * Integrates those groups of driven bodies that may be shared over the step that begins, if it pays; {@link #advance}
-     * then makes use of that. What an integration throws is thrown there.
-     *
-     * @return false if nothing was done
-     */
-    public boolean advanceShared() {
-        return shared != null && generators.concurrent && shared.advance(driven);
-    }
-
-    /** Whether nothing that an author wrote is called when a group is integrated, or it may be by any thread. */
-    boolean mayBeShared(IntList group) {
-        return integrator.isConcurrent() && (!isTiedGroup(group) || ties.mayBeShared(group));
+    /** Goes through a time from where the state vectors have a group, whatever its paths are. */
+    void cover(IntList group, double startOfStep, double from, double to) {
+        time = startOfStep;
+        drivenMotion.cover(group, from, to);
     }
 
     /**
@@ -175,8 +154,9 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void begin(double startOfStep) {
         time = startOfStep;
-        drivenMotion.forgetShared();
+        drivenMotion.begin();
         state.setUnsettled(true);
+        support.pushesDriven = false;
     }
 
     /**
@@ -186,12 +166,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @param tau offset in the present step
      */
     public void admit(int body, double tau) {
-        rest.ensure(state.size());
         trajectories.anchor(body, tau, state);
         drivenMotion.forget(body);
         Body view = state.body(body);
-        rest.release(body);
-        setDriven(body, !view.isFixed() && isDriven(view));
+        support.release(body);
+        setDriven(body, !view.isFixed() && (isTied(body) || generators.drive(view)));
         if (view.isFixed()) {
             return;
         }
@@ -203,25 +182,21 @@ public final class Motion implements EquationsOfMotion, Serializable {
         }
     }
 
-    private boolean isDriven(Body view) {
-        return isTied(view.index()) || generators.drive(view);
-    }
-
     /** Sets the parabola of a body that is not driven, from its anchor on. */
     private void course(int body) {
         if (trajectories.isDriven(body)) {
             return;
         }
-        if (rest.held[body]) {
+        if (support.holds(body)) {
             trajectories.accelerate(body, 0, 0, 0);
             return;
         }
         double[] w = state.w().values();
         int b = State.BLOCK * body;
         Body view = state.body(body);
-        double ax = generators.gravityX + w[b] * view.appliedX() + rest.support[b]; // (5)
-        double ay = generators.gravityY + w[b] * view.appliedY() + rest.support[b + 1];
-        double alpha = w[b + State.THETA] * view.appliedTorque() + rest.support[b + 2]; // (6)
+        double ax = generators.gravityX + w[b] * view.appliedX() + support.acceleration(body, 0); // (5)
+        double ay = generators.gravityY + w[b] * view.appliedY() + support.acceleration(body, 1);
+        double alpha = w[b + State.THETA] * view.appliedTorque() + support.acceleration(body, 2); // (6)
         trajectories.accelerate(body, ax, ay, alpha);
     }
 
@@ -244,10 +219,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     /** Ends the step: writes where the driven bodies are; the forces that were applied for the step have acted. */
     public void finish() {
-        drivenMotion.endShared();
-        for (int k = 0; k < driven.size; k++) {
-            drivenMotion.finish(driven.values[k]);
-        }
+        drivenMotion.finish(driven);
+        drivenMotion.finished();
         for (int k = 0; k < pushed.size; k++) {
             Body view = state.body(pushed.values[k]);
             if (view != null) {
@@ -257,16 +230,24 @@ public final class Motion implements EquationsOfMotion, Serializable {
         state.setUnsettled(false);
     }
 
+    /** Keeps where the paths of driven bodies end, before the first event of a step uses the state vectors. */
+    public void keepEnds() {
+        drivenMotion.keepEnds(driven);
+    }
+
     private void setDriven(int body, boolean yes) {
         boolean was = trajectories.isDriven(body);
+        if (yes) {
+            state.f(); // makes room for forces
+        }
         trajectories.setDriven(body, yes);
         if (was == yes) {
             return;
         }
         if (yes) {
-            driven.include(body);
+            driven.insert(body);
         } else {
-            driven.exclude(body);
+            driven.takeOut(body);
         }
     }
 
@@ -277,7 +258,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void remove(int body) {
         setDriven(body, false);
-        rest.release(body);
+        support.release(body);
     }
 
     /**
@@ -303,9 +284,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (isTied(body)) {
             return ties.island(body);
         }
-        alone.clear();
-        alone.add(body);
-        return alone;
+        return alone.only(body);
     }
 
     /**
@@ -364,6 +343,27 @@ public final class Motion implements EquationsOfMotion, Serializable {
         drivenMotion.restore(group);
     }
 
+    /**
+     * Moves driven bodies of the state vectors from their anchors on, without paths.
+     *
+     * @param body index of one of them
+     * @param length time
+     * @return how far they came at once
+     */
+    public double probe(int body, double length) {
+        return drivenMotion.probe(companions(body), length);
+    }
+
+    /**
+     * Whether contact forces may act on a body for a while, beside what drives it.
+     *
+     * @param body index
+     * @return false if forces couple bodies, surface friction acts, or it has joints with stops or motors
+     */
+    public boolean isSupportable(int body) {
+        return !generators.coupled && generators.surface == null && !(isTied(body) && ties.isSwitched(ties.island(body)));
+    }
+
     /** The simulated time of an offset in the present step. */
     double time(double tau) {
         return time + tau;
@@ -387,15 +387,15 @@ public final class Motion implements EquationsOfMotion, Serializable {
     }
 
     /**
-     * Sets the acceleration that contacts at rest give to a body.
+     * Sets the acceleration that contacts at rest give to a body; a driven one must be advanced anew.
      *
-     * @param body index of a body that is not driven, anchored at the present instant
+     * @param body index, anchored at the present instant
      * @param ax length/time²
      * @param ay length/time²
      * @param alpha rad/time²
      */
     public void support(int body, double ax, double ay, double alpha) {
-        rest.support(body, ax, ay, alpha);
+        support.set(body, ax, ay, alpha, trajectories.isDriven(body));
         course(body);
     }
 
@@ -410,9 +410,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
         int b = State.BLOCK * body;
         double[] w = state.w().values();
         Body view = state.body(body);
-        a[at] = rest.held[body] ? 0 : generators.gravityX + w[b] * view.appliedX();
-        a[at + 1] = rest.held[body] ? 0 : generators.gravityY + w[b] * view.appliedY();
-        a[at + 2] = rest.held[body] ? 0 : w[b + State.THETA] * view.appliedTorque();
+        boolean held = support.holds(body);
+        a[at] = held ? 0 : generators.gravityX + w[b] * view.appliedX();
+        a[at + 1] = held ? 0 : generators.gravityY + w[b] * view.appliedY();
+        a[at + 2] = held ? 0 : w[b + State.THETA] * view.appliedTorque();
     }
 
     /**
@@ -422,8 +423,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
      */
     public void deflect(int body) {
         drivenMotion.forget(body);
-        if (rest.release(body)) {
-            setDriven(body, isDriven(state.body(body)));
+        if (support.release(body)) {
+            setDriven(body, isTied(body) || generators.drive(state.body(body)));
             course(body);
         }
     }
@@ -435,29 +436,32 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @return whether it is at rest until something happens to it
      */
     public boolean hold(int body) {
-        if (moves(body) || isTied(body) || !generators.hold(state.body(body))) {
+        if (!rests(body)) {
             return false;
         }
         setDriven(body, false);
-        rest.held[body] = true;
+        support.hold(body);
         course(body);
         return true;
     }
 
     /** Whether some force may act on bodies beside that of their ties. */
     boolean hasForces() {
-        return pushed.size > 0 || generators.isAny();
+        return fields() == null || generators.isAny();
     }
 
     /** The uniform fields, if nothing but them acts, or null. */
     Generators fields() {
-        return pushed.size == 0 && !generators.drive() ? generators : null;
+        return pushed.size == 0 && !generators.drive() && !support.pushesDriven ? generators : null;
     }
 
-    private boolean moves(int body) {
-        int o = Trajectories.STRIDE * body;
-        double[] m = trajectories.data();
-        return m[o + Trajectories.VX] != 0 || m[o + Trajectories.VY] != 0 || m[o + Trajectories.OMEGA] != 0;
+    /** Length of the present step. */
+    double step() {
+        return trajectories.h();
+    }
+
+    private boolean rests(int body) {
+        return !trajectories.isMoving(body) && !isTied(body) && generators.holds(state.body(body));
     }
 
     @Override
@@ -465,7 +469,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
         if (fields() != null) {
             generators.fall(bodies, a);
         } else {
-            generators.accelerate(bodies, t, state, forces, a); // (5)–(8)
+            generators.accelerate(state, bodies, t, forces, a);
+            support.add(bodies, a);
         }
         if (isTiedGroup(bodies)) {
             ties.accelerate(bodies, a); // (34)–(41)

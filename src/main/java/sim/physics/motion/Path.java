@@ -13,7 +13,8 @@ import sim.physics.internal.IntList;
 public final class Path implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    private static final double ROUNDING = 0x1p-49;
+    /** Part of the velocities below which what the ends say of the third derivative is rounding. */
+    static final double ROUNDING = 0x1p-49;
 
     /** Half the second derivatives, 3n. */
     double[] a = {};
@@ -31,8 +32,10 @@ public final class Path implements Serializable {
     double[] sumX = {};
     double[] sumV = {};
 
-    /** Accelerations at the start, 3n, of methods that choose their steps. */
+    /** Accelerations at the start, 3n, and whether they are known. */
     double[] first = {};
+
+    boolean knowsFirst;
 
     /** The step that such a method would make next, by the first body of a group; 0: not known. */
     double[] next = {};
@@ -75,6 +78,27 @@ public final class Path implements Serializable {
             hasty = Arrays.copyOf(hasty, next.length);
             paceTime = Arrays.copyOf(paceTime, next.length);
         }
+    }
+
+    /** Shares the arrays of another one, but for the workspace of methods that choose their steps. */
+    void match(Path other) {
+        a = other.a;
+        j = other.j;
+        stage = other.stage;
+        x0 = other.x0;
+        v0 = other.v0;
+        sumX = other.sumX;
+        sumV = other.sumV;
+        first = other.first;
+        next = other.next;
+    }
+
+    /** Takes the accelerations of the stage for those at the start, unless these are known. */
+    void takeFirst(IntList bodies) {
+        for (int k = 0; k < bodies.size && !knowsFirst; k++) {
+            System.arraycopy(stage, State.BLOCK * bodies.values[k], first, State.BLOCK * bodies.values[k], State.BLOCK);
+        }
+        knowsFirst = true;
     }
 
     void shorten(int first, int steps) {

@@ -49,7 +49,7 @@ public final class RadauIIA extends AdaptiveIntegrator {
     private static final int MOST_ITERATIONS = 10;
 
     /** Part of the tolerance to which the stages are solved. */
-    private static final double SOLVED = 1e-2;
+    private static final double SOLVED = 1e-3;
 
     /** The same where steps are as short as Newton's method wants them: there are many, and what each leaves adds up. */
     private static final double WELL_SOLVED = 1e-6;

@@ -7,7 +7,7 @@ import sim.physics.internal.IntList;
 /**
  * The symplectic and time-reversible method RATTLE (Andersen 1983), and its symmetric compositions of orders 4 and 6. The
  * one to take for very long runs: the energy swings by an error of the method's order, but does not drift away, however
- * long the run. It is meant for forces that depend on positions alone, gravity and springs without damping for instance.
+ * long the run: sums carry what rounding leaves of them ({@link Carry}). It is meant for forces that depend on positions alone, gravity and springs without damping for instance.
  *
  * <pre>
  *   v½ = v0 + h/2 (a(x0) + W J(x0)ᵀ λ)     with λ so that C(x1) = 0
@@ -57,37 +57,40 @@ public final class Rattle implements Integrator {
     public double advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
         path.ensure(State.BLOCK * state.size());
         path.start(state, bodies);
+        Carry carry = state.ensureCarry();
+        carry.begin(state, bodies);
         equations.acceleration(bodies, t, path.stage);
         double time = t;
         for (double part : parts()) {
             double length = part * h;
             equations.hold(bodies);
-            kick(state, bodies, path, 0.5 * length);
-            drift(state, bodies, length);
+            kick(state, bodies, path, 0.5 * length, carry);
+            drift(state, bodies, length, carry);
             equations.close(bodies, length);
             time += length;
             equations.acceleration(bodies, time, path.stage);
-            kick(state, bodies, path, 0.5 * length);
+            kick(state, bodies, path, 0.5 * length, carry);
             equations.settle(bodies);
         }
+        carry.end(state, bodies);
         path.join(state, bodies, h);
         return h;
     }
 
-    private static void kick(State state, IntList bodies, Path path, double time) {
+    private static void kick(State state, IntList bodies, Path path, double time, Carry carry) {
         for (int k = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
             for (int end = b + State.BLOCK; b < end; b++) {
-                state.v()[b] += time * path.stage[b];
+                carry.addV(state.v(), b, time * path.stage[b]);
             }
         }
     }
 
-    private static void drift(State state, IntList bodies, double time) {
+    private static void drift(State state, IntList bodies, double time, Carry carry) {
         for (int k = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
             for (int end = b + State.BLOCK; b < end; b++) {
-                state.x()[b] += time * state.v()[b];
+                carry.addX(state.x(), b, carry.way(state.v(), b, time));
             }
         }
     }

@@ -25,14 +25,12 @@ final class Sliding implements Serializable {
 
     private final Motion motion;
     private final State state;
-    private final Trajectories trajectories;
     private final Path path;
     private final double[] start = new double[2 * State.BLOCK];
 
-    Sliding(Motion motion, State state, Trajectories trajectories, Path path) {
+    Sliding(Motion motion, State state, Path path) {
         this.motion = motion;
         this.state = state;
-        this.trajectories = trajectories;
         this.path = path;
     }
 
@@ -52,12 +50,12 @@ final class Sliding implements Serializable {
         double done = 0;
         while (done < length) {
             double rest = timeToRest(body, group, t + done);
-            if (rest <= LAST * trajectories.h() && stop(body, surface, group, Math.min(rest, length - done), t + done)) {
+            if (rest <= LAST * motion.step() && stop(body, surface, group, Math.min(rest, length - done), t + done)) {
                 done += Math.min(rest, length - done);
                 break;
             }
             double left = length - done;
-            double part = Math.min(left, Math.max(SHARE * rest, SHARE * LAST * trajectories.h()));
+            double part = Math.min(left, Math.max(SHARE * rest, SHARE * LAST * motion.step()));
             DrivenMotion.cover(motion, state, group, t + done, part, path);
             done = part == left ? length : done + part;
         }

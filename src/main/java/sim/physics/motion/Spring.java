@@ -110,6 +110,7 @@ public final class Spring implements ForceGenerator {
      *
      * @return k (|d| − L)² / 2
      */
+    @Override
     public double energy() {
         double cosA = Trig.cos(a.getAngle());
         double sinA = Trig.sin(a.getAngle());

@@ -120,5 +120,6 @@ final class Stages implements Serializable {
                 path.first[b] = path.stage[b];
             }
         }
+        path.knowsFirst = true;
     }
 }

@@ -4,7 +4,9 @@ package sim.physics.motion;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.Growth;
 import sim.physics.matrix.DiagonalMatrix;
+import sim.physics.shape.Shape;
 
 /**
  * The state of all bodies in shared vectors, as the write-up's chapter <i>State Representation</i> has it.
@@ -39,12 +41,20 @@ public final class State implements Serializable {
     /** Length of a block. */
     public static final int BLOCK = 3;
 
+    private static final int SHAPES = 64;
+
+    /** After how many steps in which no body was written the room to note them is given back. */
+    private static final int QUIET = 100;
+
+    /** Bodies for whose number room is not given back. */
+    private static final int LARGE = 1024;
+
     /** Positions and orientations, 3n. */
     private double[] x;
     /** Velocities and angular velocities, 3n. */
     private double[] v;
-    /** Forces and torques of the present evaluation, 3n. */
-    private double[] f;
+    /** Forces and torques of the present evaluation, 3n; empty until somebody asks. */
+    private double[] f = {};
     /** Inverse masses and moments of inertia, 3n. */
     private DiagonalMatrix w;
 
@@ -52,21 +62,31 @@ public final class State implements Serializable {
     private int size;
 
     /** Empty blocks below {@code size}, a stack. */
-    private int[] free = new int[4];
+    private int[] free = {};
 
     private int freeCount;
 
     /** Blocks that their bodies' setters have written since the last step, in the order of writing. */
-    private int[] touched = new int[8];
+    private int[] touched = {};
 
     private boolean[] isTouched;
     private int touchedCount;
+    private int quiet;
 
     /** Null between steps. */
     private Presence presence;
 
     /** Null until somebody follows it, so that a scene which nobody asks about pays nothing. */
     private transient PlaceLog placeLog;
+
+    /** Shapes that were seen last, by their hash, so that bodies of equal shapes share one. */
+    private transient Shape[] shapes;
+
+    /** Whether a body ever had a collision group. */
+    private boolean grouped;
+
+    /** Null unless a method asks for it. */
+    private Carry carry;
 
     /** Whether positions change without notice, as they do within a step. */
     private transient boolean unsettled;
@@ -92,7 +112,6 @@ public final class State implements Serializable {
         this.own = own;
         x = new double[BLOCK * capacity];
         v = new double[BLOCK * capacity];
-        f = new double[BLOCK * capacity];
         w = new DiagonalMatrix(BLOCK * capacity);
         bodies = new Body[capacity];
         isTouched = new boolean[capacity];
@@ -118,11 +137,14 @@ public final class State implements Serializable {
     }
 
     /**
-     * The force vector F itself, not a copy.
+     * The force vector F itself, not a copy. It is scratch of the evaluation of forces: nothing outlasts a growth.
      *
      * @return F, [fx, fy, τ] per body
      */
     public double[] f() {
+        if (f.length < x.length) {
+            f = Arrays.copyOf(f, x.length);
+        }
         return f;
     }
 
@@ -133,6 +155,21 @@ public final class State implements Serializable {
      */
     public DiagonalMatrix w() {
         return w;
+    }
+
+    /**
+     * What rounding has left of the vectors.
+     *
+     * @return null until a method asks for it
+     */
+    public Carry carry() {
+        return carry;
+    }
+
+    /** The same, made if there is none. */
+    Carry ensureCarry() {
+        carry = carry == null ? new Carry() : carry;
+        return carry;
     }
 
     /**
@@ -181,20 +218,35 @@ public final class State implements Serializable {
     public int add(Body body) {
         int index = freeCount > 0 ? free[--freeCount] : size++;
         if (index >= bodies.length) {
-            grow(Math.max(8, 2 * index));
+            grow(Math.max(8, Growth.length(index, index + 1)));
         }
         State old = body.state();
         int from = BLOCK * body.index();
         int to = BLOCK * index;
         System.arraycopy(old.x, from, x, to, BLOCK);
         System.arraycopy(old.v, from, v, to, BLOCK);
-        System.arraycopy(old.f, from, f, to, BLOCK);
         System.arraycopy(old.w.values(), from, w.values(), to, BLOCK);
         bodies[index] = body;
         body.bind(this, index);
+        if (!own) {
+            share(body);
+            grouped |= old.grouped;
+        }
         touch(index);
         placed(index);
         return index;
+    }
+
+    private void share(Body body) {
+        shapes = shapes == null ? new Shape[SHAPES] : shapes;
+        Shape shape = body.getShape();
+        int hash = shape.hashCode();
+        int k = (hash ^ hash >>> 8 ^ hash >>> 16 ^ hash >>> 24) & SHAPES - 1;
+        if (shape.equals(shapes[k]) && shape.massProperties().equals(shapes[k].massProperties())) {
+            body.share(shapes[k]);
+        } else {
+            shapes[k] = shape;
+        }
     }
 
     /**
@@ -205,6 +257,7 @@ public final class State implements Serializable {
     public void remove(Body body) {
         int index = body.index();
         State own = own();
+        own.grouped = grouped;
         own.size = 1;
         own.bodies[0] = body;
         int from = BLOCK * index;
@@ -214,12 +267,14 @@ public final class State implements Serializable {
         body.bind(own, 0);
         Arrays.fill(x, from, from + BLOCK, 0);
         Arrays.fill(v, from, from + BLOCK, 0);
-        Arrays.fill(f, from, from + BLOCK, 0);
+        if (f.length > from) {
+            Arrays.fill(f, from, from + BLOCK, 0);
+        }
         Arrays.fill(w.values(), from, from + BLOCK, 0);
         bodies[index] = null;
         placed(index);
         if (freeCount == free.length) {
-            free = Arrays.copyOf(free, 2 * freeCount);
+            free = Arrays.copyOf(free, Math.max(4, 2 * freeCount));
         }
         free[freeCount++] = index;
     }
@@ -246,7 +301,7 @@ public final class State implements Serializable {
             presence.bring(index);
         }
         if (touchedCount == touched.length) {
-            touched = Arrays.copyOf(touched, 2 * touchedCount);
+            touched = Arrays.copyOf(touched, Math.max(4, Math.min(Growth.length(touchedCount, 4), bodies.length)));
         }
         isTouched[index] = true;
         touched[touchedCount++] = index;
@@ -281,8 +336,19 @@ public final class State implements Serializable {
         return touched[k];
     }
 
+    /** Gives back the room that is kept for more bodies: called once, when the bodies of a scene are complete, it seems. */
+    public void trim() {
+        if (size < bodies.length && size > LARGE) {
+            grow(size);
+        }
+    }
+
     /** Forgets which blocks were written. */
     public void clearTouched() {
+        quiet = touchedCount == 0 ? quiet + 1 : 0;
+        if (quiet == QUIET && touched.length > LARGE) {
+            touched = new int[LARGE]; // all bodies are written before the first step, and seldom ever after
+        }
         for (int k = 0; k < touchedCount; k++) {
             isTouched[touched[k]] = false;
         }
@@ -327,6 +393,20 @@ public final class State implements Serializable {
         placedAll();
     }
 
+    /** Notes that a body has a collision group. */
+    void group() {
+        grouped = true;
+    }
+
+    /**
+     * Whether a body may have a collision group of its own.
+     *
+     * @return false if all are of the group that bodies are in at first
+     */
+    public boolean isGrouped() {
+        return grouped;
+    }
+
     /**
      * Whether positions may change without notice in the log.
      *
@@ -339,9 +419,9 @@ public final class State implements Serializable {
     private void grow(int capacity) {
         x = Arrays.copyOf(x, BLOCK * capacity);
         v = Arrays.copyOf(v, BLOCK * capacity);
-        f = Arrays.copyOf(f, BLOCK * capacity);
+        f = f.length == 0 ? f : Arrays.copyOf(f, BLOCK * capacity);
         DiagonalMatrix larger = new DiagonalMatrix(BLOCK * capacity);
-        System.arraycopy(w.values(), 0, larger.values(), 0, w.rows());
+        System.arraycopy(w.values(), 0, larger.values(), 0, Math.min(w.rows(), larger.rows()));
         w = larger;
         bodies = Arrays.copyOf(bodies, capacity);
         isTouched = Arrays.copyOf(isTouched, capacity);

@@ -30,10 +30,14 @@ final class TiedMotion implements Serializable {
     private final State state;
     private final Trajectories trajectories;
     private final Ties ties;
+    private CourseObserver observer;
     private double[] startX = {};
     private double[] startV = {};
     private double[] strideX = {};
     private double[] strideV = {};
+
+    /** Whether the step at hand was found to have no quick way. */
+    private boolean isRefused;
 
     TiedMotion(State state, Trajectories trajectories, Ties ties) {
         this.state = state;
@@ -50,15 +54,24 @@ final class TiedMotion implements Serializable {
         strideV = first.strideV;
     }
 
+    void setObserver(CourseObserver who) {
+        observer = who;
+    }
+
     /**
      * Advances a group from an offset until a motor reaches its speed or a joint its stop, or to the end of the step.
      *
      * @return how long
      */
     double advanceUntilSwitch(Motion motion, IntList group, double t, double tau, double limit, Path path) {
-        if (!ties.isSwitched(group)) {
-            return stride(motion, group, t, limit, path);
-        }
+        double length = ties.isSwitched(group)
+                ? advanceSwitched(motion, group, t, tau, limit, path)
+                : stride(motion, group, t, limit, path);
+        isRefused = false;
+        return length;
+    }
+
+    private double advanceSwitched(Motion motion, IntList group, double t, double tau, double limit, Path path) {
         if (ties.decide(group)) {
             for (int k = 0; k < group.size; k++) {
                 trajectories.anchor(group.values[k], tau, state);
@@ -67,6 +80,7 @@ final class TiedMotion implements Serializable {
         path.ensure(state.x().length);
         motion.acceleration(group, t, path.stage);
         ties.confirm(group, false);
+        tell(group);
         double first = ties.watch(group);
         double push = ties.push(group, path.stage);
         double most = push < STRONG * limit ? AMPLE * push : limit;
@@ -81,11 +95,18 @@ final class TiedMotion implements Serializable {
             if (from == 0) {
                 again(group);
                 ties.confirm(group, true); // it is pressed against its stop
+                tell(group);
                 return stride(motion, group, t, most, path);
             }
             first = 1;
         }
         return find(motion, group, t, from, length, first, last, path);
+    }
+
+    private void tell(IntList group) {
+        if (observer != null) {
+            observer.decided(group);
+        }
     }
 
     /** A time at which the group has left its stop; 0 if there is none. */
@@ -222,12 +243,21 @@ final class TiedMotion implements Serializable {
         }
     }
 
-    private boolean advance(Motion motion, IntList group, double t, double length, int parts, Path path) {
+    /** Advances a group over a time, if there is a quick way; else nothing is changed, and the path never. */
+    boolean leap(Motion motion, IntList group, double length) {
         Generators fields = motion.fields();
-        if (parts == 1 && fields != null && motion.getIntegrator() instanceof RungeKutta4
-                && Math.abs(length) >= SHORT * trajectories.h()
-                && ties.advance(group, fields.gravityX, fields.gravityY, length)) {
-            return true;
+        isRefused = fields == null
+                || !(motion.getIntegrator() instanceof RungeKutta4)
+                || !ties.advance(group, fields.gravityX, fields.gravityY, length);
+        return !isRefused;
+    }
+
+    private boolean advance(Motion motion, IntList group, double t, double length, int parts, Path path) {
+        if (parts == 1 && !isRefused && Math.abs(length) >= SHORT * trajectories.h()) {
+            if (leap(motion, group, length)) {
+                return true;
+            }
+            isRefused = false;
         }
         for (int k = 0; k < parts; k++) {
             double from = length * k / parts;

@@ -9,16 +9,17 @@ import sim.physics.matrix.BlockSparseMatrix;
 /** What ties bodies together, as their motion sees it. Bodies that are tied to one another form an <i>island</i>. */
 public interface Ties extends Serializable {
     /**
-     * Makes one for another thread, which is asked about some islands while this one is asked about others.
+     * Makes one for another thread, which is asked about some islands while this one is asked about others; the islands are
+     * the same.
      *
      * @return to be matched before it is asked
      */
-    Ties twin();
+    Ties helper();
 
     /**
      * Takes over what may have changed.
      *
-     * @param first where this one comes from by {@link #twin}
+     * @param first where this one comes from by {@link #helper}
      */
     void match(Ties first);
 
@@ -191,4 +192,28 @@ public interface Ties extends Serializable {
      * @return infinite if nothing pushes
      */
     double push(IntList bodies, double[] a);
+
+    /**
+     * Other ties of the same bodies by the same constraints, with a workspace of their own.
+     *
+     * @return solved by elimination and kept by projection, whatever these are
+     */
+    Ties twin();
+
+    /**
+     * Says whether a twin is out of date.
+     *
+     * @return another number than before if constraints, or what they hold in the world, have changed
+     */
+    long version();
+
+    /**
+     * Copies what the ties of {@link #isSwitched} remember.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @param kept takes it, or has it
+     * @param restore whether to take it from there
+     * @return the same array, or a larger one
+     */
+    double[] switches(IntList bodies, double[] kept, boolean restore);
 }

@@ -4,6 +4,7 @@ package sim.physics.motion;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.Growth;
 
 /**
  * Where every body is at any instant of the present step: the dense output of the equations of motion.
@@ -22,18 +23,21 @@ import java.util.Arrays;
  * <p>Instants are offsets τ from the start of the present step, 0 … h. The anchor is kept as (step number, offset), so
  * that the clock does not drift and no precision is lost in long runs.
  *
- * <p>The values lie in one array, {@link #STRIDE} per body, two cache lines:
+ * <p>The values lie in two arrays, a cache line per body in each:
  *
  * <pre>
- *   0  1  2   3  4  5   6  7  8   9  10 11  12    13      14      15
- *   x0 y0 θ0  vx vy ω   ax ay aθ  jx jy jθ  step  offset  radius  driven
+ *   0  1  2   3  4  5  6     7          0  1  2   3  4  5   6
+ *   x0 y0 θ0  vx vy ω  step  offset     ax ay aθ  jx jy jθ  driven
  * </pre>
+ *
+ * <p>Where no body has ever been accelerated, which is where none is driven either, the second array, the <i>bends</i>, is one
+ * line of zeros for all: a value is at {@code bends()[(o & bendMask()) + AX]}, o the place of the body's first line.
  */
 public final class Trajectories implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     /** Values per body. */
-    public static final int STRIDE = 16;
+    public static final int STRIDE = 8;
     /** Position at the anchor. */
     public static final int X0 = 0;
     /** Position at the anchor. */
@@ -46,28 +50,34 @@ public final class Trajectories implements Serializable {
     public static final int VY = 4;
     /** Angular velocity at the anchor. */
     public static final int OMEGA = 5;
-    /** Half the acceleration at the anchor. */
-    public static final int AX = 6;
-    /** Half the acceleration at the anchor. */
-    public static final int AY = 7;
-    /** Half the angular acceleration at the anchor. */
-    public static final int ATHETA = 8;
-    /** A sixth of the third derivative. */
-    public static final int JX = 9;
-    /** A sixth of the third derivative. */
-    public static final int JY = 10;
-    /** A sixth of the third derivative. */
-    public static final int JTHETA = 11;
     /** Number of the step of the anchor. */
-    public static final int STEP = 12;
+    public static final int STEP = 6;
     /** Offset of the anchor in its step. */
-    public static final int OFFSET = 13;
-    /** Bounding radius of the body's shape. */
-    public static final int RADIUS = 14;
-    /** 1 if the polynomials hold for the present step only, else 0. */
-    public static final int DRIVEN = 15;
+    public static final int OFFSET = 7;
+    /** Among the bends: half the acceleration at the anchor. */
+    public static final int AX = 0;
+    /** Among the bends: half the acceleration at the anchor. */
+    public static final int AY = 1;
+    /** Among the bends: half the angular acceleration at the anchor. */
+    public static final int ATHETA = 2;
+    /** Among the bends: a sixth of the third derivative. */
+    public static final int JX = 3;
+    /** Among the bends: a sixth of the third derivative. */
+    public static final int JY = 4;
+    /** Among the bends: a sixth of the third derivative. */
+    public static final int JTHETA = 5;
+    /** Among the bends: 1 if the polynomials hold for the present step only, else 0. */
+    public static final int DRIVEN = 6;
 
-    private double[] data = new double[8 * STRIDE];
+    private double[] data = {};
+    private double[] bends = new double[STRIDE];
+
+    /** −1 where bodies have bends of their own, else 0. */
+    private int bendMask;
+
+    /** Bounding radii of the bodies' shapes. */
+    private double[] radii = {};
+
     private double step;
     private double h;
 
@@ -77,12 +87,39 @@ public final class Trajectories implements Serializable {
     }
 
     /**
-     * The values themselves, {@link #STRIDE} per body.
+     * The values of the first lines themselves, {@link #STRIDE} per body.
      *
      * @return the live array
      */
     public double[] data() {
         return data;
+    }
+
+    /**
+     * The bends: accelerations and third derivatives.
+     *
+     * @return the live array, of one line of zeros if no body has ever had any
+     */
+    public double[] bends() {
+        return bends;
+    }
+
+    /**
+     * What the place of a body's first line is to be masked with among the bends.
+     *
+     * @return −1, or 0 if no body has ever had bends
+     */
+    public int bendMask() {
+        return bendMask;
+    }
+
+    /** Gives each body bends of its own. */
+    double[] unfold() {
+        if (bendMask == 0) {
+            bends = new double[data.length];
+            bendMask = -1;
+        }
+        return bends;
     }
 
     /**
@@ -121,7 +158,9 @@ public final class Trajectories implements Serializable {
      */
     public void ensure(int count) {
         if (data.length < count * STRIDE) {
-            data = Arrays.copyOf(data, Math.max(2 * data.length, count * STRIDE));
+            data = Arrays.copyOf(data, STRIDE * Growth.length(data.length / STRIDE, count));
+            bends = bendMask == 0 ? bends : Arrays.copyOf(bends, data.length);
+            radii = Arrays.copyOf(radii, data.length / STRIDE);
         }
     }
 
@@ -158,6 +197,7 @@ public final class Trajectories implements Serializable {
     public void anchor(int body, double tau, State state) {
         int o = body * STRIDE;
         int b = body * State.BLOCK;
+        double[] k = bends;
         double[] m = data; // copied one by one: a call for three values takes longer
         double[] x = state.x();
         double[] v = state.v();
@@ -167,12 +207,12 @@ public final class Trajectories implements Serializable {
         m[o + VX] = v[b];
         m[o + VY] = v[b + 1];
         m[o + OMEGA] = v[b + 2];
-        m[o + AX] = 0;
-        m[o + AY] = 0;
-        m[o + ATHETA] = 0;
-        m[o + JX] = 0;
-        m[o + JY] = 0;
-        m[o + JTHETA] = 0;
+        k[(o & bendMask) + AX] = 0;
+        k[(o & bendMask) + AY] = 0;
+        k[(o & bendMask) + ATHETA] = 0;
+        k[(o & bendMask) + JX] = 0;
+        k[(o & bendMask) + JY] = 0;
+        k[(o & bendMask) + JTHETA] = 0;
         m[o + STEP] = step;
         m[o + OFFSET] = tau;
     }
@@ -186,19 +226,46 @@ public final class Trajectories implements Serializable {
     public void bring(int body, double tau) {
         int o = body * STRIDE;
         double[] m = data;
+        double[] k = bends;
         double d = (step - m[o + STEP]) * h + (tau - m[o + OFFSET]);
         if (d != 0) {
             for (int c = 0; c < State.BLOCK; c++) {
                 double v = m[o + VX + c];
-                double a = m[o + AX + c];
-                double j = m[o + JX + c];
+                double a = k[(o & bendMask) + AX + c];
+                double j = k[(o & bendMask) + JX + c];
                 m[o + c] += d * (v + d * (a + d * j));
                 m[o + VX + c] = v + d * (2 * a + 3 * d * j);
-                m[o + AX + c] = a + 3 * d * j;
+                k[(o & bendMask) + AX + c] = a + 3 * d * j;
             }
         }
         m[o + STEP] = step;
         m[o + OFFSET] = tau;
+    }
+
+    /**
+     * Lets a body's path be the cubic from its anchor to where the state vectors have it, as {@link Path} does.
+     *
+     * @param body index
+     * @param per one over the time from the anchor to then
+     * @param state the vectors
+     */
+    void lead(int body, double per, State state) {
+        int o = body * STRIDE;
+        int b = body * State.BLOCK;
+        double[] x = state.x();
+        double[] v = state.v();
+        lead(o, per, x[b], v[b]);
+        lead(o + 1, per, x[b + 1], v[b + 1]);
+        lead(o + 2, per, x[b + 2], v[b + 2]);
+    }
+
+    private void lead(int o, double per, double end, double endRate) {
+        double start = data[o + VX];
+        double mean = (end - data[o]) * per;
+        double bend = start + endRate - 2 * mean;
+        boolean isRounding = Math.abs(bend) <= Path.ROUNDING * (Math.abs(start) + Math.abs(endRate));
+        bends[(o & bendMask) + AX] = isRounding ? 0.5 * per * (endRate - start) : per * (3 * mean - 2 * start - endRate);
+        bends[(o & bendMask) + JX] = isRounding ? 0 : per * per * bend;
     }
 
     /**
@@ -211,12 +278,21 @@ public final class Trajectories implements Serializable {
      */
     public void accelerate(int body, double ax, double ay, double alpha) {
         int o = body * STRIDE;
-        data[o + AX] = 0.5 * ax;
-        data[o + AY] = 0.5 * ay;
-        data[o + ATHETA] = 0.5 * alpha;
-        data[o + JX] = 0;
-        data[o + JY] = 0;
-        data[o + JTHETA] = 0;
+        if (ax != 0 || ay != 0 || alpha != 0) {
+            unfold();
+        }
+        bends[(o & bendMask) + AX] = 0.5 * ax;
+        bends[(o & bendMask) + AY] = 0.5 * ay;
+        bends[(o & bendMask) + ATHETA] = 0.5 * alpha;
+        bends[(o & bendMask) + JX] = 0;
+        bends[(o & bendMask) + JY] = 0;
+        bends[(o & bendMask) + JTHETA] = 0;
+    }
+
+    /** Whether a body has a velocity at its anchor. */
+    boolean isMoving(int body) {
+        int o = body * STRIDE;
+        return data[o + VX] != 0 || data[o + VY] != 0 || data[o + OMEGA] != 0;
     }
 
     /**
@@ -226,7 +302,10 @@ public final class Trajectories implements Serializable {
      * @param driven true if an integrator makes new ones in the next step
      */
     public void setDriven(int body, boolean driven) {
-        data[body * STRIDE + DRIVEN] = driven ? 1 : 0;
+        if (driven) {
+            unfold();
+        }
+        bends[(body * STRIDE & bendMask) + DRIVEN] = driven ? 1 : 0;
     }
 
     /**
@@ -236,7 +315,7 @@ public final class Trajectories implements Serializable {
      * @return true if an integrator drives it
      */
     public boolean isDriven(int body) {
-        return data[body * STRIDE + DRIVEN] != 0;
+        return bends[(body * STRIDE & bendMask) + DRIVEN] != 0;
     }
 
     /**
@@ -246,7 +325,17 @@ public final class Trajectories implements Serializable {
      * @param radius length
      */
     public void setRadius(int body, double radius) {
-        data[body * STRIDE + RADIUS] = radius;
+        radii[body] = radius;
+    }
+
+    /**
+     * The bounding radius of a body's shape.
+     *
+     * @param body index
+     * @return length
+     */
+    public double radius(int body) {
+        return radii[body];
     }
 
     /**
@@ -259,18 +348,19 @@ public final class Trajectories implements Serializable {
         double[] x = state.x();
         double[] v = state.v();
         double[] m = data;
+        double[] k = bends;
         int n = state.size();
         for (int i = 0, o = 0, b = 0; i < n; i++, o += STRIDE, b += State.BLOCK) {
-            if (m[o + DRIVEN] != 0) {
+            if (k[(o & bendMask) + DRIVEN] != 0) {
                 continue;
             }
             double d = (step - m[o + STEP]) * h + (tau - m[o + OFFSET]);
-            x[b] = m[o] + d * (m[o + VX] + d * (m[o + AX] + d * m[o + JX]));
-            x[b + 1] = m[o + 1] + d * (m[o + VY] + d * (m[o + AY] + d * m[o + JY]));
-            x[b + 2] = m[o + 2] + d * (m[o + OMEGA] + d * (m[o + ATHETA] + d * m[o + JTHETA]));
-            v[b] = m[o + VX] + d * (2 * m[o + AX] + 3 * d * m[o + JX]);
-            v[b + 1] = m[o + VY] + d * (2 * m[o + AY] + 3 * d * m[o + JY]);
-            v[b + 2] = m[o + OMEGA] + d * (2 * m[o + ATHETA] + 3 * d * m[o + JTHETA]);
+            x[b] = m[o] + d * (m[o + VX] + d * (k[(o & bendMask) + AX] + d * k[(o & bendMask) + JX]));
+            x[b + 1] = m[o + 1] + d * (m[o + VY] + d * (k[(o & bendMask) + AY] + d * k[(o & bendMask) + JY]));
+            x[b + 2] = m[o + 2] + d * (m[o + OMEGA] + d * (k[(o & bendMask) + ATHETA] + d * k[(o & bendMask) + JTHETA]));
+            v[b] = m[o + VX] + d * (2 * k[(o & bendMask) + AX] + 3 * d * k[(o & bendMask) + JX]);
+            v[b + 1] = m[o + VY] + d * (2 * k[(o & bendMask) + AY] + 3 * d * k[(o & bendMask) + JY]);
+            v[b + 2] = m[o + OMEGA] + d * (2 * k[(o & bendMask) + ATHETA] + 3 * d * k[(o & bendMask) + JTHETA]);
         }
     }
 
@@ -287,7 +377,8 @@ public final class Trajectories implements Serializable {
         double d = duration(body, tau);
         boolean same = true;
         for (int c = 0; c < State.BLOCK; c++) {
-            double x = data[o + c] + d * (data[o + VX + c] + d * (data[o + AX + c] + d * data[o + JX + c]));
+            double bend = bends[(o & bendMask) + AX + c] + d * bends[(o & bendMask) + JX + c];
+            double x = data[o + c] + d * (data[o + VX + c] + d * bend);
             same &= x == state.x()[State.BLOCK * body + c];
         }
         return same;
@@ -305,8 +396,8 @@ public final class Trajectories implements Serializable {
         int b = body * State.BLOCK;
         double d = duration(body, tau);
         for (int c = 0; c < State.BLOCK; c++) {
-            double a = data[o + AX + c];
-            double j = data[o + JX + c];
+            double a = bends[(o & bendMask) + AX + c];
+            double j = bends[(o & bendMask) + JX + c];
             state.x()[b + c] = data[o + c] + d * (data[o + VX + c] + d * (a + d * j));
             state.v()[b + c] = data[o + VX + c] + d * (2 * a + 3 * d * j);
         }

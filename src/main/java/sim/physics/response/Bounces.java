@@ -20,6 +20,9 @@ final class Bounces implements Serializable {
     /** The square of a restitution is to be finite, whatever the approach. */
     private static final double HUGE = 1e100;
 
+    /** Way in a step at the speed of a rattling pair's bounces, in their greatest lengths: the force may have been misjudged. */
+    private static final double RATTLE_WAY = 16;
+
     private final Trajectories trajectories;
     private final Motion motion;
 
@@ -82,13 +85,12 @@ final class Bounces implements Serializable {
         double approach = -c.normalVelocity();
         if (count > 0 && approach > 0) {
             double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * Tolerances.REST * h);
-            double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
-            double hop = 0.5 * shortest * (approach + lastSpeed[pair]) / since;
-            double[] d = trajectories.data();
-            double size = Math.min(
-                    d[a * Trajectories.STRIDE + Trajectories.RADIUS], d[b * Trajectories.STRIDE + Trajectories.RADIUS]);
-            boolean isShort = hop * shortest < Tolerances.RATTLE_SIZE * size;
-            c.restitution = isShort ? Math.max(Tolerances.RATTLE, Math.min(HUGE, hop / approach)) : Tolerances.RATTLE;
+            double acceleration = (approach + lastSpeed[pair]) / since;
+            double size = Math.min(trajectories.radius(a), trajectories.radius(b));
+            double longest = Math.sqrt(2 * Tolerances.RATTLE_SIZE * size / acceleration);
+            double length = Math.min(Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h, longest);
+            double hop = Math.min(0.5 * length * acceleration, RATTLE_WAY * Tolerances.RATTLE_SIZE * size / h);
+            c.restitution = Math.max(Tolerances.RATTLE, Math.min(HUGE, hop / approach));
         }
         lastSpeed[pair] = c.restitution * Math.max(0, approach);
         lastTau[pair] = trajectories.offset(a);
@@ -214,11 +216,12 @@ final class Bounces implements Serializable {
 
     /** The acceleration of two bodies towards one another. */
     private double pressing(int a, int b, Impact c) {
-        double[] d = trajectories.data();
+        double[] d = trajectories.bends();
+        int mask = trajectories.bendMask();
         int oa = a * Trajectories.STRIDE;
         int ob = b * Trajectories.STRIDE;
         return 2
-                * ((d[oa + Trajectories.AX] - d[ob + Trajectories.AX]) * c.nx
-                        + (d[oa + Trajectories.AY] - d[ob + Trajectories.AY]) * c.ny);
+                * ((d[(oa & mask) + Trajectories.AX] - d[(ob & mask) + Trajectories.AX]) * c.nx
+                        + (d[(oa & mask) + Trajectories.AY] - d[(ob & mask) + Trajectories.AY]) * c.ny);
     }
 }

@@ -33,8 +33,7 @@ public final class CollisionResponse implements Serializable {
     private final Pairs pairs;
 
     private ImpulseSolver solver = new TwoBodyImpulse();
-    private PairRule restitutionRule = PairRule.MINIMUM;
-    private PairRule frictionRule = PairRule.GEOMETRIC_MEAN;
+    private final ContactLoader loader;
     private final List<CollisionListener> listeners = new ArrayList<>();
 
     private final Impact impact = new Impact();
@@ -46,8 +45,14 @@ public final class CollisionResponse implements Serializable {
     private final Bounces bounces;
     private final RestingContacts resting;
     private final Heaps heaps;
+    private final Wedged wedged;
+    private final Strikes strikes;
     private transient Manifold manifold;
     private double now;
+
+    /** From when on the courses of the two hold that are brought to the instant of their impact. */
+    private double since;
+
     private long impacts;
     private double deepest;
     private double approach;
@@ -66,10 +71,20 @@ public final class CollisionResponse implements Serializable {
         this.trajectories = trajectories;
         this.detection = detection;
         this.pairs = detection.pairs();
+        this.loader = new ContactLoader(state, trajectories);
         this.simultaneous = new SimultaneousImpact(state);
         this.bounces = new Bounces(trajectories, motion);
         this.resting = new RestingContacts(state, trajectories, motion, detection, this);
         this.heaps = new Heaps(state, trajectories, motion, detection, this);
+        this.wedged = new Wedged(trajectories, detection);
+        this.strikes = new Strikes(trajectories);
+    }
+
+    /** Begins a step. */
+    public void begin() {
+        if (!wedged.isEmpty()) {
+            wedged.begin();
+        }
     }
 
     /**
@@ -86,14 +101,22 @@ public final class CollisionResponse implements Serializable {
         now = time;
         if (touching.size == 1) {
             int pair = touching.values[0];
+            since = Math.max(since(pairs.first(pair)), since(pairs.second(pair)));
             locate(pair, tau);
             if (manifold.count == 1 && (jointed == null || !jointed.has(pairs.first(pair), pairs.second(pair)))) {
                 respondToOne(pair, tau);
+                strikes.note(changed);
                 return changed;
             }
         }
         respondToSeveral(touching, tau);
+        strikes.note(changed);
         return changed;
+    }
+
+    /** From which offset in the step on a body's motion has been smooth. */
+    private double since(int body) {
+        return heaps.has(body) ? trajectories.offset(body) : strikes.last(body);
     }
 
     /**
@@ -104,6 +127,7 @@ public final class CollisionResponse implements Serializable {
     public void setTies(Ties ties) {
         jointed = ties == null ? null : new JointedBodies(state, trajectories, motion, ties);
         simultaneous.setTies(ties);
+        heaps.setTies(ties);
     }
 
     private void locate(int pair, double tau) {
@@ -116,6 +140,10 @@ public final class CollisionResponse implements Serializable {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
         load(a, b, 0);
+        if (isWedged(pair, a, b, tau)) {
+            goOn(a, b);
+            return;
+        }
         bounces.attend(a, b, tau);
         impact.sticky = false;
         if (heaps.lasts(pair) && closes(pair)) {
@@ -153,6 +181,11 @@ public final class CollisionResponse implements Serializable {
         }
     }
 
+    private boolean isWedged(int pair, int a, int b, double tau) {
+        boolean driven = trajectories.isDriven(a) || trajectories.isDriven(b);
+        return driven && wedged.meet(pair, tau, manifold.gap, heaps.size(a, b));
+    }
+
     /** Whether a lasting pair is left to its heap, because a bounce at the loaded points would be short, or one too many. */
     private boolean closes(int pair) {
         int a = pairs.first(pair);
@@ -164,16 +197,13 @@ public final class CollisionResponse implements Serializable {
         }
         if (bounds) {
             heaps.end(pair);
-        } else {
-            heaps.close(pair);
         }
-        return !bounds;
+        return !bounds && heaps.close(pair);
     }
 
     /** Lets a pair lie on one another from now on if its bounces have become too many and too short. */
     private boolean startsToLie(int pair, int a, int b) {
-        boolean canLie = !trajectories.isDriven(a) && !trajectories.isDriven(b);
-        if (!canLie || !bounces.jams(pair, a, b, impact, heaps.has(a) || heaps.has(b))) {
+        if (!heaps.mayLie(a, b) || !bounces.jams(pair, a, b, impact, heaps.has(a) || heaps.has(b))) {
             return false;
         }
         heaps.add(pair);
@@ -232,13 +262,15 @@ public final class CollisionResponse implements Serializable {
             return true;
         }
         double h = Math.min(motion.pace(a), motion.pace(b));
+        double latest = detection.hasEvent() ? detection.nextTime() : trajectories.h();
         double t = tau;
         for (int k = 0; k < 3; k++) {
             double speed = impact.normalVelocity();
             double next = t - manifold.gap / speed;
             boolean settled = Math.abs(manifold.gap) <= -speed * Tolerances.SIMULTANEOUS * t;
-            if (settled || !(speed < 0 && next <= trajectories.h() && Math.abs(next - tau) <= Tolerances.POLISH * h)) {
-                break; // or else events of others may lie between
+            boolean near = Math.abs(next - tau) <= Tolerances.POLISH * h;
+            if (settled || !(speed < 0 && near && next >= since && next <= latest)) {
+                break; // or else other events lie between
             }
             double most = Math.max(0.5 * Math.abs(manifold.gap), -speed * Tolerances.REST * h);
             locate(pair, next);
@@ -280,8 +312,7 @@ public final class CollisionResponse implements Serializable {
      * @param friction rule for the friction
      */
     public void setRules(PairRule restitution, PairRule friction) {
-        restitutionRule = Objects.requireNonNull(restitution, "restitution");
-        frictionRule = Objects.requireNonNull(friction, "friction");
+        loader.setRules(restitution, friction);
     }
 
     /**
@@ -317,32 +348,7 @@ public final class CollisionResponse implements Serializable {
 
     /** Loads one point of a manifold. */
     void load(Manifold m, int a, int b, int point, Impact c) {
-        double[] w = state.w().values();
-        double[] d = trajectories.data();
-        int oa = a * Trajectories.STRIDE;
-        int ob = b * Trajectories.STRIDE;
-        c.wA = w[State.BLOCK * a];
-        c.wB = w[State.BLOCK * b];
-        c.iA = w[State.BLOCK * a + State.THETA];
-        c.iB = w[State.BLOCK * b + State.THETA];
-        c.vAx = d[oa + Trajectories.VX];
-        c.vAy = d[oa + Trajectories.VY];
-        c.omegaA = d[oa + Trajectories.OMEGA];
-        c.vBx = d[ob + Trajectories.VX];
-        c.vBy = d[ob + Trajectories.VY];
-        c.omegaB = d[ob + Trajectories.OMEGA];
-        c.nx = m.nx;
-        c.ny = m.ny;
-        c.rAx = m.rAx[point];
-        c.rAy = m.rAy[point];
-        c.rBx = m.rBx[point];
-        c.rBy = m.rBy[point];
-        c.setLevers(m.roundA, m.roundB);
-        Body bodyA = state.body(a);
-        Body bodyB = state.body(b);
-        c.restitution = restitutionRule.of(bodyA.getRestitution(), bodyB.getRestitution());
-        c.friction = frictionRule.of(bodyA.getFriction(), bodyB.getFriction());
-        c.allowance = 0;
+        loader.load(m, a, b, point, c);
     }
 
     private void store(int a, int b) {
@@ -391,6 +397,10 @@ public final class CollisionResponse implements Serializable {
         int b = pairs.second(pair);
         locate(pair, tau);
         load(a, b, 0);
+        if (isWedged(pair, a, b, tau)) {
+            goOn(a, b);
+            return;
+        }
         bounces.attend(a, b, tau);
         impact.sticky = false;
         if (heaps.lasts(pair) && closes(pair)) {

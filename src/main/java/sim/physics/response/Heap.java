@@ -9,8 +9,8 @@ import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
+import sim.physics.motion.Ties;
 import sim.physics.motion.Trajectories;
-import sim.physics.shape.Circle;
 
 /**
  * The heap that is being solved: finds its bodies and points, and gives it new velocities. One solution holds for a step, or
@@ -27,6 +27,20 @@ final class Heap implements Serializable {
 
     /** Gap that is kept, relative to the smaller body, beside what turning and sliding take of it. */
     private static final double CUSHION = 1e-10;
+
+    /** The same where paths are not quite the motion. */
+    private static final double DRIVEN_CUSHION = 1e-7;
+
+    /** Speed at which points hardly close, relative to the bodies'. */
+    private static final double HARDLY = 1e-12;
+
+    /** Times that the forces of driven bodies are found, and their change at which they are right, as in {@link #HARDLY}. */
+    private static final int PROBES = 4;
+
+    private static final double SAME = 1e-9;
+
+    /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
+    private static final double MOST_SHARE = 100;
 
     /** Part of a missing gap that a solution regains. */
     private static final double REGAIN = 0.2;
@@ -48,6 +62,7 @@ final class Heap implements Serializable {
     private final CollisionDetection detection;
     private final CollisionResponse response;
     private final HeapBodies by;
+    private final BodyScale scales;
     private final HeapSystem system = new HeapSystem();
 
     /** The bodies of the heap, and where its points come from. */
@@ -66,6 +81,15 @@ final class Heap implements Serializable {
     private double until;
 
     private boolean isFresh;
+
+    /** Whether bodies of the heap are driven. */
+    private boolean isDriven;
+
+    /** Null while nothing ties bodies together. */
+    private Ties ties;
+
+    private double[] velocities = {};
+    private double[] alone = {};
     private boolean halts;
     private double scale;
 
@@ -82,10 +106,15 @@ final class Heap implements Serializable {
         this.detection = detection;
         this.response = response;
         this.by = by;
+        this.scales = new BodyScale(state, trajectories);
+    }
+
+    BodyScale scales() {
+        return scales;
     }
 
     boolean lasts(int pair) {
-        return detection.marks().slack(pair) > 0 && !detection.marks().isIgnored(pair);
+        return detection.marks().isLasting(pair) && !detection.marks().isIgnored(pair);
     }
 
     /** Lets a pair last. */
@@ -94,14 +123,18 @@ final class Heap implements Serializable {
             forces = Arrays.copyOf(forces, Math.max(2 * forces.length, 4 * pair + 4));
         }
         if (!lasts(pair)) {
-            double size = size(detection.pairs().first(pair), detection.pairs().second(pair));
-            detection.marks().setSlack(pair, CUSHION * size);
+            double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
+            boolean driven = trajectories.isDriven(detection.pairs().first(pair))
+                    || trajectories.isDriven(detection.pairs().second(pair));
+            detection.marks().setLasting(pair, true);
+            detection.marks().setDepth(pair, (driven ? DRIVEN_CUSHION : CUSHION) * size);
             Arrays.fill(forces, 4 * pair, 4 * pair + 4, 0);
         }
     }
 
     void end(int pair) {
-        detection.marks().setSlack(pair, 0);
+        detection.marks().setLasting(pair, false);
+        detection.marks().setDepth(pair, 0);
     }
 
     /** Lets a body go on without acceleration: it has got already what the forces give it. */
@@ -110,10 +143,21 @@ final class Heap implements Serializable {
         motion.support(body, -fall[0], -fall[1], -fall[2]);
     }
 
+    void setTies(Ties those) {
+        ties = those;
+    }
+
     /** Solves the heap of a body; notes those whose courses change. */
     void settle(int seed, double tau, IntList changed) {
         find(seed, tau);
+        if (isDriven) {
+            unpay(tau);
+        }
         gather(tau);
+        if (isDriven) {
+            strike();
+            drive(tau);
+        }
         solve(tau);
         publish(tau, changed);
     }
@@ -121,21 +165,21 @@ final class Heap implements Serializable {
     /** Finds the bodies that lie on one another with a body, and until when their velocities are to hold. */
     private void find(int seed, double tau) {
         heap.clear();
+        isDriven = false;
         include(seed);
         double spin = 0;
         boolean struck = false;
         double paid = trajectories.h();
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
-            trajectories.bring(body, tau);
+            motion.bring(body, tau);
             detection.unplan(body);
             struck |= by.paidUntil[body] > tau;
             paid = by.paidUntil[body] > tau ? Math.min(paid, by.paidUntil[body]) : paid;
-            IntList of = detection.pairs().of(body);
-            for (int m = 0; of != null && m < of.size; m++) {
-                int other = detection.pairs().other(of.values[m], body);
-                if (lasts(of.values[m])) {
-                    spin = Math.max(spin, bending(body, other));
+            for (int m = 0; m < detection.pairs().countOf(body); m++) {
+                int other = detection.pairs().other(detection.pairs().of(body, m), body);
+                if (lasts(detection.pairs().of(body, m))) {
+                    spin = Math.max(spin, scales.bending(body, other));
                     if (!state.body(other).isFixed() && by.place[other] == 0) {
                         include(other);
                     }
@@ -143,34 +187,122 @@ final class Heap implements Serializable {
             }
         }
         double h = trajectories.h();
-        double length = Math.max(spin * h > TURN ? TURN / spin : h, h / SOLUTIONS);
+        double length = spin * h > TURN ? TURN / spin : h;
+        length = Math.max(isDriven ? Math.min(length, by.pace(heap, h)) : length, h / SOLUTIONS);
         isFresh = !struck;
-        until = Math.min(paid, tau + length);
+        until = Math.min(isDriven ? h : paid, tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
     }
 
-    /** How fast two bodies turn and slide on one another, as a rate at which their contact bends out of its tangent. */
-    private double bending(int a, int b) {
-        double[] d = trajectories.data();
-        int oa = a * Trajectories.STRIDE;
-        int ob = b * Trajectories.STRIDE;
-        double vx = d[ob + Trajectories.VX] - d[oa + Trajectories.VX];
-        double vy = d[ob + Trajectories.VY] - d[oa + Trajectories.VY];
-        double turnA = isRound(a) ? 0 : Math.abs(d[oa + Trajectories.OMEGA]);
-        double turn = Math.max(turnA, isRound(b) ? 0 : Math.abs(d[ob + Trajectories.OMEGA]));
-        double slide = Math.sqrt(vx * vx + vy * vy) / size(a, b);
-        return Math.sqrt(turn * (turn + slide));
-    }
-
-    /** Whether a body looks the same when it turns. */
-    private boolean isRound(int body) {
-        return state.body(body).getShape() instanceof Circle;
-    }
-
+    /** Includes a body, and those that move with it. */
     private void include(int body) {
+        if (!trajectories.isDriven(body)) {
+            includeOne(body);
+            return;
+        }
+        isDriven = true;
+        IntList group = motion.companions(body);
+        for (int k = 0; k < group.size; k++) {
+            by.ensure(group.values[k]);
+            includeOne(group.values[k]);
+        }
+    }
+
+    private void includeOne(int body) {
         heap.add(body);
         by.place[body] = heap.size;
         by.isDirty[body] = false;
+    }
+
+    /** Takes from bodies what forces have given them for the time that is left: it is found anew, with those of driven ones. */
+    private void unpay(double tau) {
+        double[] d = trajectories.data();
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            if (!trajectories.isDriven(body)) {
+                by.unpay(body, tau, d, body * Trajectories.STRIDE + Trajectories.VX);
+            }
+            by.paidUntil[body] = 0;
+            if (motion.isTied(body) && isFirst(k)) {
+                motion.restore(ties.island(body));
+                ties.prepareImpact(ties.island(body));
+            }
+        }
+        isFresh = true;
+    }
+
+    /** Whether a body of the heap is the first of those that move with it. */
+    private boolean isFirst(int k) {
+        int body = heap.values[k];
+        return trajectories.isDriven(body) && motion.companions(body).values[0] == body;
+    }
+
+    /** Changes the velocities at once where points close too fast, before forces act. */
+    private void strike() {
+        double speed = 0;
+        for (int k = 0; k < heap.size; k++) {
+            speed = Math.max(speed, speed(k));
+        }
+        if (!system.isStruck(HARDLY * speed)) {
+            return;
+        }
+        system.strike(Math.max(speed, scale));
+        for (int k = 0; k < heap.size; k++) {
+            int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
+            System.arraycopy(system.v, 3 * k, trajectories.data(), o, State.BLOCK);
+        }
+    }
+
+    /** Solves for the forces of driven bodies, which change with the way that they make under them. */
+    private void drive(double tau) {
+        double length = until - tau;
+        for (int p = 0; p < system.size(); p++) {
+            int at = origin.values[p];
+            system.start(p, length * forces[at], length * forces[at + 1]);
+        }
+        probe(length);
+        for (int k = 1; k < PROBES; k++) {
+            for (int b = 0; b < heap.size; b++) {
+                scale = Math.max(scale, speed(b));
+            }
+            system.keep();
+            system.solve(scale, true);
+            if (system.change() <= SAME * scale) {
+                system.unpush();
+                break;
+            }
+            probe(length);
+        }
+        for (int k = 0; k < heap.size; k++) {
+            if (isFirst(k)) {
+                motion.restore(motion.companions(heap.values[k]));
+            }
+        }
+    }
+
+    /** Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces. */
+    private void probe(double length) {
+        double[] d = trajectories.data();
+        double[] pushes = pushes();
+        for (int k = 0; k < heap.size; k++) {
+            support(k, length, pushes);
+        }
+        double share = 1;
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            int o = body * Trajectories.STRIDE + Trajectories.VX;
+            if (isFirst(k)) {
+                share = Math.min(MOST_SHARE, length / motion.probe(body, length)); // it may end early, at a stop
+            }
+            motion.fall(body, fall, 0);
+            for (int c = 0; c < State.BLOCK; c++) {
+                double gained = trajectories.isDriven(body)
+                        ? share * (state.v()[State.BLOCK * body + c] - d[o + c])
+                        : fall[c] * length + pushes[3 * k + c];
+                system.v[3 * k + c] = d[o + c] + gained;
+            }
+        }
+        system.unpush();
     }
 
     /** Takes in the bodies of the heap and their points. */
@@ -184,9 +316,8 @@ final class Heap implements Serializable {
         }
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
-            IntList of = detection.pairs().of(body);
-            for (int m = 0; of != null && m < of.size; m++) {
-                int pair = of.values[m];
+            for (int m = 0; m < detection.pairs().countOf(body); m++) {
+                int pair = detection.pairs().of(body, m);
                 int other = detection.pairs().other(pair, body);
                 if (lasts(pair) && (state.body(other).isFixed() || by.place[other] > k + 1)) {
                     if (state.body(other).isFixed()) {
@@ -205,10 +336,10 @@ final class Heap implements Serializable {
         double[] d = trajectories.data();
         System.arraycopy(d, body * Trajectories.STRIDE + Trajectories.VX, system.v, 3 * k, State.BLOCK);
         motion.fall(body, fall, 0);
-        double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + radius(body) * Math.abs(fall[2]);
+        double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
         double time = until - Math.max(tau, by.paidUntil[body]);
-        for (int c = 0; c < State.BLOCK && time > 0; c++) {
+        for (int c = 0; c < State.BLOCK && time > 0 && !isDriven; c++) {
             system.v[3 * k + c] += fall[c] * time;
         }
     }
@@ -217,8 +348,8 @@ final class Heap implements Serializable {
     private void collect(int pair, double tau) {
         int a = detection.pairs().first(pair);
         int b = detection.pairs().second(pair);
-        double size = size(a, b);
-        detection.narrowPhase().contact(pair, tau, manifold, FLAT * size / (radius(a) + radius(b)));
+        double size = scales.size(a, b);
+        detection.narrowPhase().contact(pair, tau, manifold, FLAT * size / (scales.radius(a) + scales.radius(b)));
         if (manifold.gap > PARTED * size) {
             if (isFresh) {
                 end(pair);
@@ -228,18 +359,40 @@ final class Heap implements Serializable {
         double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
         for (int k = 0; k < manifold.count; k++) {
             response.load(manifold, a, b, k, point);
-            double room = CUSHION * size + bend(a, b, left);
+            double room = detection.marks().depth(pair) + scales.bend(manifold, point, a, b, left);
             int p = system.size();
             system.add(number(a), number(b), point);
+            if (isDriven) {
+                reply(p, 0, a, -1, point.leverA, point.armA);
+                reply(p, 1, b, 1, point.leverB, point.armB);
+                system.measure(p);
+            }
             origin.add(4 * pair + 2 * k);
             double gap = manifold.gaps[k];
             double least = isFresh ? room : 0.5 * room;
             system.bound(p, gap < least ? REGAIN * (room - gap) / left : (least - gap) / left);
-            if (isFresh) {
+            if (isFresh && !isDriven) {
                 double[] f = forces;
                 system.start(p, left * f[4 * pair + 2 * k], left * f[4 * pair + 2 * k + 1]);
             }
         }
+    }
+
+    /** Finds what a point's impulses do to a body that is tied to others. */
+    private void reply(int p, int side, int body, double sign, double lever, double arm) {
+        if (!motion.isTied(body)) {
+            return;
+        }
+        if (velocities.length < state.x().length) {
+            velocities = new double[state.x().length];
+        }
+        IntList island = ties.island(body);
+        int first = by.place[island.values[0]] - 1;
+        HeapReplies replies = system.replies();
+        ties.reply(body, sign * point.nx, sign * point.ny, sign * lever, velocities);
+        replies.set(2 * p + side, first, island, velocities, false);
+        ties.reply(body, -sign * point.ny, sign * point.nx, sign * arm, velocities);
+        replies.set(2 * p + side, first, island, velocities, true);
     }
 
     private int number(int body) {
@@ -255,26 +408,6 @@ final class Heap implements Serializable {
         return Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
     }
 
-    /** Radius of the smaller one of two bodies, of which one may be fixed. */
-    double size(int a, int b) {
-        double first = state.body(a).isFixed() ? Double.MAX_VALUE : radius(a);
-        double second = state.body(b).isFixed() ? Double.MAX_VALUE : radius(b);
-        return Math.min(first, second);
-    }
-
-    private double radius(int body) {
-        return trajectories.data()[body * Trajectories.STRIDE + Trajectories.RADIUS];
-    }
-
-    /** What the turning and sliding of the loaded point's bodies may take of their gap in the step. */
-    private double bend(int a, int b, double h) {
-        double turnA = manifold.roundA ? 0 : h * Math.abs(point.omegaA);
-        double turnB = manifold.roundB ? 0 : h * Math.abs(point.omegaB);
-        double slide = h * Math.abs(point.tangentVelocity());
-        double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * radius(a)) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * radius(b));
-        return Math.min(bend + slide * (turnA + turnB), 1e-3 * size(a, b));
-    }
-
     private void solve(double tau) {
         int most = 0;
         for (int k = 0; k < heap.size; k++) {
@@ -282,35 +415,40 @@ final class Heap implements Serializable {
             most = Math.max(most, by.turns[heap.values[k]]);
         }
         boolean done = system.solve(scale, true);
-        if (!affords(system.gained())) {
+        if (!by.afford(heap, system.gained())) {
             done = system.solve(scale, false); // regaining gaps must not add energy
-            affords(system.gained());
+            by.afford(heap, system.gained());
         }
         for (int p = 0; p < system.size() && isFresh; p++) {
             forces[origin.values[p]] = done ? system.normalImpulse(p) / (until - tau) : 0;
             forces[origin.values[p] + 1] = done ? system.tangentImpulse(p) / (until - tau) : 0;
         }
-        halts = most > MOST;
+        halts = most > MOST && !isDriven;
         if (halts) {
             system.halt();
         }
     }
 
-    /** Whether the bodies have lost as much energy before in the step as they would gain now; takes note of it then. */
-    private boolean affords(double gain) {
-        double sum = -gain;
-        for (int k = 0; k < heap.size; k++) {
-            sum += by.lost[heap.values[k]];
-        }
-        for (int k = 0; k < heap.size && sum >= 0; k++) {
-            by.lost[heap.values[k]] = sum / heap.size;
-        }
-        return sum >= 0;
-    }
-
     private double speed(int k) {
         double way = Math.max(Math.abs(system.v[3 * k]), Math.abs(system.v[3 * k + 1]));
-        return Math.max(way, radius(heap.values[k]) * Math.abs(system.v[3 * k + 2]));
+        return Math.max(way, scales.radius(heap.values[k]) * Math.abs(system.v[3 * k + 2]));
+    }
+
+    /** Lets a driven body be pushed evenly over a time. */
+    private void support(int k, double time, double[] pushes) {
+        if (trajectories.isDriven(heap.values[k])) {
+            motion.support(heap.values[k], pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
+        }
+    }
+
+    /** What the impulses would do to bodies that nothing ties; their ties reply when they are driven. */
+    private double[] pushes() {
+        if (isDriven) {
+            alone = alone.length < 3 * heap.size ? new double[6 * heap.size] : alone;
+            Arrays.fill(alone, 0, 3 * heap.size, 0);
+            system.pushAlone(alone);
+        }
+        return alone;
     }
 
     private void publish(double tau, IntList changed) {
@@ -320,11 +458,12 @@ final class Heap implements Serializable {
             pull = Math.max(pull, pull(heap.values[k]));
             most = Math.max(most, speed(k));
         }
-        boolean still = system.size() > 0 && !halts && isFresh && most <= STILL * pull * (until - tau);
+        boolean still = system.size() > 0 && !halts && isFresh && !isDriven && most <= STILL * pull * (until - tau);
         if (!still && until < trajectories.h()) {
             detection.plan(heap.values[0], until);
         }
         double[] d = trajectories.data();
+        double[] pushes = pushes();
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             by.place[body] = 0;
@@ -338,10 +477,17 @@ final class Heap implements Serializable {
                 changed.add(body);
                 continue;
             }
+            if (trajectories.isDriven(body)) {
+                support(k, until - tau, pushes);
+                by.paidUntil[body] = until;
+                changed.add(body);
+                continue;
+            }
             int o = body * Trajectories.STRIDE + Trajectories.VX;
             boolean same = by.paidUntil[body] > tau && Arrays.equals(d, o, o + 3, system.v, 3 * k, 3 * k + 3);
             by.paidUntil[body] = still ? 0 : Math.max(by.paidUntil[body], until);
             if (!same) {
+                by.pay(body, tau, d, o, system.v, 3 * k);
                 System.arraycopy(system.v, 3 * k, d, o, 3);
                 coast(body);
                 changed.add(body);

@@ -4,10 +4,14 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 
 /** What {@link Heaps} knows of bodies, by their indices. */
 final class HeapBodies implements Serializable {
     private static final long serialVersionUID = 1L;
+
+    /** By how much longer forces are to hold on driven bodies than last time, if no point has closed. */
+    private static final double LONGER = 1.2;
 
     /** Whether a body lies in a heap, stands still there, and is to be solved for. */
     boolean[] lies = {};
@@ -17,6 +21,19 @@ final class HeapBodies implements Serializable {
 
     /** Until when it has got what the forces give it, as an offset in the step. */
     double[] paidUntil = {};
+
+    /** From when on, and how much that is with the heap's impulses, 3 each. */
+    double[] paidFrom = {};
+
+    double[] paid = {};
+
+    /** Of driven bodies: for how long forces hold, 0 for the step; and whether a point has closed before that. */
+    double[] pace = {};
+
+    boolean[] hasClosed = {};
+
+    /** The number of the step before which it does not lie on anything, because it was struck too often. */
+    double[] givenUp = {};
 
     /** How often something has happened to it in this step, and the energy that it has lost in heaps. */
     int[] turns = {};
@@ -30,6 +47,10 @@ final class HeapBodies implements Serializable {
         // empty until something lies on something
     }
 
+    boolean knows(int body) {
+        return body < lies.length;
+    }
+
     boolean has(int body) {
         return body < lies.length && lies[body];
     }
@@ -41,10 +62,58 @@ final class HeapBodies implements Serializable {
             isStill = Arrays.copyOf(isStill, n);
             isDirty = Arrays.copyOf(isDirty, n);
             paidUntil = Arrays.copyOf(paidUntil, n);
+            paidFrom = Arrays.copyOf(paidFrom, n);
+            paid = Arrays.copyOf(paid, 3 * n);
+            pace = Arrays.copyOf(pace, n);
+            hasClosed = Arrays.copyOf(hasClosed, n);
+            givenUp = Arrays.copyOf(givenUp, n);
             turns = Arrays.copyOf(turns, n);
             lost = Arrays.copyOf(lost, n);
             place = Arrays.copyOf(place, n);
         }
+    }
+
+    /** Takes note of a change of velocity. */
+    void pay(int body, double tau, double[] from, int o, double[] to, int at) {
+        paidFrom[body] = tau;
+        for (int c = 0; c < 3; c++) {
+            paid[3 * body + c] = to[at + c] - from[o + c];
+        }
+    }
+
+    /** Takes back what was paid for the time that is left. */
+    void unpay(int body, double tau, double[] v, int o) {
+        double part = (paidUntil[body] - tau) / (paidUntil[body] - paidFrom[body]);
+        for (int c = 0; c < 3 && paidUntil[body] > tau; c++) {
+            v[o + c] -= part * paid[3 * body + c];
+        }
+    }
+
+    /** For how long forces are to hold on driven bodies: half as long where points have closed too early. */
+    double pace(IntList bodies, double h) {
+        double least = h;
+        for (int k = 0; k < bodies.size; k++) {
+            int body = bodies.values[k];
+            double last = pace[body] == 0 ? h : pace[body];
+            least = Math.min(least, hasClosed[body] ? 0.5 * last : LONGER * last);
+        }
+        for (int k = 0; k < bodies.size; k++) {
+            pace[bodies.values[k]] = least;
+            hasClosed[bodies.values[k]] = false;
+        }
+        return least;
+    }
+
+    /** Whether bodies have lost as much energy before in the step as they would gain now; takes note of it then. */
+    boolean afford(IntList bodies, double gain) {
+        double sum = -gain;
+        for (int k = 0; k < bodies.size; k++) {
+            sum += lost[bodies.values[k]];
+        }
+        for (int k = 0; k < bodies.size && sum >= 0; k++) {
+            lost[bodies.values[k]] = sum / bodies.size;
+        }
+        return sum >= 0;
     }
 
     /** Begins a step, or a body's time in a heap. */

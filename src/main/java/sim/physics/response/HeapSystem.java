@@ -43,6 +43,9 @@ final class HeapSystem implements Serializable {
     /** Change of velocity in a sweep, relative to the largest speed, at which the impulses are right. */
     private static final double RIGHT = 1e-13;
 
+    /** Mobility of a tied body's point that is none, relative to that of the body alone. */
+    private static final double IMMOBILE = 1e-7;
+
     /** The same at which they may start the next solution. */
     private static final double NEARLY = 1e-6;
 
@@ -55,8 +58,14 @@ final class HeapSystem implements Serializable {
     private int count;
     private final HeapFace face = new HeapFace();
 
+    /** Null until a body is tied to others. */
+    private HeapReplies replies;
+
     /** The velocities without impulses. */
     private double[] free = {};
+
+    /** Least normal velocities, while others are in their place, or impulses. */
+    private double[] kept = {};
 
     private double[] data = new double[8 * STRIDE];
     private int[] bodies = new int[16];
@@ -68,6 +77,9 @@ final class HeapSystem implements Serializable {
     void clear() {
         points = 0;
         count = 0;
+        if (replies != null) {
+            replies.begin();
+        }
     }
 
     /** Makes room for one more body, and gives it its inverse masses. */
@@ -105,7 +117,36 @@ final class HeapSystem implements Serializable {
         data[o + MOBILITY_T] = (c.wA + c.wB) + (c.iA * c.armA * c.armA + c.iB * c.armB * c.armB);
         data[o + IMPULSE_N] = 0;
         data[o + IMPULSE_T] = 0;
+        if (replies != null) {
+            replies.clear(points);
+        }
         points++;
+    }
+
+    /** The replies of bodies that are tied to others, to points that were added. */
+    HeapReplies replies() {
+        if (replies == null) {
+            replies = new HeapReplies();
+            for (int p = 0; p < points; p++) {
+                replies.clear(p);
+            }
+        }
+        return replies;
+    }
+
+    /** Takes note that replies of a point have been set. */
+    void measure(int p) {
+        double[] alone = new double[3 * count];
+        push(p, 1, 0, alone);
+        measure(STRIDE * p + MOBILITY_N, normal(p, alone));
+        Arrays.fill(alone, 0);
+        push(p, 0, 1, alone);
+        measure(STRIDE * p + MOBILITY_T, tangent(p, alone));
+    }
+
+    /** A body that its ties hold where it is can be given no impulse. */
+    private void measure(int at, double mobility) {
+        data[at] = mobility > IMMOBILE * data[at] ? mobility : Double.POSITIVE_INFINITY;
     }
 
     /** Sets the least normal velocity of a point. */
@@ -211,16 +252,79 @@ final class HeapSystem implements Serializable {
         double x = jn * data[o + NX] - jt * data[o + NY];
         double y = jn * data[o + NY] + jt * data[o + NX];
         int b = bodies[2 * p + 1];
-        if (b >= 0) {
+        if (b >= 0 && !(replies != null && replies.push(2 * p + 1, jn, jt, v))) {
             v[3 * b] += w[2 * b] * x;
             v[3 * b + 1] += w[2 * b] * y;
             v[3 * b + 2] += w[2 * b + 1] * (jn * data[o + LEVER_B] + jt * data[o + ARM_B]);
         }
         int a = bodies[2 * p];
-        if (a >= 0) {
+        if (a >= 0 && !(replies != null && replies.push(2 * p, jn, jt, v))) {
             v[3 * a] -= w[2 * a] * x;
             v[3 * a + 1] -= w[2 * a] * y;
             v[3 * a + 2] -= w[2 * a + 1] * (jn * data[o + LEVER_A] + jt * data[o + ARM_A]);
+        }
+    }
+
+    /** Keeps the impulses to compare them with. */
+    void keep() {
+        kept = kept.length < 2 * points ? new double[4 * points] : kept;
+        for (int p = 0; p < points; p++) {
+            kept[2 * p] = data[STRIDE * p + IMPULSE_N];
+            kept[2 * p + 1] = data[STRIDE * p + IMPULSE_T];
+        }
+    }
+
+    /** How much the impulses have changed since then, as a velocity that they give. */
+    double change() {
+        double most = 0;
+        for (int p = 0; p < points; p++) {
+            int o = STRIDE * p;
+            most = Math.max(most, Math.abs(data[o + IMPULSE_N] - kept[2 * p]) * data[o + MOBILITY_N]);
+            most = Math.max(most, Math.abs(data[o + IMPULSE_T] - kept[2 * p + 1]) * data[o + MOBILITY_T]);
+        }
+        return most;
+    }
+
+    /** Takes from the velocities what the points' impulses do. */
+    void unpush() {
+        for (int p = 0; p < points; p++) {
+            push(p, -data[STRIDE * p + IMPULSE_N], -data[STRIDE * p + IMPULSE_T], v);
+        }
+    }
+
+    /** Adds what all points' impulses would do to bodies that nothing ties. */
+    void pushAlone(double[] v) {
+        HeapReplies tied = replies;
+        replies = null;
+        for (int p = 0; p < points; p++) {
+            push(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], v);
+        }
+        replies = tied;
+    }
+
+    /** Whether a point closes faster than it may. */
+    boolean isStruck(double speed) {
+        for (int p = 0; p < points; p++) {
+            if (normal(p) < Math.min(0, data[STRIDE * p + BOUND]) - speed) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Ends the approach of points that close faster than they may, and forgets the impulses that do so. */
+    void strike(double scale) {
+        if (kept.length < points) {
+            kept = new double[2 * points];
+        }
+        for (int p = 0; p < points; p++) {
+            kept[p] = data[STRIDE * p + BOUND];
+            data[STRIDE * p + BOUND] = Math.min(0, kept[p]);
+        }
+        solve(scale, true);
+        for (int p = 0; p < points; p++) {
+            data[STRIDE * p + BOUND] = kept[p];
+            start(p, 0, 0);
         }
     }
 

@@ -7,6 +7,7 @@ import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
+import sim.physics.motion.Ties;
 import sim.physics.motion.Trajectories;
 
 /**
@@ -22,7 +23,18 @@ import sim.physics.motion.Trajectories;
 public final class Heaps implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Times that something may happen to a driven body in a step before its pairs do not last any more. */
+    private static final int MOST = 40;
+
+    /** Turn of driven bodies in a step, rad, up to which they may lie on something. */
+    private static final double CALM = 0.03;
+
+    /** Steps until they may again. */
+    private static final int PAUSE = 4;
+
     private final State state;
+    private final Trajectories trajectories;
+    private final Motion motion;
     private final CollisionDetection detection;
     private final CollisionResponse response;
     private final HeapBodies by = new HeapBodies();
@@ -36,6 +48,8 @@ public final class Heaps implements Serializable {
 
     Heaps(State state, Trajectories trajectories, Motion motion, CollisionDetection detection, CollisionResponse response) {
         this.state = state;
+        this.trajectories = trajectories;
+        this.motion = motion;
         this.detection = detection;
         this.response = response;
         this.heap = new Heap(state, trajectories, motion, detection, response, by);
@@ -60,6 +74,46 @@ public final class Heaps implements Serializable {
         return by.has(body);
     }
 
+    /** Sets what ties bodies together, null for nothing. */
+    void setTies(Ties ties) {
+        heap.setTies(ties);
+    }
+
+    /** Whether a pair may lie on one another: driven bodies not if they have been struck too often in this step. */
+    boolean mayLie(int a, int b) {
+        return mayLie(a) && mayLie(b);
+    }
+
+    private boolean mayLie(int body) {
+        if (!trajectories.isDriven(body)) {
+            return true;
+        }
+        boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
+        return !paused && motion.isSupportable(body) && isCalm(motion.companions(body));
+    }
+
+    /** Whether bodies that move together turn so little in a step that forces may be constant for it. */
+    private boolean isCalm(IntList group) {
+        double most = 0;
+        for (int k = 0; k < group.size; k++) {
+            boolean round = heap.scales().isRound(group.values[k]);
+            double spin = trajectories.data()[group.values[k] * Trajectories.STRIDE + Trajectories.OMEGA];
+            most = Math.max(most, round ? 0 : Math.abs(spin));
+        }
+        return most * trajectories.h() <= CALM;
+    }
+
+    /** Ends the lasting of all pairs of a driven body, and of those that move with it, for the rest of the step. */
+    private void giveUp(int body) {
+        IntList group = motion.companions(body);
+        for (int k = 0; k < group.size; k++) {
+            int one = group.values[k];
+            by.givenUp[one] = trajectories.step() + PAUSE;
+            motion.support(one, 0, 0, 0);
+            part(one);
+        }
+    }
+
     /** Whether a pair lasts. */
     boolean lasts(int pair) {
         return heap.lasts(pair);
@@ -72,7 +126,7 @@ public final class Heaps implements Serializable {
 
     /** Radius of the smaller one of two bodies, of which one may be fixed. */
     double size(int a, int b) {
-        return heap.size(a, b);
+        return heap.scales().size(a, b);
     }
 
     /** Lets a pair last. */
@@ -92,14 +146,24 @@ public final class Heaps implements Serializable {
         if (state.body(body).isFixed()) {
             return;
         }
+        if (!by.lies[body] && trajectories.isDriven(body)) {
+            IntList group = motion.companions(body);
+            for (int k = 0; k < group.size; k++) {
+                by.ensure(group.values[k]);
+                if (!by.lies[group.values[k]]) {
+                    by.lies[group.values[k]] = true;
+                    by.begin(group.values[k]);
+                    members.add(group.values[k]);
+                }
+            }
+        }
         if (!by.lies[body]) {
             by.lies[body] = true;
             by.begin(body);
             members.add(body);
-            IntList of = detection.pairs().of(body);
-            for (int k = 0; of != null && k < of.size; k++) {
-                if (detection.marks().isHeld(of.values[k])) {
-                    add(of.values[k]); // what it rests on bears it in the heap too
+            for (int k = 0; k < detection.pairs().countOf(body); k++) {
+                if (detection.marks().isHeld(detection.pairs().of(body, k))) {
+                    add(detection.pairs().of(body, k)); // what it rests on bears it in the heap too
                 }
             }
             response.resting().forget(body);
@@ -142,11 +206,25 @@ public final class Heaps implements Serializable {
         if (!has(body)) {
             return;
         }
-        if (by.paidUntil[body] > 0) {
+        if (by.paidUntil[body] > 0 && !trajectories.isDriven(body)) {
             heap.coast(body);
         }
         by.turns[body]++;
-        mark(body);
+        if (trajectories.isDriven(body) && by.turns[body] > MOST) {
+            giveUp(body);
+        } else {
+            mark(body);
+        }
+    }
+
+    /**
+     * Until when the velocity of a body in a heap was found.
+     *
+     * @param body index
+     * @return offset in the present step; infinite outside heaps
+     */
+    public double until(int body) {
+        return by.has(body) && by.paidUntil[body] > 0 ? by.paidUntil[body] : Double.POSITIVE_INFINITY;
     }
 
     /**
@@ -158,16 +236,21 @@ public final class Heaps implements Serializable {
         mark(body);
     }
 
-    /** Takes note that a lasting pair has closed within the step. */
-    void close(int pair) {
+    /** Takes note that a lasting pair has closed within the step; false if it is not to last any more. */
+    boolean close(int pair) {
         for (int side = 0; side < 2; side++) {
             int body = side == 0 ? detection.pairs().first(pair) : detection.pairs().second(pair);
             if (has(body)) {
                 by.turns[body]++;
+                by.hasClosed[body] = true;
                 mark(body);
                 changed.add(body); // to be looked at again in any case
+                if (trajectories.isDriven(body) && by.turns[body] > MOST) {
+                    giveUp(body);
+                }
             }
         }
+        return lasts(pair);
     }
 
     /**
@@ -179,9 +262,12 @@ public final class Heaps implements Serializable {
         if (members.size == 0 || !detection.knows(body)) {
             return;
         }
-        IntList of = detection.pairs().of(body);
-        for (int k = 0; of != null && k < of.size; k++) {
-            int pair = of.values[k];
+        part(body);
+    }
+
+    private void part(int body) {
+        for (int k = 0; k < detection.pairs().countOf(body); k++) {
+            int pair = detection.pairs().of(body, k);
             if (lasts(pair)) {
                 end(pair);
                 int other = detection.pairs().other(pair, body);
@@ -204,7 +290,10 @@ public final class Heaps implements Serializable {
     public IntList settle(double tau) {
         for (int k = 0; k < dirty.size; k++) {
             int body = dirty.values[k];
-            if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {
+            if (by.lies[body] && trajectories.isDriven(body) && !isCalm(motion.companions(body))) {
+                giveUp(body);
+                changed.add(body);
+            } else if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {
                 heap.settle(body, tau, changed);
             }
             by.isDirty[body] = false;

@@ -161,9 +161,8 @@ public final class RestingContacts implements Serializable {
         if (!rests(body)) {
             return;
         }
-        IntList of = detection.pairs().of(body);
-        for (int k = 0; of != null && k < of.size; k++) {
-            int pair = of.values[k];
+        for (int k = 0; k < detection.pairs().countOf(body); k++) {
+            int pair = detection.pairs().of(body, k);
             if (detection.marks().isHeld(pair) && !isFresh(pair)) {
                 release(pair);
             }
@@ -219,10 +218,9 @@ public final class RestingContacts implements Serializable {
             return;
         }
         Pairs pairs = detection.pairs();
-        IntList of = detection.knows(body) ? pairs.of(body) : null;
-        for (int k = 0; of != null && k < of.size; k++) {
-            if (detection.marks().isHeld(of.values[k])) {
-                release(of.values[k]);
+        for (int k = 0; detection.knows(body) && k < pairs.countOf(body); k++) {
+            if (detection.marks().isHeld(pairs.of(body, k))) {
+                release(pairs.of(body, k));
             }
         }
         if (body < rests.length) {
@@ -256,10 +254,10 @@ public final class RestingContacts implements Serializable {
         cluster.clear();
         enter(seed);
         for (int k = 0; k < cluster.size; k++) {
-            IntList of = detection.pairs().of(cluster.values[k]);
-            for (int m = 0; of != null && m < of.size; m++) {
-                int other = detection.pairs().other(of.values[m], cluster.values[k]);
-                if (detection.marks().isHeld(of.values[m]) && !state.body(other).isFixed() && place[other] == 0) {
+            for (int m = 0; m < detection.pairs().countOf(cluster.values[k]); m++) {
+                int pair = detection.pairs().of(cluster.values[k], m);
+                int other = detection.pairs().other(pair, cluster.values[k]);
+                if (detection.marks().isHeld(pair) && !state.body(other).isFixed() && place[other] == 0) {
                     enter(other);
                 }
             }
@@ -336,7 +334,7 @@ public final class RestingContacts implements Serializable {
             place[body] = 0;
             isStill[body] = still;
             if (still) {
-                Arrays.fill(d, body * Trajectories.STRIDE + Trajectories.VX, body * Trajectories.STRIDE + Trajectories.AX, 0);
+                Arrays.fill(d, body * Trajectories.STRIDE + Trajectories.VX, body * Trajectories.STRIDE + Trajectories.STEP, 0);
                 Arrays.fill(system.u, 3 * k, 3 * k + 3, 0);
             }
             motion.fall(body, fall, 0);
@@ -354,10 +352,9 @@ public final class RestingContacts implements Serializable {
 
     /** The largest speed of a rim. */
     private double spin() {
-        double[] d = trajectories.data();
         double most = Double.MIN_NORMAL;
         for (int k = 0; k < cluster.size; k++) {
-            double radius = d[cluster.values[k] * Trajectories.STRIDE + Trajectories.RADIUS];
+            double radius = trajectories.radius(cluster.values[k]);
             most = Math.max(most, radius * Math.abs(system.u[3 * k + 2]));
         }
         return most;
@@ -365,10 +362,9 @@ public final class RestingContacts implements Serializable {
 
     /** The largest value of u, of rims for rotations. */
     private double speed() {
-        double[] d = trajectories.data();
         double most = 0;
         for (int k = 0; k < cluster.size; k++) {
-            double radius = d[cluster.values[k] * Trajectories.STRIDE + Trajectories.RADIUS];
+            double radius = trajectories.radius(cluster.values[k]);
             double way = Math.max(Math.abs(system.u[3 * k]), Math.abs(system.u[3 * k + 1]));
             most = Math.max(most, Math.max(way, radius * Math.abs(system.u[3 * k + 2])));
         }
@@ -399,10 +395,9 @@ public final class RestingContacts implements Serializable {
             system.w[2 * k] = w[State.BLOCK * body];
             system.w[2 * k + 1] = w[State.BLOCK * body + State.THETA];
             scale = Math.max(scale, fall(body));
-            size = Math.min(size, trajectories.data()[body * Trajectories.STRIDE + Trajectories.RADIUS]);
-            IntList of = detection.pairs().of(body);
-            for (int m = 0; of != null && m < of.size; m++) {
-                int pair = of.values[m];
+            size = Math.min(size, trajectories.radius(body));
+            for (int m = 0; m < detection.pairs().countOf(body); m++) {
+                int pair = detection.pairs().of(body, m);
                 int other = detection.pairs().other(pair, body);
                 if (detection.marks().isHeld(pair) && (state.body(other).isFixed() || place[other] > k + 1)) {
                     collect(pair, tau, false);
@@ -410,9 +405,8 @@ public final class RestingContacts implements Serializable {
             }
         }
         for (int k = 0; k < cluster.size; k++) {
-            IntList of = detection.pairs().of(cluster.values[k]);
-            for (int m = 0; of != null && m < of.size; m++) {
-                int pair = of.values[m];
+            for (int m = 0; m < detection.pairs().countOf(cluster.values[k]); m++) {
+                int pair = detection.pairs().of(cluster.values[k], m);
                 int other = detection.pairs().other(pair, cluster.values[k]);
                 if (detection.marks().isHeld(pair) && (state.body(other).isFixed() || place[other] > k + 1)) {
                     collect(pair, tau, true);
@@ -424,12 +418,11 @@ public final class RestingContacts implements Serializable {
     private void collect(int pair, double tau, boolean near) {
         int a = detection.pairs().first(pair);
         int b = detection.pairs().second(pair);
-        double[] d = trajectories.data();
         contact(pair, tau);
         double radius = Double.POSITIVE_INFINITY;
         for (int body : new int[] {a, b}) {
             if (!state.body(body).isFixed()) {
-                radius = Math.min(radius, d[body * Trajectories.STRIDE + Trajectories.RADIUS]);
+                radius = Math.min(radius, trajectories.radius(body));
             } else {
                 trajectories.bring(body, tau);
             }

@@ -189,11 +189,11 @@ final class SimultaneousImpact implements Serializable {
         }
         assemble();
         activeSet();
-        double least = 1;
+        double least = impacts[0].sticky ? 0 : impacts[0].restitution;
         boolean uniform = true;
         for (int k = 0; k < points; k++) {
             double e = impacts[k].sticky ? 0 : impacts[k].restitution;
-            uniform &= k == 0 || e == least;
+            uniform &= e == least;
             least = Math.min(least, e);
         }
         for (int k = 0; k < points; k++) {
@@ -203,7 +203,7 @@ final class SimultaneousImpact implements Serializable {
         }
         if (!uniform && energyGain() > allowance()) {
             for (int k = 0; k < points; k++) {
-                impacts[k].jn = (1 + least) * lambda[k];
+                impacts[k].jn = (1 + Math.min(1, least)) * lambda[k];
             }
         }
         apply();

@@ -20,7 +20,7 @@ import sim.physics.shape.Rectangle;
 /** The quick steps of chains of pins are those of the general code, whichever way the chain is laid out. */
 class PinChainTest {
     /** A force of nothing, which keeps the engine from the quick way. */
-    private static final class Nothing implements ForceGenerator {
+    static final class Nothing implements ForceGenerator {
         private static final long serialVersionUID = 1L;
 
         @Override
@@ -55,6 +55,22 @@ class PinChainTest {
                 }
             }
         }
+    }
+
+    /** How far a pin is open. */
+    static double gap(PinJoint pin) {
+        double[] a = place(pin.getBodyA(), pin.getAnchorAX(), pin.getAnchorAY());
+        double[] b = place(pin.getBodyB(), pin.getAnchorBX(), pin.getAnchorBY());
+        return StrictMath.hypot(a[0] - b[0], a[1] - b[1]);
+    }
+
+    private static double[] place(Body body, double x, double y) {
+        if (body == null) {
+            return new double[] {x, y};
+        }
+        double cos = StrictMath.cos(body.getAngle());
+        double sin = StrictMath.sin(body.getAngle());
+        return new double[] {body.getX() + (cos * x - sin * y), body.getY() + (sin * x + cos * y)};
     }
 
     /** A zigzag of rods, some pins of which name their bodies the other way round; ends: bit 0 left, 1 right is held. */

@@ -4,7 +4,6 @@ package sim.physics.regression;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -36,7 +35,6 @@ class RandomSceneTest {
         }
     }
 
-    @Disabled("driven bodies are not where the dense output of a coarse step has them")
     @ParameterizedTest
     @ValueSource(longs = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19})
     void lawsHoldForDrivenBodiesToo(long seed) {
@@ -56,7 +54,7 @@ class RandomSceneTest {
                 assertThat(scene.engine.kineticEnergy()).as(when + ", energy").isLessThanOrEqualTo(energy * (1 + 1e-12));
             }
         }
-        assertThat(scene.engine.getDeepestPenetration()).as("seed " + seed).isLessThan(1e-9);
+        assertThat(scene.engine.getDeepestPenetration()).as("seed " + seed).isLessThan(mayDrive ? 1e-6 : 1e-9);
     }
 
     private static void assertFinite(RandomScene scene, String when) {

@@ -102,7 +102,6 @@ class SustainedContactTest {
         run(CollisionListener.Decision.BOUNCE);
     }
 
-    @Disabled("a driven body cannot come to rest on a surface")
     @Test
     void aBoxIsPulledOnTheFloor() {
         engine.add(new Pull());
@@ -110,7 +109,7 @@ class SustainedContactTest {
         run(CollisionListener.Decision.BOUNCE);
     }
 
-    @Disabled("holds, but with thousands of impacts a step it takes 20 s: a driven body cannot come to rest on a surface")
+    @Disabled("bodies under surface friction do not lie on one another yet: it bounces 3e-4 high, 61 times a step")
     @Test
     void aBoxWithSurfaceFrictionFallsOnTheFloor() {
         engine.add(new Gravity(0, -10));

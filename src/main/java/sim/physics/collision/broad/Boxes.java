@@ -4,6 +4,7 @@ package sim.physics.collision.broad;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.Growth;
 
 /**
  * Axis-parallel boxes of all bodies, [min x, min y, max x, max y] per body. A body's box holds the whole path of the
@@ -39,7 +40,7 @@ public final class Boxes implements Serializable {
      */
     public void ensure(int count) {
         if (fixed.length < count) {
-            fixed = Arrays.copyOf(fixed, Math.max(2 * fixed.length, count));
+            fixed = Arrays.copyOf(fixed, Growth.length(fixed.length, count));
             data = Arrays.copyOf(data, STRIDE * fixed.length);
         }
     }

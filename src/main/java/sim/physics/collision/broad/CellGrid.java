@@ -3,6 +3,7 @@
 package sim.physics.collision.broad;
 
 import java.util.Arrays;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 
 /**
@@ -17,7 +18,7 @@ import sim.physics.internal.IntList;
  * boxes do not fit, the grid is laid anew.
  */
 public final class CellGrid implements BroadPhase {
-    private static final long serialVersionUID = 3L;
+    private static final long serialVersionUID = 4L;
 
     private static final int NONE = -1;
 
@@ -40,7 +41,6 @@ public final class CellGrid implements BroadPhase {
 
     private int[] head = filled(SMALLEST, NONE);
     private int[] next = new int[8];
-    private int[] previous = new int[8];
     private int[] bucket = filled(8, OUTSIDE);
 
     /** Which bodies are pairs already of the body that is looked at: those marked with the present number. */
@@ -48,8 +48,8 @@ public final class CellGrid implements BroadPhase {
 
     private int marking;
 
-    /** Bodies or pairs found in a look; one more than there can be. */
-    private int[] found = new int[9];
+    /** Bodies or pairs found in a look, with room for one more. */
+    private int[] found = new int[8];
 
     private final IntList large = new IntList();
     private int count;
@@ -66,7 +66,7 @@ public final class CellGrid implements BroadPhase {
     public void add(int body, Boxes boxes, Pairs pairs) {
         ensure(body + 1);
         count++;
-        endAndMark(body, boxes, pairs);
+        endAndMark(body, boxes, pairs, null);
         file(body, place(body, boxes), boxes);
         layAnewIfNeeded(boxes);
         collect(body, boxes, pairs);
@@ -74,7 +74,19 @@ public final class CellGrid implements BroadPhase {
 
     @Override
     public void update(int body, Boxes boxes, Pairs pairs) {
-        endAndMark(body, boxes, pairs);
+        update(body, boxes, pairs, null);
+    }
+
+    /**
+     * The same for one of many bodies whose boxes have all been set again.
+     *
+     * @param body index
+     * @param boxes all boxes
+     * @param pairs the pairs
+     * @param departures which these are, and their old boxes; null for one body
+     */
+    public void update(int body, Boxes boxes, Pairs pairs, Departures departures) {
+        endAndMark(body, boxes, pairs, departures);
         int b = place(body, boxes);
         if (b != bucket[body]) {
             unfile(body, boxes);
@@ -82,12 +94,15 @@ public final class CellGrid implements BroadPhase {
         }
         layAnewIfNeeded(boxes);
         collect(body, boxes, pairs);
+        if (departures != null) {
+            departures.done(body);
+        }
     }
 
     @Override
     public void remove(int body, Boxes boxes, Pairs pairs) {
-        while (pairs.of(body) != null && pairs.of(body).size > 0) {
-            pairs.end(pairs.of(body).values[0]);
+        while (pairs.countOf(body) > 0) {
+            pairs.end(pairs.of(body, 0));
         }
         unfile(body, boxes);
         count--;
@@ -103,12 +118,8 @@ public final class CellGrid implements BroadPhase {
     }
 
     /** Ends the pairs of a body whose boxes are apart now, and marks the partners in the others. */
-    private void endAndMark(int body, Boxes boxes, Pairs pairs) {
-        IntList of = pairs.of(body);
+    private void endAndMark(int body, Boxes boxes, Pairs pairs, Departures departures) {
         marking++;
-        if (of == null) {
-            return;
-        }
         double[] d = boxes.data();
         int o = Boxes.STRIDE * body;
         double minX = d[o];
@@ -116,12 +127,20 @@ public final class CellGrid implements BroadPhase {
         double maxX = d[o + 2];
         double maxY = d[o + 3];
         int apart = 0;
-        for (int k = of.size - 1; k >= 0; k--) {
-            int p = of.values[k];
+        if (pairs.countOf(body) >= found.length) {
+            found = new int[2 * pairs.countOf(body)];
+        }
+        for (int k = pairs.countOf(body) - 1; k >= 0; k--) {
+            int p = pairs.of(body, k);
             int other = pairs.other(p, body);
-            mark[other] = marking;
             found[apart] = p;
-            apart += 1 - boxes.met(other, minX, minY, maxX, maxY);
+            int ends = 1 - boxes.met(other, minX, minY, maxX, maxY);
+            if (departures != null && departures.parts(body, other, boxes)) {
+                ends = 1; // and may begin anew
+            } else {
+                mark[other] = marking;
+            }
+            apart += ends;
         }
         for (int k = 0; k < apart; k++) {
             pairs.end(found[k]);
@@ -150,11 +169,11 @@ public final class CellGrid implements BroadPhase {
             int first = centre + row * rowStep - 1;
             for (int c = first; c <= first + 2; c++) {
                 for (int other = head[c & mask]; other != NONE; other = next[other]) {
-                    // counted without a branch, since nobody could foretell it
-                    int difference = mark[other] ^ marking;
-                    int isNew = (difference | -difference) >>> 31;
+                    if (count + 1 == found.length) {
+                        found = Arrays.copyOf(found, 2 * found.length);
+                    }
                     found[count] = other;
-                    count += isNew & boxes.met(other, minX, minY, maxX, maxY);
+                    count += boxes.met(other, minX, minY, maxX, maxY); // no branch, since nobody could foretell it
                 }
             }
         }
@@ -204,16 +223,11 @@ public final class CellGrid implements BroadPhase {
     private void file(int body, int b, Boxes boxes) {
         bucket[body] = b;
         if (b == LARGE) {
-            previous[body] = large.size;
             large.add(body);
             largeMovable += boxes.isFixed(body) ? 0 : 1;
             return;
         }
-        previous[body] = NONE;
         next[body] = head[b];
-        if (head[b] != NONE) {
-            previous[head[b]] = body;
-        }
         head[b] = body;
     }
 
@@ -222,19 +236,22 @@ public final class CellGrid implements BroadPhase {
         bucket[body] = OUTSIDE;
         if (b == LARGE) {
             largeMovable -= boxes.isFixed(body) ? 0 : 1;
-            int last = large.values[--large.size];
-            large.values[previous[body]] = last;
-            previous[last] = previous[body];
+            int place = 0;
+            while (large.values[place] != body) {
+                place++;
+            }
+            large.values[place] = large.values[--large.size];
             return;
         }
-        if (previous[body] == NONE) {
+        if (head[b] == body) {
             head[b] = next[body];
-        } else {
-            next[previous[body]] = next[body];
+            return;
         }
-        if (next[body] != NONE) {
-            previous[next[body]] = previous[body];
+        int before = head[b]; // few are in a cell
+        while (next[before] != body) {
+            before = next[before];
         }
+        next[before] = next[body];
     }
 
     /** Chooses the cell size by the boxes of the movable bodies, and files everybody again. */
@@ -277,11 +294,9 @@ public final class CellGrid implements BroadPhase {
     private void ensure(int bodies) {
         int old = bucket.length;
         if (old < bodies) {
-            int length = Math.max(2 * old, bodies);
+            int length = Growth.length(old, bodies);
             next = Arrays.copyOf(next, length);
-            previous = Arrays.copyOf(previous, length);
             mark = Arrays.copyOf(mark, length);
-            found = new int[length + 1];
             bucket = Arrays.copyOf(bucket, length);
             Arrays.fill(bucket, old, length, OUTSIDE);
         }

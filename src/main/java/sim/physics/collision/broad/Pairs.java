@@ -4,6 +4,7 @@ package sim.physics.collision.broad;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 
 /**
@@ -11,11 +12,19 @@ import sim.physics.internal.IntList;
  * long as the pair does, and each body knows its pairs.
  */
 public final class Pairs implements Serializable {
-    private static final long serialVersionUID = 2L;
+    private static final long serialVersionUID = 3L;
 
-    private static final int STRIDE = 4;
+    private static final int STRIDE = 8;
     private static final int SECOND = 1;
     private static final int PLACE = 2;
+    private static final int CODE = 4;
+    private static final int MARKS = 5;
+    private static final int TIME = 6;
+
+    /** Per body: how many pairs it has, and they; or minus 1 minus the number of a list in which they are. */
+    private static final int SLOTS = 8;
+
+    private static final int LEAST = 4;
 
     /** What a caller of {@link BroadPhase#update} wants to know of. */
     public interface Listener {
@@ -34,12 +43,21 @@ public final class Pairs implements Serializable {
         void pairEnded(int pair);
     }
 
-    /** Per pair: its two bodies, and its places in their lists; together, since they are wanted together. */
-    private int[] data = new int[STRIDE * 16];
+    /**
+     * Per pair half a cache line, since it is wanted together: its two bodies, its places in their lists, what the narrow phase
+     * and the search for impacts keep with it.
+     */
+    private int[] data = {};
 
     private int used;
     private final IntList free = new IntList();
-    private IntList[] ofBody = new IntList[8];
+
+    private int[] ofBody = {};
+
+    /** The pairs of bodies that have many, and which of these lists are not in use. */
+    private IntList[] crowds = {};
+
+    private final IntList freeCrowds = new IntList();
     private Listener listener;
 
     /** Makes an empty set. */
@@ -62,8 +80,8 @@ public final class Pairs implements Serializable {
      * @param bodies number of blocks
      */
     public void ensure(int bodies) {
-        if (ofBody.length < bodies) {
-            ofBody = Arrays.copyOf(ofBody, Math.max(2 * ofBody.length, bodies));
+        if (ofBody.length < SLOTS * bodies) {
+            ofBody = Arrays.copyOf(ofBody, SLOTS * Growth.length(ofBody.length / SLOTS, bodies));
         }
     }
 
@@ -117,13 +135,90 @@ public final class Pairs implements Serializable {
     }
 
     /**
-     * The pairs of a body.
+     * How many pairs a body has.
      *
      * @param body index
-     * @return their numbers; live, null if the body never had one
+     * @return 0 for one that never had any
      */
-    public IntList of(int body) {
-        return ofBody[body];
+    public int countOf(int body) {
+        int count = ofBody[SLOTS * body];
+        return count >= 0 ? count : crowds[~count].size;
+    }
+
+    /**
+     * A pair of a body.
+     *
+     * @param body index
+     * @param k 0 … countOf(body) − 1
+     * @return its number
+     */
+    public int of(int body, int k) {
+        int count = ofBody[SLOTS * body];
+        return count >= 0 ? ofBody[SLOTS * body + 1 + k] : crowds[~count].values[k];
+    }
+
+    /**
+     * The code of the closest features of a pair.
+     *
+     * @param pair its number
+     * @return what was set last
+     */
+    public int code(int pair) {
+        return data[STRIDE * pair + CODE];
+    }
+
+    /**
+     * Sets the code of the closest features of a pair.
+     *
+     * @param pair its number
+     * @param code any
+     */
+    public void setCode(int pair, int code) {
+        data[STRIDE * pair + CODE] = code;
+    }
+
+    /**
+     * What the search for impacts has noted of a pair.
+     *
+     * @param pair its number
+     * @return bits
+     */
+    public int marks(int pair) {
+        return data[STRIDE * pair + MARKS];
+    }
+
+    /**
+     * Notes something of a pair.
+     *
+     * @param pair its number
+     * @param marks bits
+     */
+    public void setMarks(int pair, int marks) {
+        data[STRIDE * pair + MARKS] = marks;
+    }
+
+    /**
+     * The time of a pair.
+     *
+     * @param pair its number
+     * @return what was set last
+     */
+    public double time(int pair) {
+        int o = STRIDE * pair + TIME;
+        return Double.longBitsToDouble((long) data[o + 1] << 32 | data[o] & 0xffffffffL);
+    }
+
+    /**
+     * Sets the time of a pair.
+     *
+     * @param pair its number
+     * @param time any
+     */
+    public void setTime(int pair, double time) {
+        int o = STRIDE * pair + TIME;
+        long bits = Double.doubleToRawLongBits(time);
+        data[o] = (int) bits;
+        data[o + 1] = (int) (bits >>> 32);
     }
 
     /**
@@ -134,16 +229,11 @@ public final class Pairs implements Serializable {
      * @return the number of their pair, or −1
      */
     public int find(int a, int b) {
-        IntList ofA = ofBody[a];
-        IntList ofB = ofBody[b];
-        if (ofA == null || ofB == null) {
-            return -1;
-        }
-        boolean fewerInA = ofA.size <= ofB.size;
-        IntList list = fewerInA ? ofA : ofB;
+        boolean fewerInA = countOf(a) <= countOf(b);
+        int body = fewerInA ? a : b;
         int other = fewerInA ? b : a;
-        for (int k = 0; k < list.size; k++) {
-            int p = list.values[k];
+        for (int k = 0; k < countOf(body); k++) {
+            int p = of(body, k);
             if (data[STRIDE * p] == other || data[STRIDE * p + SECOND] == other) {
                 return p;
             }
@@ -173,7 +263,7 @@ public final class Pairs implements Serializable {
         int p = free.size > 0 ? free.values[--free.size] : used++;
         int o = STRIDE * p;
         if (o >= data.length) {
-            data = Arrays.copyOf(data, 2 * data.length);
+            data = Arrays.copyOf(data, STRIDE * Growth.length(data.length / STRIDE, p + 1));
         }
         int first = Math.min(a, b);
         int second = Math.max(a, b);
@@ -204,18 +294,58 @@ public final class Pairs implements Serializable {
     }
 
     private int append(int body, int pair) {
-        if (ofBody[body] == null) {
-            ofBody[body] = new IntList();
+        int o = SLOTS * body;
+        int count = ofBody[o];
+        if (count == SLOTS - 1) {
+            count = crowd(o);
         }
-        ofBody[body].add(pair);
-        return ofBody[body].size - 1;
+        if (count < 0) {
+            crowds[~count].add(pair);
+            return crowds[~count].size - 1;
+        }
+        ofBody[o + 1 + count] = pair;
+        ofBody[o] = count + 1;
+        return count;
+    }
+
+    /** Moves a body's pairs into a list; the number of it, inverted. */
+    private int crowd(int o) {
+        if (freeCrowds.size == 0) {
+            int old = crowds.length;
+            crowds = Arrays.copyOf(crowds, Growth.length(old, 4));
+            for (int k = crowds.length - 1; k >= old; k--) {
+                crowds[k] = new IntList();
+                freeCrowds.add(k);
+            }
+        }
+        int number = freeCrowds.values[--freeCrowds.size];
+        for (int k = 1; k < SLOTS; k++) {
+            crowds[number].add(ofBody[o + k]);
+        }
+        ofBody[o] = ~number;
+        return ~number;
     }
 
     /** Takes an entry out of a body's list; the last entry moves into its place. */
     private void drop(int body, int place) {
-        IntList list = ofBody[body];
-        int last = list.values[--list.size];
-        list.values[place] = last;
+        int b = SLOTS * body;
+        int count = ofBody[b];
+        int last;
+        if (count >= 0) {
+            last = ofBody[b + count];
+            ofBody[b + 1 + place] = last;
+            ofBody[b] = count - 1;
+        } else {
+            IntList list = crowds[~count];
+            last = list.values[--list.size];
+            list.values[place] = last;
+            if (list.size <= LEAST) {
+                System.arraycopy(list.values, 0, ofBody, b + 1, list.size);
+                ofBody[b] = list.size;
+                list.clear();
+                freeCrowds.add(~count);
+            }
+        }
         int o = STRIDE * last;
         data[data[o] == body ? o + PLACE : o + PLACE + SECOND] = place;
     }

@@ -150,8 +150,8 @@ public final class SortAndSweep implements BroadPhase {
 
     @Override
     public void remove(int body, Boxes boxes, Pairs pairs) {
-        while (pairs.of(body) != null && pairs.of(body).size > 0) {
-            pairs.end(pairs.of(body).values[0]);
+        while (pairs.countOf(body) > 0) {
+            pairs.end(pairs.of(body, 0));
         }
         for (int side = 0; side < 2; side++) {
             axisX.drop(2 * body + side);

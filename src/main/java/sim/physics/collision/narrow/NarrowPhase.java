@@ -3,7 +3,6 @@
 package sim.physics.collision.narrow;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.internal.Tolerances;
@@ -26,9 +25,6 @@ public final class NarrowPhase implements Serializable {
     private final Trajectories trajectories;
     private final ShapeTable shapes;
     private final Boxes boxes;
-
-    /** Closest features of each pair at the last look. */
-    private int[] codes = new int[16];
 
     private transient Pose pose;
     private transient ClosestFeatures features;
@@ -58,19 +54,18 @@ public final class NarrowPhase implements Serializable {
     /**
      * Makes one for another thread, which looks at pairs while this one looks at others.
      *
-     * @return knows what this one knows after {@link #match}
+     * @return does what this one does after {@link #match}
      */
     public NarrowPhase twin() {
         return new NarrowPhase(pairs, trajectories, shapes, boxes);
     }
 
     /**
-     * Shares what another one knows of the pairs, as long as no pair begins.
+     * Does from now on what another one does.
      *
      * @param other where this one comes from
      */
     public void match(NarrowPhase other) {
-        codes = other.codes;
         continuous = other.continuous;
     }
 
@@ -94,10 +89,7 @@ public final class NarrowPhase implements Serializable {
      * @param pair its number
      */
     public void forget(int pair) {
-        if (pair >= codes.length) {
-            codes = Arrays.copyOf(codes, Math.max(2 * codes.length, pair + 1));
-        }
-        codes[pair] = ClosestFeatures.NO_FEATURES;
+        pairs.setCode(pair, ClosestFeatures.NO_FEATURES);
     }
 
     /**
@@ -126,13 +118,13 @@ public final class NarrowPhase implements Serializable {
             return start;
         }
         wake();
-        double found = separatingLine.search(i, j, start, end, codes[pair]);
-        codes[pair] = separatingLine.code;
+        double found = separatingLine.search(i, j, start, end, pairs.code(pair));
+        pairs.setCode(pair, separatingLine.code);
         touching = separatingLine.touching;
         if (separatingLine.undecided) {
             pose.load(i, j);
-            found = timeOfImpact.search(found, end, codes[pair]);
-            codes[pair] = timeOfImpact.code;
+            found = timeOfImpact.search(found, end, pairs.code(pair));
+            pairs.setCode(pair, timeOfImpact.code);
             touching = timeOfImpact.touching;
         }
         return touching && !isCircle(i) && !isCircle(j) ? beyondGrazes(pair, found, end) : found;
@@ -148,8 +140,8 @@ public final class NarrowPhase implements Serializable {
             if (touching || !(next < end)) {
                 return next;
             }
-            t = timeOfImpact.search(next, end, codes[pair]);
-            codes[pair] = timeOfImpact.code;
+            t = timeOfImpact.search(next, end, pairs.code(pair));
+            pairs.setCode(pair, timeOfImpact.code);
             touching = timeOfImpact.touching;
         }
         return t;
@@ -175,8 +167,8 @@ public final class NarrowPhase implements Serializable {
         apart = false;
         pose.load(i, j);
         pose.rounding -= slack;
-        double found = timeOfImpact.search(tau, end, codes[pair]);
-        codes[pair] = timeOfImpact.code;
+        double found = timeOfImpact.search(tau, end, pairs.code(pair));
+        pairs.setCode(pair, timeOfImpact.code);
         touching = timeOfImpact.touching;
         return found;
     }
@@ -233,12 +225,14 @@ public final class NarrowPhase implements Serializable {
 
     private double boundingCircles(int i, int j, double tau) {
         double[] m = trajectories.data();
+        double[] bends = trajectories.bends();
+        int mask = trajectories.bendMask();
         int a = i * Trajectories.STRIDE;
         int b = j * Trajectories.STRIDE;
-        double ax = m[a + Trajectories.AX];
-        double ay = m[a + Trajectories.AY];
-        double driven = m[a + Trajectories.DRIVEN] + m[b + Trajectories.DRIVEN];
-        if (m[b + Trajectories.AX] != ax || m[b + Trajectories.AY] != ay || driven != 0) {
+        double ax = bends[(a & mask) + Trajectories.AX];
+        double ay = bends[(a & mask) + Trajectories.AY];
+        double driven = bends[(a & mask) + Trajectories.DRIVEN] + bends[(b & mask) + Trajectories.DRIVEN];
+        if (bends[(b & mask) + Trajectories.AX] != ax || bends[(b & mask) + Trajectories.AY] != ay || driven != 0) {
             return tau;
         }
         double step = trajectories.step();
@@ -261,7 +255,7 @@ public final class NarrowPhase implements Serializable {
         }
         double ux = vbx - vax;
         double uy = vby - vay;
-        double radius = m[a + Trajectories.RADIUS] + m[b + Trajectories.RADIUS];
+        double radius = trajectories.radius(i) + trajectories.radius(j);
         double c = px * px + py * py - radius * radius;
         double approach = px * ux + py * uy;
         if (c > 0) {
@@ -278,7 +272,7 @@ public final class NarrowPhase implements Serializable {
             return touching ? tau : Double.POSITIVE_INFINITY;
         }
         if ((boxes.isFixed(i) || boxes.isFixed(j)) && ax == 0 && ay == 0) {
-            return tau + (boxes.isFixed(i) ? approach(i, b, db) : approach(j, a, da));
+            return tau + (boxes.isFixed(i) ? approach(i, j, db) : approach(j, i, da));
         }
         return tau;
     }
@@ -288,14 +282,15 @@ public final class NarrowPhase implements Serializable {
      * in it.
      *
      * @param fixed index of the fixed body
-     * @param o where the motion of the other one begins, which is straight
+     * @param body index of the other one, whose motion is straight
      * @param d time since its anchor
      */
-    private double approach(int fixed, int o, double d) {
+    private double approach(int fixed, int body, double d) {
+        int o = body * Trajectories.STRIDE;
         double[] m = trajectories.data();
         double[] box = boxes.data();
         int k = Boxes.STRIDE * fixed;
-        double radius = m[o + Trajectories.RADIUS];
+        double radius = trajectories.radius(body);
         double vx = m[o + Trajectories.VX];
         double vy = m[o + Trajectories.VY];
         double x = m[o] + d * vx;
@@ -385,7 +380,7 @@ public final class NarrowPhase implements Serializable {
         pose.load(pairs.first(pair), pairs.second(pair));
         pose.moveTo(tau);
         pose.turn();
-        codes[pair] = features.find(codes[pair]);
+        pairs.setCode(pair, features.find(pairs.code(pair)));
     }
 
     /** The point where a vertex touches an edge, or the stretch along which the vertex's edge lies on it. */

@@ -119,6 +119,8 @@ final class Pose {
     private final ShapeTable shapes;
     private final Trajectories trajectories;
     private double[] m;
+    private double[] bends;
+    private int bendMask;
     private int oa;
     private int ob;
 
@@ -161,6 +163,8 @@ final class Pose {
     /** Turns to another pair. */
     void load(int bodyA, int bodyB) {
         m = trajectories.data();
+        bends = trajectories.bends();
+        bendMask = trajectories.bendMask();
         oa = bodyA * Trajectories.STRIDE;
         ob = bodyB * Trajectories.STRIDE;
         a.load(shapes, bodyA);
@@ -170,10 +174,10 @@ final class Pose {
         size = bounding;
         bound(a, oa);
         bound(b, ob);
-        ax = 2 * (m[ob + Trajectories.AX] - m[oa + Trajectories.AX]);
-        ay = 2 * (m[ob + Trajectories.AY] - m[oa + Trajectories.AY]);
-        double jerk = Math.abs(m[oa + Trajectories.JX]) + Math.abs(m[oa + Trajectories.JY])
-                + Math.abs(m[ob + Trajectories.JX]) + Math.abs(m[ob + Trajectories.JY]);
+        ax = 2 * (bends[(ob & bendMask) + Trajectories.AX] - bends[(oa & bendMask) + Trajectories.AX]);
+        ay = 2 * (bends[(ob & bendMask) + Trajectories.AY] - bends[(oa & bendMask) + Trajectories.AY]);
+        double jerk = Math.abs(bends[(oa & bendMask) + Trajectories.JX]) + Math.abs(bends[(oa & bendMask) + Trajectories.JY])
+                + Math.abs(bends[(ob & bendMask) + Trajectories.JX]) + Math.abs(bends[(ob & bendMask) + Trajectories.JY]);
         accelerationIsConstant = jerk == 0;
         linear = isLinear(oa) && isLinear(ob);
         maxAcceleration = ax == 0 && ay == 0 ? 0 : Math.sqrt(ax * ax + ay * ay);
@@ -188,18 +192,18 @@ final class Pose {
     }
 
     private boolean isLinear(int o) {
-        return m[o + Trajectories.AX] == 0
-                && m[o + Trajectories.AY] == 0
-                && m[o + Trajectories.ATHETA] == 0
-                && m[o + Trajectories.JX] == 0
-                && m[o + Trajectories.JY] == 0
-                && m[o + Trajectories.JTHETA] == 0;
+        return bends[(o & bendMask) + Trajectories.AX] == 0
+                && bends[(o & bendMask) + Trajectories.AY] == 0
+                && bends[(o & bendMask) + Trajectories.ATHETA] == 0
+                && bends[(o & bendMask) + Trajectories.JX] == 0
+                && bends[(o & bendMask) + Trajectories.JY] == 0
+                && bends[(o & bendMask) + Trajectories.JTHETA] == 0;
     }
 
     private void bound(Placed body, int o) {
         double h = trajectories.h();
-        double alpha = Math.abs(m[o + Trajectories.ATHETA]);
-        double jerk = Math.abs(m[o + Trajectories.JTHETA]);
+        double alpha = Math.abs(bends[(o & bendMask) + Trajectories.ATHETA]);
+        double jerk = Math.abs(bends[(o & bendMask) + Trajectories.JTHETA]);
         body.maxOmega = Math.abs(m[o + Trajectories.OMEGA]);
         body.maxAlpha = 0;
         if (alpha != 0 || jerk != 0) {
@@ -244,13 +248,13 @@ final class Pose {
         if (linear) {
             return m[o] + d * m[o + Trajectories.VX];
         }
-        return m[o] + d * (m[o + Trajectories.VX] + d * (m[o + Trajectories.AX] + d * m[o + Trajectories.JX]));
+        return m[o] + d * (m[o + Trajectories.VX] + d * (bends[(o & bendMask) + Trajectories.AX] + d * bends[(o & bendMask) + Trajectories.JX]));
     }
 
     private double velocity(int o, double d) {
         if (linear) {
             return m[o + Trajectories.VX];
         }
-        return m[o + Trajectories.VX] + d * (2 * m[o + Trajectories.AX] + 3 * d * m[o + Trajectories.JX]);
+        return m[o + Trajectories.VX] + d * (2 * bends[(o & bendMask) + Trajectories.AX] + 3 * d * bends[(o & bendMask) + Trajectories.JX]);
     }
 }

@@ -54,6 +54,8 @@ final class SeparatingLine {
     long evaluations;
 
     private double[] m;
+    private double[] bends;
+    private int bendMask;
     private double[] shape;
     private int oa;
     private int ob;
@@ -175,10 +177,12 @@ final class SeparatingLine {
     /** Turns to a pair; false if their motion is not uniform, or both are circles. */
     private boolean load(int i, int j) {
         m = trajectories.data();
+        bends = trajectories.bends();
+        bendMask = trajectories.bendMask();
         oa = i * Trajectories.STRIDE;
         ob = j * Trajectories.STRIDE;
-        if (m[oa + Trajectories.AX] != m[ob + Trajectories.AX]
-                || m[oa + Trajectories.AY] != m[ob + Trajectories.AY]
+        if (bends[(oa & bendMask) + Trajectories.AX] != bends[(ob & bendMask) + Trajectories.AX]
+                || bends[(oa & bendMask) + Trajectories.AY] != bends[(ob & bendMask) + Trajectories.AY]
                 || !isUniform(oa)
                 || !isUniform(ob)) {
             return false;
@@ -194,10 +198,10 @@ final class SeparatingLine {
     }
 
     private boolean isUniform(int o) {
-        return m[o + Trajectories.ATHETA] == 0
-                && m[o + Trajectories.JX] == 0
-                && m[o + Trajectories.JY] == 0
-                && m[o + Trajectories.JTHETA] == 0;
+        return bends[(o & bendMask) + Trajectories.ATHETA] == 0
+                && bends[(o & bendMask) + Trajectories.JX] == 0
+                && bends[(o & bendMask) + Trajectories.JY] == 0
+                && bends[(o & bendMask) + Trajectories.JTHETA] == 0;
     }
 
     /** Places both bodies at an instant. */
@@ -206,8 +210,8 @@ final class SeparatingLine {
         double h = trajectories.h();
         double da = (step - m[oa + Trajectories.STEP]) * h + (tau - m[oa + Trajectories.OFFSET]);
         double db = (step - m[ob + Trajectories.STEP]) * h + (tau - m[ob + Trajectories.OFFSET]);
-        double ax = m[oa + Trajectories.AX];
-        double ay = m[oa + Trajectories.AY];
+        double ax = bends[(oa & bendMask) + Trajectories.AX];
+        double ay = bends[(oa & bendMask) + Trajectories.AY];
         double xa = m[oa] + da * (m[oa + Trajectories.VX] + da * ax);
         double ya = m[oa + 1] + da * (m[oa + Trajectories.VY] + da * ay);
         double xb = m[ob] + db * (m[ob + Trajectories.VX] + db * ax);

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import sim.physics.collision.broad.Boxes;
+import sim.physics.internal.Growth;
 import sim.physics.internal.Trig;
 import sim.physics.motion.Trajectories;
 import sim.physics.shape.Shape;
@@ -68,7 +69,7 @@ public final class ShapeTable implements Serializable {
      */
     public void set(int body, Shape shape) {
         if (body >= baseOf.length) {
-            baseOf = Arrays.copyOf(baseOf, Math.max(2 * baseOf.length, body + 1));
+            baseOf = Arrays.copyOf(baseOf, Growth.length(baseOf.length, body + 1));
         }
         Integer base = known.get(shape);
         if (base == null) {

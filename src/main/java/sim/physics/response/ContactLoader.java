@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import java.util.Objects;
+import sim.physics.collision.narrow.Manifold;
+import sim.physics.motion.Body;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+
+/** Loads what an impact's equations need of one point of a manifold: masses, velocities, levers, coefficients. */
+final class ContactLoader implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private PairRule restitutionRule = PairRule.MINIMUM;
+    private PairRule frictionRule = PairRule.GEOMETRIC_MEAN;
+
+    ContactLoader(State state, Trajectories trajectories) {
+        this.state = state;
+        this.trajectories = trajectories;
+    }
+
+    void setRules(PairRule restitution, PairRule friction) {
+        Objects.requireNonNull(restitution, "restitution");
+        Objects.requireNonNull(friction, "friction");
+        restitutionRule = restitution;
+        frictionRule = friction;
+    }
+
+    /** Loads a point of two bodies at their anchors. */
+    void load(Manifold m, int a, int b, int point, Impact c) {
+        double[] w = state.w().values();
+        double[] d = trajectories.data();
+        int oa = a * Trajectories.STRIDE;
+        int ob = b * Trajectories.STRIDE;
+        c.wA = w[State.BLOCK * a];
+        c.wB = w[State.BLOCK * b];
+        c.iA = w[State.BLOCK * a + State.THETA];
+        c.iB = w[State.BLOCK * b + State.THETA];
+        c.vAx = d[oa + Trajectories.VX];
+        c.vAy = d[oa + Trajectories.VY];
+        c.omegaA = d[oa + Trajectories.OMEGA];
+        c.vBx = d[ob + Trajectories.VX];
+        c.vBy = d[ob + Trajectories.VY];
+        c.omegaB = d[ob + Trajectories.OMEGA];
+        c.nx = m.nx;
+        c.ny = m.ny;
+        c.rAx = m.rAx[point];
+        c.rAy = m.rAy[point];
+        c.rBx = m.rBx[point];
+        c.rBy = m.rBy[point];
+        c.setLevers(m.roundA, m.roundB);
+        Body bodyA = state.body(a);
+        Body bodyB = state.body(b);
+        c.restitution = restitutionRule.of(bodyA.getRestitution(), bodyB.getRestitution());
+        c.friction = frictionRule.of(bodyA.getFriction(), bodyB.getFriction());
+        c.allowance = 0;
+    }
+}

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.shape.Rectangle;
+
+/** Trees of pins, whose steps are made in their angles: against the general code, and the laws of motion. */
+class PinTreeTest {
+    /** A random tree of rods; its last rod hangs from the one before, and each third one from any earlier one. */
+    private static List<Body> tree(PhysicsEngine engine, int links, boolean isHeld, int seed) {
+        SplittableRandom random = new SplittableRandom(100L * links + seed);
+        List<Body> rods = new ArrayList<>();
+        double[] x = new double[links];
+        double[] y = new double[links];
+        for (int k = 0; k < links; k++) {
+            int from = k == 0 ? -1 : k % 3 == 2 ? random.nextInt(k) : k - 1;
+            double angle = 6 * random.nextDouble();
+            double length = 0.5 + random.nextDouble();
+            double nearX = from < 0 ? 0.25 : x[from];
+            double nearY = from < 0 ? -0.5 : y[from];
+            x[k] = nearX + length * Math.cos(angle);
+            y[k] = nearY + length * Math.sin(angle);
+            Body rod = engine.add(new Body(new Rectangle(length, 0.02)).at((nearX + x[k]) / 2, (nearY + y[k]) / 2, angle));
+            rod.setMass(0.5 + random.nextDouble(), 0.05 + 0.1 * random.nextDouble());
+            rod.setCollisionGroup(1, 0);
+            rods.add(rod);
+            boolean isTurned = random.nextBoolean();
+            if (from >= 0) {
+                Body other = rods.get(from);
+                engine.add(new PinJoint(isTurned ? rod : other, isTurned ? other : rod, nearX, nearY));
+            } else if (isHeld) {
+                engine.add(new PinJoint(rod, nearX, nearY));
+            }
+        }
+        rods.forEach(rod -> rod.setAngularVelocity(random.nextDouble() - 0.5)); // those that the pins allow are next to these
+        return rods;
+    }
+
+    private static PhysicsEngine engine(double step, double gravity) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(step);
+        if (gravity != 0) {
+            engine.add(new Gravity(0.5, -gravity));
+        }
+        return engine;
+    }
+
+    private static double[] places(List<Body> rods) {
+        double[] places = new double[3 * rods.size()];
+        for (int k = 0; k < rods.size(); k++) {
+            places[3 * k] = rods.get(k).getX();
+            places[3 * k + 1] = rods.get(k).getY();
+            places[3 * k + 2] = rods.get(k).getAngle();
+        }
+        return places;
+    }
+
+    private static double[] run(int links, boolean isHeld, double step, boolean isQuick) {
+        PhysicsEngine engine = engine(step, 9.81);
+        List<Body> rods = tree(engine, links, isHeld, 1);
+        if (!isQuick) {
+            engine.add(new PinChainTest.Nothing());
+        }
+        for (int k = 0; k < Math.round(0.25 / step); k++) {
+            engine.step();
+        }
+        for (Constraint pin : engine.allConstraints()) {
+            assertThat(PinChainTest.gap((PinJoint) pin)).isLessThan(100 * 0x1p-52 * links);
+        }
+        return places(rods);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, true", "2, true", "3, true", "3, false", "9, true", "9, false", "30, true", "30, false"})
+    void goToWhereTheGeneralCodeGoes(int links, boolean isHeld) {
+        double[] coarse = run(links, isHeld, 1 / 512.0, true);
+        double[] fine = run(links, isHeld, 1 / 1024.0, true);
+        double[] general = run(links, isHeld, 1 / 2048.0, false);
+        assertThat(fine).containsExactly(general, within(1e-6));
+        assertThat(most(fine, general)).isLessThan(most(coarse, general) / 8 + 1e-11); // order 4
+    }
+
+    private static double most(double[] a, double[] b) {
+        double most = 0;
+        for (int k = 0; k < a.length; k++) {
+            most = Math.max(most, Math.abs(a[k] - b[k]));
+        }
+        return most;
+    }
+
+    @Test
+    void aFreeTreeFallsAsABody() {
+        PhysicsEngine engine = engine(1 / 240.0, 9.81);
+        List<Body> rods = tree(engine, 12, false, 2);
+        engine.step();
+        double[] start = centre(rods);
+        for (int k = 0; k < 480; k++) {
+            engine.step();
+        }
+        double[] end = centre(rods);
+        assertThat(end[0]).isCloseTo(start[0] + 2 * start[2] + 0.5 * 0.5 * 4, within(1e-12));
+        assertThat(end[1]).isCloseTo(start[1] + 2 * start[3] - 0.5 * 9.81 * 4, within(1e-12));
+    }
+
+    @Test
+    void aTreeInSpaceKeepsWhatNothingTakesAway() {
+        PhysicsEngine engine = engine(1 / 240.0, 0);
+        List<Body> rods = tree(engine, 12, false, 3);
+        engine.step();
+        double energy = engine.kineticEnergy();
+        double spin = spin(rods);
+        double[] start = centre(rods);
+        for (int k = 0; k < 480; k++) {
+            engine.step();
+        }
+        assertThat(engine.kineticEnergy()).isCloseTo(energy, within(1e-12 * energy));
+        assertThat(spin(rods)).isCloseTo(spin, within(1e-11));
+        assertThat(centre(rods)[2]).isCloseTo(start[2], within(1e-12));
+        assertThat(centre(rods)[3]).isCloseTo(start[3], within(1e-12));
+    }
+
+    /** A chain that whips is where a step is too long, which nothing that opens would tell. */
+    @Test
+    void aLongChainThatWhipsGainsNoEnergy() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1 / 240.0);
+        engine.add(new Gravity(0, -9.81));
+        Body last = null;
+        for (int k = 0; k < 40; k++) {
+            Body rod = engine.add(new Body(new Rectangle(1, 0.02)).at(k + 0.5, 0));
+            rod.setMass(1, 1 / 12.0);
+            rod.setCollisionGroup(1, 0);
+            engine.add(last == null ? new PinJoint(rod, 0, 0) : new PinJoint(last, rod, k, 0));
+            last = rod;
+        }
+        double fall = 9.81 * 40 * 20; // from the horizontal to hanging down
+        for (int k = 0; k < 6000; k++) {
+            engine.step();
+            if (k % 100 == 99) {
+                double energy = engine.kineticEnergy();
+                for (Body rod : engine.bodies()) {
+                    energy += 9.81 * rod.getY();
+                }
+                assertThat(energy).as("step %d", k).isBetween(-0.1 * fall, 0.01 * fall);
+            }
+        }
+    }
+
+    private static double[] centre(List<Body> rods) {
+        double[] sum = new double[4];
+        double mass = 0;
+        for (Body rod : rods) {
+            double m = rod.getMass();
+            sum[0] += m * rod.getX();
+            sum[1] += m * rod.getY();
+            sum[2] += m * rod.getVelocityX();
+            sum[3] += m * rod.getVelocityY();
+            mass += m;
+        }
+        for (int k = 0; k < sum.length; k++) {
+            sum[k] /= mass;
+        }
+        return sum;
+    }
+
+    private static double spin(List<Body> rods) {
+        double sum = 0;
+        for (Body rod : rods) {
+            sum += rod.getInertia() * rod.getAngularVelocity()
+                    + rod.getMass() * (rod.getX() * rod.getVelocityY() - rod.getY() * rod.getVelocityX());
+        }
+        return sum;
+    }
+}

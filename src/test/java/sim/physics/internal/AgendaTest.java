@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.internal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+/** An agenda says in each step what was scheduled to it last, each item once, however often it was scheduled anew. */
+class AgendaTest {
+    private static final int ITEMS = 700;
+
+    @Test
+    void whatIsDueIsWhatATableOfDatesSays() {
+        SplittableRandom random = new SplittableRandom(5);
+        Agenda agenda = new Agenda();
+        agenda.ensure(ITEMS);
+        long[] dates = new long[ITEMS];
+        Arrays.fill(dates, Agenda.NEVER);
+        int seen = 0;
+        for (long step = 1; step < 3000; step++) {
+            long now = step;
+            IntList due = agenda.advance(step);
+            int[] expected = IntStream.range(0, ITEMS).filter(k -> dates[k] == now).toArray();
+            int[] found = Arrays.copyOf(due.values, due.size);
+            Arrays.sort(found);
+            assertThat(found).as("step %d", step).isEqualTo(expected);
+            seen += found.length;
+            for (int item : expected) {
+                dates[item] = Agenda.NEVER;
+            }
+            for (int k = 0; k < 120; k++) {
+                int item = random.nextInt(ITEMS);
+                long ahead = random.nextInt(4) == 0 ? random.nextLong(1, 1000) : random.nextLong(1, 70);
+                dates[item] = random.nextInt(8) == 0 ? Agenda.NEVER : step + ahead;
+                agenda.schedule(item, dates[item]);
+                assertThat(agenda.date(item)).isEqualTo(dates[item]);
+            }
+        }
+        assertThat(seen).isGreaterThan(10_000);
+    }
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.internal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Cosines and sines from the table against {@code StrictMath}'s; mirror images have mirrored bits. */
+class SineTableTest {
+    private static double[] of(double x) {
+        double[] out = new double[3];
+        SineTable.sinCos(x, out, 1);
+        return new double[] {out[1], out[2]};
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.01, 4, 300, 1.9e4, 1e6})
+    void areRightToRoundingOfTheRadius(double range) {
+        SplittableRandom random = new SplittableRandom(3);
+        for (int k = 0; k < 200_000; k++) {
+            double x = range * (2 * random.nextDouble() - 1);
+            double[] found = of(x);
+            assertThat(found[0]).isCloseTo(StrictMath.cos(x), within(0x1p-51));
+            assertThat(found[1]).isCloseTo(StrictMath.sin(x), within(0x1p-51));
+        }
+    }
+
+    @Test
+    void areThoseOfTheMirrorImage() {
+        SplittableRandom random = new SplittableRandom(4);
+        for (int k = 0; k < 100_000; k++) {
+            double x = 100 * random.nextDouble();
+            assertThat(of(-x)).containsExactly(of(x)[0], -of(x)[1]);
+        }
+    }
+
+    @Test
+    void areNothingForNoAngle() {
+        assertThat(of(Double.NaN)).containsOnly(Double.NaN);
+        assertThat(of(Double.POSITIVE_INFINITY)).containsOnly(Double.NaN);
+        assertThat(of(0)).containsExactly(1, 0);
+    }
+}
