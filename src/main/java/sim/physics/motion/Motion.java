@@ -358,10 +358,10 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * Whether contact forces may act on a body for a while, beside what drives it.
      *
      * @param body index
-     * @return false if forces couple bodies, surface friction acts, or it has joints with stops or motors
+     * @return false if forces couple bodies, or it has joints with stops or motors
      */
     public boolean isSupportable(int body) {
-        return !generators.coupled && generators.surface == null && !(isTied(body) && ties.isSwitched(ties.island(body)));
+        return !generators.coupled && !(isTied(body) && ties.isSwitched(ties.island(body)));
     }
 
     /** The simulated time of an offset in the present step. */

@@ -20,6 +20,9 @@ final class Bounces implements Serializable {
     /** The square of a restitution is to be finite, whatever the approach. */
     private static final double HUGE = 1e100;
 
+    /** Impacts on a fixed body after which one that meets it faster than it left it is too near for its bounces to be told apart. */
+    private static final int BLURRED = 50;
+
     /** Way in a step at the speed of a rattling pair's bounces, in their greatest lengths: the force may have been misjudged. */
     private static final double RATTLE_WAY = 16;
 
@@ -182,7 +185,8 @@ final class Bounces implements Serializable {
         }
         double bounce = 2 * c.restitution * approachSpeed / closing;
         double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
-        if (canRest && bounce < (count > Tolerances.REST_AFTER ? shortest : Tolerances.REST * h)) {
+        boolean isLong = count > Tolerances.REST_AFTER || count > BLURRED && approachSpeed > 2 * lastSpeed[pair];
+        if (canRest && bounce < (isLong ? shortest : Tolerances.REST * h)) {
             c.restitution = 0;
             return true;
         }

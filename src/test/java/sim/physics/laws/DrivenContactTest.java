@@ -15,6 +15,7 @@ import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
 import sim.physics.motion.Gravity;
+import sim.physics.motion.SurfaceFriction;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -116,6 +117,36 @@ class DrivenContactTest {
         assertThat(box.getY()).isCloseTo(0.5, within(1e-6));
         assertThat(box.getAngle()).isCloseTo(0, within(1e-6));
         assertThat(engine.getImpacts()).isLessThan(30);
+    }
+
+    /** A robot pushes two boxes over the ground: (F − μ m g) / m, and the boxes stay together. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.3, 0.6})
+    void aRobotPushesBoxesAgainstSurfaceFriction(double restitution) {
+        engine.remove(engine.bodies().get(0));
+        engine.add(new SurfaceFriction(GRAVITY));
+        Body robot = put(new Body(new Circle(0.5)).at(0, 0), restitution);
+        Body near = put(new Body(new Rectangle(1, 1)).at(1.3, 0), restitution);
+        Body far = put(new Body(new Rectangle(1, 1)).at(2.5, 0), restitution);
+        double mass = 0;
+        for (Body body : engine.bodies()) {
+            body.setSurfaceFriction(0.3);
+            mass += body.getMass();
+        }
+        double before = 0;
+        long impacts = 0;
+        for (int k = 0; k < 300; k++) {
+            if (k == 150) {
+                before = far.getVelocityX();
+                impacts = engine.getImpacts();
+            }
+            robot.addForce((0.3 * GRAVITY + 1) * mass, 0);
+            engine.step();
+        }
+        assertThat((far.getVelocityX() - before) / 2.5).isCloseTo(1, within(1e-9));
+        assertThat(near.getX() - robot.getX()).isCloseTo(1, within(1e-6));
+        assertThat(far.getX() - near.getX()).isCloseTo(1, within(1e-6));
+        assertThat(engine.getImpacts()).isEqualTo(impacts);
     }
 
     /** Chains whip on the ground; they must neither hang the engine nor sink. */

@@ -109,7 +109,6 @@ class SustainedContactTest {
         run(CollisionListener.Decision.BOUNCE);
     }
 
-    @Disabled("bodies under surface friction do not lie on one another yet: it bounces 3e-4 high, 61 times a step")
     @Test
     void aBoxWithSurfaceFrictionFallsOnTheFloor() {
         engine.add(new Gravity(0, -10));
