@@ -723,7 +723,8 @@ public final class PhysicsEngine implements Steppable {
      * constraint that is not of this library. A step with too little to share is not shared.
      *
      * <p>The helpers are threads of {@link java.util.concurrent.ForkJoinPool#commonPool()}, or of the pool in which the step
-     * is made; the engine owns none. If they are busy elsewhere the stepping thread does the work.
+     * is made; the engine owns none. If they are busy elsewhere the stepping thread does the work; but it waits for one that
+     * has taken a portion. While the engine is audited, driven bodies are integrated by the stepping thread.
      *
      * @param threads the stepping one included; 1 for that one alone
      * @throws IllegalArgumentException if it is less than 1

@@ -11,7 +11,7 @@ import java.util.concurrent.atomic.AtomicLong;
 /**
  * Several threads that do one piece of work together: the calling thread, and helpers from the common pool of the JVM, or
  * from the {@code ForkJoinPool} that the caller is in. No thread belongs to a team, so engines may come and go; a helper
- * that finds no time to help is not waited for.
+ * that finds no time to help is not waited for; one that has taken a portion is.
  *
  * <p>The items of a work must not depend on each other: which thread does which, and when, is left open. Nothing is
  * allocated when a work is done.
