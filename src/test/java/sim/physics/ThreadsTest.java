@@ -268,9 +268,15 @@ class ThreadsTest {
         List<String> said = new ArrayList<>();
         for (int threads : new int[] {1, 3}) {
             PhysicsEngine engine = workshop();
+            Drag drag = new Drag(true, 1e9);
+            engine.add(drag);
             engine.setThreads(threads, true);
             engine.setAudited(true);
-            POOL.submit(() -> run(engine, 20)).join();
+            POOL.submit(() -> {
+                drag.allowed = Thread.currentThread();
+                run(engine, 20);
+            }).join();
+            assertThat(drag.wasMet).as("by another thread").isFalse();
             said.add(Scenes.hash(engine) + " " + engine.getRunReport());
         }
         assertThat(said.get(1)).isEqualTo(said.get(0));
