@@ -15,6 +15,9 @@ final class Ahead {
     /** The integrator has gone through it, or to where a motor or a stop switches. */
     static final byte STRIDE = 2;
 
+    /** The step cannot be made at once, and where the integrator would have to go depends on who is near. */
+    static final byte REFUSAL = 3;
+
     private byte[] done = {};
     private double[] length = {};
     private double[] error = {};
@@ -56,6 +59,11 @@ final class Ahead {
         this.length[first] = length;
         this.error[first] = error;
         done[first] = STRIDE;
+    }
+
+    void refuse(int first) {
+        error[first] = Double.POSITIVE_INFINITY;
+        done[first] = REFUSAL;
     }
 
     /** Takes note that integrating a group has thrown something, which is thrown when it is the group's turn. */

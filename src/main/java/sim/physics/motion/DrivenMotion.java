@@ -104,7 +104,9 @@ final class DrivenMotion implements Serializable {
         ensure();
         int first = group.values[0];
         int done = ahead == null ? Ahead.NOTHING : ahead.take(first);
-        if (done != Ahead.NOTHING && (!fine || !ahead.isCoarse(first))) {
+        if (done == Ahead.REFUSAL) {
+            tied.setRefused(true);
+        } else if (done != Ahead.NOTHING && (!fine || !ahead.isCoarse(first))) {
             fineLength[first] = done == Ahead.STRIDE ? ahead.fineLength(first) : fineLength[first];
             isCoarse = ahead.isCoarse(first);
             return ahead.length(first);
@@ -160,11 +162,18 @@ final class DrivenMotion implements Serializable {
     /** Does what {@link #advance} does first with a group at the start of a step, in whatever thread. */
     void advanceAhead(IntList group, Ahead notes) {
         int first = group.values[0];
+        double h = trajectories.h();
         if (tied != null && leaps(group, first, false)) {
-            notes.leap(first, trajectories.h(), isCoarse);
+            notes.leap(first, h, isCoarse);
             return;
         }
-        double h = trajectories.h();
+        if (!hasOneBeginning(first)) {
+            if (tied != null && tied.isRefused()) {
+                notes.refuse(first);
+                tied.setRefused(false);
+            }
+            return;
+        }
         double length = stride(group, 0, h);
         double error = pathError(group, length);
         for (int k = 0; k < group.size; k++) {

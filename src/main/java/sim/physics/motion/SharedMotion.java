@@ -114,8 +114,9 @@ public final class SharedMotion implements Team.Work, Serializable {
     private boolean mayBeShared(IntList group) {
         int first = group.values[0];
         return trajectories.offset(first) == 0
-                && motion.drivenMotion.hasOneBeginning(first)
-                && (!motion.isTiedGroup(group) || motion.ties.mayBeShared(group));
+                && (motion.isTiedGroup(group)
+                        ? motion.ties.mayBeShared(group)
+                        : motion.drivenMotion.hasOneBeginning(first));
     }
 
     /** No array grows any more when this is done. */

@@ -54,6 +54,15 @@ final class TiedMotion implements Serializable {
         strideV = first.strideV;
     }
 
+    boolean isRefused() {
+        return isRefused;
+    }
+
+    /** Sets whether the next stride need not look for a quick way. */
+    void setRefused(boolean yes) {
+        isRefused = yes;
+    }
+
     void setObserver(CourseObserver who) {
         observer = who;
     }
