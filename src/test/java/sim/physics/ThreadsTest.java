@@ -239,6 +239,11 @@ class ThreadsTest {
                 Body body = engine.add(new Body(new Rectangle(1, 0.2)).at(7 * c + k, 0.4 + 0.02 * c));
                 if (last != null) {
                     engine.add(new PinJoint(last, body, 7 * c + k - 0.5, 0.4 + 0.02 * c));
+                    if (c % 3 == 1 && k == 2) {
+                        engine.add(Motor.turning(last, body, 1, 0.5));
+                    } else if (c % 3 == 2) {
+                        engine.add(Limit.angle(last, body, -0.2, 0.3));
+                    }
                 }
                 last = body;
             }
