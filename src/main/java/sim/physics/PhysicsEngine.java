@@ -23,10 +23,12 @@ import sim.physics.constraint.Reaction;
 import sim.physics.constraint.Stabilization;
 import sim.physics.internal.Check;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Team;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Integrator;
 import sim.physics.motion.Motion;
+import sim.physics.motion.SharedMotion;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 import sim.physics.query.Queries;
@@ -54,11 +56,23 @@ public final class PhysicsEngine implements Steppable {
     private final State state = new State();
     private final Trajectories trajectories = new Trajectories();
     private final Motion motion = new Motion(state, trajectories);
+    private final SharedMotion sharedMotion = new SharedMotion(motion, state, trajectories);
     private final CollisionDetection detection = new CollisionDetection(state, trajectories, new SortAndSweep());
     private final CollisionResponse response = new CollisionResponse(state, trajectories, motion, detection);
 
     private final IntList changed = new IntList();
     private final IntList groups = new IntList();
+
+    /** Driven bodies whose new paths detection has not been told of. */
+    private final IntList entering = new IntList();
+
+    /** How detection is told of new paths: of a body and its pairs, of a body, or later of all bodies. */
+    private enum Entry {
+        BODY_AND_PAIRS,
+        BODY,
+        TOGETHER
+    }
+
     private final Admission admission = new Admission(
             state, trajectories, motion, detection, response.resting(), response.heaps());
 
@@ -73,6 +87,10 @@ public final class PhysicsEngine implements Steppable {
 
     private ConstraintSolver constraintSolver = new DirectSolver();
     private boolean broadPhaseIsChosen;
+
+    /** Null while the stepping thread does all the work. */
+    private Team team;
+
     private boolean stepping;
 
     private double timeStep = 1;
@@ -148,25 +166,54 @@ public final class PhysicsEngine implements Steppable {
             response.heaps().begin();
             settleHeaps(0);
         }
-        IntList driven = motion.driven();
-        for (int k = 0; k < driven.size; k++) {
-            if (motion.companions(driven.values[k]).values[0] == driven.values[k]) {
-                follow(driven.values[k]);
-            }
-        }
+        followAll();
         groups.clear();
     }
 
+    /** Gives all driven bodies new paths from the start of the step on. */
+    private void followAll() {
+        IntList driven = motion.driven();
+        boolean isShared = sharedMotion.advance();
+        entering.clear();
+        try {
+            for (int k = 0; k < driven.size; k++) {
+                int body = driven.values[k];
+                if (motion.companions(body).values[0] != body) {
+                    continue;
+                }
+                if (isShared && sharedMotion.isDone(body)) {
+                    advance(body, false, Entry.TOGETHER);
+                    detection.endPath(body);
+                } else {
+                    enter(); // it may depend on where the others before it go
+                    follow(body, Entry.BODY);
+                }
+            }
+        } finally {
+            enter(); // also if a group cannot go on
+        }
+        if (driven.size > 0) {
+            detection.lookAround(driven, 0);
+        }
+    }
+
+    private void enter() {
+        if (entering.size > 0) {
+            detection.enter(entering);
+            entering.clear();
+        }
+    }
+
     /** Gives a driven body, and those that move with it, new paths from their anchors on. */
-    private void follow(int body) {
-        advance(body, detection.hasNeighbours(motion.companions(body)));
+    private void follow(int body, Entry entry) {
+        advance(body, detection.hasNeighbours(motion.companions(body)), entry);
         if (motion.isCoarse() && detection.hasNeighbours(motion.companions(body))) {
-            advance(body, true); // on its way it comes near others
+            advance(body, true, entry); // on its way it comes near others
         }
         detection.endPath(body);
     }
 
-    private void advance(int body, boolean fine) {
+    private void advance(int body, boolean fine, Entry entry) {
         double until = Math.min(motion.advance(body, fine), response.heaps().until(body));
         IntList group = motion.companions(body);
         double tau = trajectories.offset(body);
@@ -174,7 +221,12 @@ public final class PhysicsEngine implements Steppable {
             detection.setPathEnd(group.values[k], until);
         }
         for (int k = 0; k < group.size; k++) {
-            moved(group.values[k], tau, false, -1);
+            switch (entry) {
+                case TOGETHER -> entering.add(group.values[k]);
+                case BODY -> detection.enter(group.values[k], tau);
+                default -> detection.moved(group.values[k], tau, false, -1);
+            }
+            note(group.values[k], tau);
         }
     }
 
@@ -182,7 +234,7 @@ public final class PhysicsEngine implements Steppable {
     private void followGroups() {
         for (int k = 0; k < groups.size; k++) {
             if (trajectories.isDriven(groups.values[k])) { // or a listener has removed it
-                follow(groups.values[k]);
+                follow(groups.values[k], Entry.BODY_AND_PAIRS);
             }
         }
         groups.clear();
@@ -236,6 +288,10 @@ public final class PhysicsEngine implements Steppable {
     /** A body has a new path. */
     private void moved(int body, double tau, boolean placed, int pair) {
         detection.moved(body, tau, placed, pair);
+        note(body, tau);
+    }
+
+    private void note(int body, double tau) {
         if (audit != null) {
             audit.noted(body, tau);
         }
@@ -280,7 +336,7 @@ public final class PhysicsEngine implements Steppable {
         if (motion.hold(body)) {
             moved(body, tau, false, -1);
         } else {
-            follow(body);
+            follow(body, Entry.BODY_AND_PAIRS);
         }
     }
 
@@ -642,6 +698,51 @@ public final class PhysicsEngine implements Steppable {
      */
     public void setIntegrator(Integrator integrator) {
         motion.setIntegrator(integrator);
+    }
+
+    /**
+     * Number of threads that may share the work of a step.
+     *
+     * @return 1 unless set
+     */
+    public int getThreads() {
+        return team == null ? 1 : team.size();
+    }
+
+    /** How often work was shared by threads. */
+    long sharedWorks() {
+        return team == null ? 0 : team.works();
+    }
+
+    /**
+     * Lets several threads share the work of a step: the islands of joints and the single bodies that the integrator drives,
+     * the boxes of bodies, and the searches for impacts that begin with the step. The results are the same bit for bit
+     * whatever the number, and so are the counts of work, the order of events and what is thrown. What happens within the
+     * step, impact by impact, stays with the stepping thread, as does all code of authors: bodies under a
+     * {@link ForceGenerator} that does not say that it {@link ForceGenerator#isConcurrent() is concurrent}, islands with a
+     * constraint that is not of this library. A step with too little to share is not shared.
+     *
+     * <p>The helpers are threads of {@link java.util.concurrent.ForkJoinPool#commonPool()}, or of the pool in which the step
+     * is made; the engine owns none. If they are busy elsewhere the stepping thread does the work; but it waits for one that
+     * has taken a portion. While the engine is audited, driven bodies are integrated by the stepping thread.
+     *
+     * @param threads the stepping one included; 1 for that one alone
+     * @throws IllegalArgumentException if it is less than 1
+     * @throws IllegalStateException within a step
+     */
+    public void setThreads(int threads) {
+        if (threads < 1) {
+            throw new IllegalArgumentException("threads are " + threads + ": there must be at least 1");
+        }
+        requireBetweenSteps("the number of threads was set");
+        setThreads(threads, false);
+    }
+
+    /** The same, for tests: works are shared that are too small for it to pay, too. */
+    void setThreads(int threads, boolean always) {
+        team = threads == 1 ? null : new Team(threads, always);
+        sharedMotion.setTeam(team);
+        detection.setTeam(team);
     }
 
     /**

@@ -6,14 +6,11 @@ import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.collision.broad.BroadPhase;
-import sim.physics.collision.broad.CellGrid;
-import sim.physics.collision.broad.Departures;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.NarrowPhase;
-import sim.physics.collision.narrow.ShapeTable;
-import sim.physics.internal.Agenda;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Team;
 import sim.physics.internal.Tolerances;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -30,28 +27,19 @@ import sim.physics.motion.Trajectories;
 public final class CollisionDetection implements Pairs.Listener, Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** 1 less the rounding of an instant of a later step. */
-    private static final double ALMOST = 1 - 0x1p-51;
-
     private final State state;
     private final Trajectories trajectories;
-    private final ShapeTable shapes = new ShapeTable();
-    private final Boxes boxes = new Boxes();
-    private final Room room;
-    /**
-     * A pair's time is that of its impact in the present step. If it is to be looked at in a later step: minus the offset in
-     * that step up to which it is known to be apart. NaN if nothing is known.
-     */
+
+    /** A pair's time is said by {@link Watch}. */
     private final Pairs pairs = new Pairs();
 
-    private final NarrowPhase narrowPhase;
+    private final PairSearch search;
     private final Companions companions;
-    private BroadPhase broadPhase;
+    private final Enclosures enclosures;
     private final CollisionFilter filter = new CollisionFilter();
 
-    private final Agenda bodyAgenda = new Agenda();
-    private final Agenda pairAgenda = new Agenda();
     private final EventQueue queue = new EventQueue();
+    private final Watch watch;
 
     private final PathEnds pathEnds = new PathEnds();
     private boolean[] known = new boolean[8];
@@ -59,9 +47,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     private boolean[] idle = new boolean[8];
     private double pathEnd;
 
-    private final SpaceOrder order = new SpaceOrder(boxes, pairs);
     private final PairMarks marks = new PairMarks(pairs);
-    private final IntList fresh = new IntList();
     private final IntList together = new IntList();
     private long step;
     private double h;
@@ -76,9 +62,11 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public CollisionDetection(State state, Trajectories trajectories, BroadPhase broadPhase) {
         this.state = state;
         this.trajectories = trajectories;
-        this.broadPhase = broadPhase;
-        this.room = new Room(trajectories, boxes);
-        this.narrowPhase = new NarrowPhase(pairs, trajectories, shapes, boxes);
+        this.enclosures = new Enclosures(this, state, trajectories, pairs, broadPhase);
+        Boxes boxes = enclosures.boxes();
+        NarrowPhase narrowPhase = new NarrowPhase(pairs, trajectories, enclosures.shapes(), boxes);
+        this.search = new PairSearch(pairs, trajectories, marks, narrowPhase);
+        this.watch = new Watch(this, pairs, search, queue, enclosures.order());
         this.companions = new Companions(trajectories, boxes, pairs, marks, narrowPhase);
         pairs.setListener(this);
     }
@@ -107,7 +95,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @return never null
      */
     public NarrowPhase narrowPhase() {
-        return narrowPhase;
+        return search.narrowPhase();
     }
 
     /**
@@ -118,11 +106,9 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      */
     public void add(int body, double tau) {
         Body view = state.body(body);
-        shapes.set(body, view.getShape());
+        enclosures.prepare(body, view);
         trajectories.setRadius(body, view.getShape().boundingRadius());
         pairs.ensure(state.size());
-        room.admit(body, view, state.size());
-        bodyAgenda.ensure(state.size());
         if (body >= known.length) {
             known = Arrays.copyOf(known, Growth.length(known.length, state.size()));
             idle = Arrays.copyOf(idle, known.length);
@@ -130,10 +116,10 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         known[body] = true;
         idle[body] = false;
         pathEnds.clear(body);
-        enclose(body, tau);
-        fresh.clear();
-        broadPhase.add(body, boxes, pairs);
-        examineFresh(tau);
+        enclosures.enclose(body, tau, step, h);
+        watch.clearList();
+        enclosures.add(body);
+        watch.lookAtList(tau);
     }
 
     /**
@@ -144,8 +130,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
     public void remove(int body) {
         known[body] = false;
         pathEnds.clear(body);
-        broadPhase.remove(body, boxes, pairs);
-        bodyAgenda.schedule(body, Agenda.NEVER);
+        enclosures.remove(body);
     }
 
     /**
@@ -154,10 +139,10 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param replacement an empty broad phase
      */
     public void setBroadPhase(BroadPhase replacement) {
-        broadPhase = replacement;
+        enclosures.setBroadPhase(replacement);
         for (int i = 0; i < state.size(); i++) {
             if (knows(i)) {
-                broadPhase.add(i, boxes, pairs);
+                enclosures.add(i);
             }
         }
     }
@@ -172,41 +157,24 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         step = number;
         h = length;
         queue.clear();
+        watch.begin(number, length);
     }
 
     /** Looks at the bodies that leave their boxes in the step that has begun, and at the pairs that may touch in it. */
     public void look() {
-        fresh.clear();
-        IntList leaving = bodyAgenda.advance(step);
-        if (broadPhase instanceof CellGrid && order.isLong(leaving)) {
-            leaveMany(leaving, (CellGrid) broadPhase);
-        } else {
-            for (int k = 0; k < leaving.size; k++) {
-                enclose(leaving.values[k], 0);
-                broadPhase.update(leaving.values[k], boxes, pairs);
-            }
-        }
-        IntList due = pairAgenda.advance(step);
-        order.sortPairs(due);
-        for (int k = 0; k < due.size; k++) {
-            double apart = -pairs.time(due.values[k]);
-            if (pairs.first(due.values[k]) >= 0) {
-                examine(due.values[k], apart > 0 ? apart : 0);
-            }
-        }
-        examineFresh(0);
+        watch.clearList();
+        enclosures.renew(step, h);
+        watch.look();
     }
 
-    /** The same as one after the other, but in the order of space. */
-    private void leaveMany(IntList leaving, CellGrid grid) {
-        Departures departures = order.sortLeaving(leaving, state.size());
-        for (int k = 0; k < leaving.size; k++) {
-            departures.keep(leaving.values[k], boxes);
-            enclose(leaving.values[k], 0);
-        }
-        for (int k = 0; k < leaving.size; k++) {
-            grid.update(leaving.values[k], boxes, pairs, departures);
-        }
+    /**
+     * Sets which threads share the work of looking at many bodies and pairs.
+     *
+     * @param team null for the calling thread alone
+     */
+    public void setTeam(Team team) {
+        watch.setTeam(team);
+        enclosures.setTeam(team);
     }
 
     /**
@@ -218,18 +186,8 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param except a pair that need not be looked at, or −1
      */
     public void moved(int body, double tau, boolean teleported, int except) {
-        if (!teleported && trajectories.isDriven(body) && room.holds(body, tau, end(body))) {
-            bodyAgenda.schedule(body, Agenda.NEVER); // it is looked at again in the next step anyway
-        } else if (!boxes.isFixed(body) || teleported) {
-            long date = teleported ? step : room.leavingDate(body, tau, step, h);
-            if (date <= step) {
-                enclose(body, tau);
-                broadPhase.update(body, boxes, pairs);
-                fresh.clear();
-            } else {
-                bodyAgenda.schedule(body, date);
-            }
-        }
+        enclosures.moved(body, tau, teleported, step, h);
+        watch.clearList();
         if (idle[body]) {
             return;
         }
@@ -238,10 +196,55 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
             int pair = pairs.of(body, k);
             watched |= pair == except || !marks.isUnseen(pair);
             if (pair != except) {
-                examine(pair, tau);
+                watch.look(pair, tau);
             }
         }
         idle[body] = !watched;
+    }
+
+    /**
+     * Takes note that a body has a new trajectory, as {@link #moved} does, but leaves its pairs to {@link #lookAround}.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     */
+    public void enter(int body, double tau) {
+        enclosures.moved(body, tau, false, step, h);
+        watch.clearList();
+    }
+
+    /**
+     * Does that for many bodies that are driven from the start of the step on, in their order.
+     *
+     * @param bodies indices
+     */
+    public void enter(IntList bodies) {
+        enclosures.moved(bodies, step, h);
+        watch.clearList();
+    }
+
+    /**
+     * Looks at the pairs of all bodies that have entered new trajectories, at each once.
+     *
+     * @param bodies indices
+     * @param tau offset in the present step
+     */
+    public void lookAround(IntList bodies, double tau) {
+        watch.clearList();
+        for (int m = 0; m < bodies.size; m++) {
+            int body = bodies.values[m];
+            if (idle[body]) {
+                continue;
+            }
+            boolean watched = false;
+            for (int k = 0; k < pairs.countOf(body); k++) {
+                int pair = pairs.of(body, k);
+                watched |= !marks.isUnseen(pair);
+                watch.list(pair);
+            }
+            idle[body] = !watched;
+        }
+        watch.lookAtList(tau);
     }
 
     /**
@@ -250,11 +253,11 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      * @param body index
      */
     public void refilter(int body) {
-        room.admit(body, state.body(body), state.size());
+        enclosures.admit(body, state.body(body));
         for (int k = 0; k < pairs.countOf(body); k++) {
             int p = pairs.of(body, k);
             marks.ignore(p, filter.forbids(state, pairs.first(p), pairs.second(p)));
-            watch(p);
+            attend(p);
         }
     }
 
@@ -275,7 +278,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
      */
     public void hold(int pair, boolean yes) {
         marks.hold(pair, yes);
-        watch(pair);
+        attend(pair);
         pairs.setTime(pair, Double.NaN);
     }
 
@@ -309,66 +312,6 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         return body < known.length && known[body];
     }
 
-    private void examineFresh(double tau) {
-        for (int k = 0; k < fresh.size; k++) {
-            if (pairs.first(fresh.values[k]) >= 0) {
-                examine(fresh.values[k], tau);
-            }
-        }
-        fresh.clear();
-    }
-
-    /** Looks for a pair's first contact from an instant on, and plans an impact or the next look. */
-    private void examine(int pair, double tau) {
-        pairs.setTime(pair, Double.NaN);
-        if (marks.isUnseen(pair)) {
-            pairAgenda.schedule(pair, Agenda.NEVER);
-            return;
-        }
-        double start = narrowPhase.boundingCircles(pair, tau);
-        if (start == Double.POSITIVE_INFINITY) {
-            pairAgenda.schedule(pair, Agenda.NEVER);
-            return;
-        }
-        double end = Math.min(end(pairs.first(pair)), end(pairs.second(pair)));
-        double depth = marks.depth(pair);
-        double t = depth > 0
-                ? narrowPhase.firstContact(pair, tau, start, end, depth)
-                : narrowPhase.firstContact(pair, tau, start, end);
-        if (narrowPhase.isApart()) {
-            schedule(pair, t);
-            return;
-        }
-        if (narrowPhase.isTouching() && t < end) {
-            pairs.setTime(pair, t);
-            queue.add(t, pair);
-            pairAgenda.schedule(pair, Agenda.NEVER);
-            return;
-        }
-        boolean driven = !narrowPhase.isContinuous()
-                || trajectories.isDriven(pairs.first(pair))
-                || trajectories.isDriven(pairs.second(pair));
-        schedule(pair, driven ? h : t);
-    }
-
-    /** Plans the next look at a pair that is apart up to an offset, which may be infinite. */
-    private void schedule(int pair, double tau) {
-        double later = Math.max(1, Math.floor(tau / h));
-        pairs.setTime(pair, later * h - tau * ALMOST); // the search goes on from there
-        pairAgenda.schedule(pair, later < 1e15 ? step + (long) later : Agenda.NEVER);
-    }
-
-    /** Puts a body into a new box that holds its path to the end of the step, with room to go on. */
-    private void enclose(int body, double tau) {
-        if (boxes.isFixed(body)) { // its box fits its vertices
-            shapes.encloseFixed(body, trajectories.data(), body * Trajectories.STRIDE, boxes);
-            bodyAgenda.schedule(body, Agenda.NEVER);
-            return;
-        }
-        room.enclose(body, tau, end(body));
-        bodyAgenda.schedule(body, Math.max(step + 1, room.leavingDate(body, tau, step, h)));
-    }
-
     /**
      * Says until when the path of a driven body holds, before it is {@link #moved}.
      *
@@ -393,8 +336,13 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         }
     }
 
+    /** Until when in the step what is known of the paths of a pair's bodies holds. */
+    double pathEnd(int pair) {
+        return Math.min(end(pairs.first(pair)), end(pairs.second(pair)));
+    }
+
     /** Until when in the step what is known of a body's path holds. */
-    private double end(int body) {
+    double end(int body) {
         return trajectories.isDriven(body) ? Math.min(h, pathEnds.holdsUntil(body)) : h;
     }
 
@@ -479,22 +427,18 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
 
     @Override
     public void pairBegan(int pair) {
-        pairAgenda.ensure(pair + 1);
-        narrowPhase.forget(pair);
-        pairs.setTime(pair, Double.NaN);
+        watch.add(pair);
         marks.begin(pair, filter.forbids(state, pairs.first(pair), pairs.second(pair)));
-        watch(pair);
-        fresh.add(pair);
+        attend(pair);
     }
 
-    private void watch(int pair) {
+    private void attend(int pair) {
         idle[pairs.first(pair)] = false;
         idle[pairs.second(pair)] = false;
     }
 
     @Override
     public void pairEnded(int pair) {
-        pairs.setTime(pair, Double.NaN);
-        pairAgenda.schedule(pair, Agenda.NEVER);
+        watch.remove(pair);
     }
 }

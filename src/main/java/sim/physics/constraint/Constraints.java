@@ -8,7 +8,6 @@ import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
-import java.util.TreeSet;
 import sim.physics.internal.IntList;
 import sim.physics.matrix.BlockSparseMatrix;
 import sim.physics.motion.Body;
@@ -25,7 +24,7 @@ public final class Constraints implements Ties, Serializable {
     private final State state;
     private final LinkedHashSet<Constraint> constraints = new LinkedHashSet<>();
     private final LinkedHashSet<Constraint> changed = new LinkedHashSet<>();
-    private final List<Island> islands = new ArrayList<>();
+    private List<Island> islands = new ArrayList<>();
 
     /** The island of each body. */
     private Island[] of = {};
@@ -42,6 +41,24 @@ public final class Constraints implements Ties, Serializable {
      */
     public Constraints(State state) {
         this.state = state;
+    }
+
+    @Override
+    public Ties helper() {
+        return new Constraints(state);
+    }
+
+    @Override
+    public void match(Ties first) {
+        Constraints other = (Constraints) first;
+        islands = other.islands;
+        of = other.of;
+        stabilization = other.stabilization;
+    }
+
+    @Override
+    public boolean mayBeShared(IntList island) {
+        return of[island.values[0]].isOwn && solver instanceof DirectSolver;
     }
 
     /**
@@ -172,24 +189,7 @@ public final class Constraints implements Ties, Serializable {
      * @return indices in ascending order
      */
     public IntList concerned() {
-        TreeSet<Integer> found = new TreeSet<>();
-        for (Constraint c : changed) {
-            concern(c.getBodyA(), found);
-            concern(c.getBodyB(), found);
-        }
-        IntList list = new IntList();
-        found.forEach(list::add);
-        return list;
-    }
-
-    private void concern(Body body, TreeSet<Integer> found) {
-        if (body == null || body.isFixed() || body.state() != state || !found.add(body.index())) {
-            return;
-        }
-        IntList tied = isTied(body.index()) ? island(body.index()) : new IntList();
-        for (int k = 0; k < tied.size; k++) {
-            found.add(tied.values[k]);
-        }
+        return Concerned.by(changed, state, this);
     }
 
     /** Forms the islands anew that changes concern. */

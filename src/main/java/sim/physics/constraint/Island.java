@@ -59,6 +59,9 @@ final class Island implements Serializable {
     boolean isDissolved;
     final boolean isBreakable;
 
+    /** Whether all constraints are our own code. */
+    final boolean isOwn;
+
     /** Whether the solves are those of a projection after a step. */
     boolean isProjected;
 
@@ -160,6 +163,7 @@ final class Island implements Serializable {
         invariants = new Invariants(this);
         shake = new Shake(this);
         passage = new Passage(this);
+        isOwn = those.stream().allMatch(Joint::isOwn);
         isBreakable = those.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());
     }
 
@@ -401,12 +405,8 @@ final class Island implements Serializable {
     List<Constraint> overloaded() {
         List<Constraint> breaking = new ArrayList<>();
         for (Constraint k : inOrder) {
-            if (k instanceof Joint joint && joint.isBreakable()) {
-                Reaction load = reaction(k);
-                double torque = k instanceof PinJoint ? 0 : Math.abs(load.torque());
-                if (load.force() > joint.getBreakingForce() || torque > joint.getBreakingTorque()) {
-                    breaking.add(k);
-                }
+            if (k instanceof Joint joint && joint.isBreakable() && joint.breaksUnder(reaction(k))) {
+                breaking.add(k);
             }
         }
         return breaking;

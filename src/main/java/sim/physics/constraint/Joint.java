@@ -101,6 +101,18 @@ public abstract class Joint implements Constraint {
         return breakingForce < Double.POSITIVE_INFINITY || breakingTorque < Double.POSITIVE_INFINITY;
     }
 
+    /** Whether a load is greater than the joint bears. */
+    final boolean breaksUnder(Reaction load) {
+        double torque = this instanceof PinJoint ? 0 : Math.abs(load.torque());
+        return load.force() > breakingForce || torque > breakingTorque;
+    }
+
+    /** Whether a constraint is all our own code, so that different ones may be evaluated by different threads. */
+    static boolean isOwn(Constraint constraint) {
+        Constraint one = constraint instanceof Switched s ? s.coordinate() : constraint;
+        return one instanceof WireJoint w ? w.hasOwnWire() : one instanceof Joint;
+    }
+
     /** A world point in the coordinates of a body; of the world for null. */
     static double localX(Body body, double x, double y) {
         if (body == null) {

@@ -63,11 +63,18 @@ final class Projection implements Serializable {
             return true;
         }
         island.isProjected = gentle;
-        state.placedAll(); // also if it fails half-way
+        note(state); // also if it fails half-way
         boolean done = close(island, state, solver, gentle);
-        state.placedAll();
+        note(state);
         island.isProjected = false;
         return done;
+    }
+
+    /** Notes that positions are written; within a step, where threads may write them, nobody relies on that. */
+    private static void note(State state) {
+        if (!state.isUnsettled()) {
+            state.placedAll();
+        }
     }
 
     private boolean close(Island island, State state, ConstraintSolver solver, boolean gentle) {

@@ -37,6 +37,10 @@ abstract class Switched implements Constraint {
         }
     }
 
+    final Constraint coordinate() {
+        return coordinate;
+    }
+
     @Override
     public final Body getBodyA() {
         return coordinate.getBodyA();

@@ -47,6 +47,10 @@ public final class WireJoint extends Joint {
         this.wire = Objects.requireNonNull(wire, "wire");
     }
 
+    boolean hasOwnWire() {
+        return wire instanceof Line || wire instanceof Ring;
+    }
+
     @Override
     public int getRows() {
         return 1;

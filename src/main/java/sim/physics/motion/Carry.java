@@ -29,15 +29,18 @@ public final class Carry implements Serializable {
         // grows with the state
     }
 
-    /** Forgets the parts of values that have been written since {@link #end}. */
-    void begin(State state, IntList bodies) {
-        int n = state.x().length;
+    void ensure(int n) {
         if (x.length < n) {
             x = Arrays.copyOf(x, n);
             v = Arrays.copyOf(v, n);
             leftX = Arrays.copyOf(leftX, n);
             leftV = Arrays.copyOf(leftV, n);
         }
+    }
+
+    /** Forgets the parts of values that have been written since {@link #end}. */
+    void begin(State state, IntList bodies) {
+        ensure(state.x().length);
         double[] stateX = state.x();
         double[] stateV = state.v();
         for (int k = 0; k < bodies.size; k++) {

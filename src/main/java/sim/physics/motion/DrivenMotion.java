@@ -68,6 +68,9 @@ final class DrivenMotion implements Serializable {
     /** Whether the arrays above hold the ends; if not, the state vectors still do. */
     private boolean areEndsKept;
 
+    /** What threads have done before it was the groups' turn; null unless they have in this step. */
+    private transient Ahead ahead;
+
     DrivenMotion(Motion motion, State state, Trajectories trajectories) {
         this.motion = motion;
         this.state = state;
@@ -78,6 +81,10 @@ final class DrivenMotion implements Serializable {
     void setTies(Ties ties) {
         tied = ties == null ? null : new TiedMotion(state, trajectories, ties);
         setObserver(observer);
+    }
+
+    boolean isObserved() {
+        return observer != null;
     }
 
     void setObserver(CourseObserver who) {
@@ -96,15 +103,24 @@ final class DrivenMotion implements Serializable {
     double advance(IntList group, boolean fine) {
         ensure();
         int first = group.values[0];
-        if (tied != null && leaps(group, first, fine)) {
+        int done = ahead == null ? Ahead.NOTHING : ahead.take(first);
+        if (done == Ahead.REFUSAL) {
+            tied.setRefused(true);
+        } else if (done != Ahead.NOTHING && (!fine || !ahead.isCoarse(first))) {
+            fineLength[first] = done == Ahead.STRIDE ? ahead.fineLength(first) : fineLength[first];
+            isCoarse = ahead.isCoarse(first);
+            return ahead.length(first);
+        }
+        if (done == Ahead.NOTHING && tied != null && leaps(group, first, fine)) {
             return trajectories.h();
         }
         double tau = trajectories.offset(first);
         double rest = trajectories.h() - tau;
         boolean chooses = motion.getIntegrator().isAdaptive();
         double known = fine ? fineLength[first] : 0;
-        double length = stride(group, tau, known > 0 ? Math.min(known, rest) : rest);
-        double error = pathError(group, length);
+        double length =
+                done == Ahead.STRIDE ? ahead.length(first) : stride(group, tau, known > 0 ? Math.min(known, rest) : rest);
+        double error = done == Ahead.STRIDE ? ahead.error(first) : pathError(group, length);
         double shortest = chooses ? 0 : LEAST * trajectories.h();
         while (fine && error > 1 && length > shortest) {
             length = stride(group, tau, length * root(error));
@@ -117,6 +133,72 @@ final class DrivenMotion implements Serializable {
             pace[group.values[k]] = step;
         }
         return publish(group, tau, length == rest ? trajectories.h() : tau + length);
+    }
+
+    /** Shares the arrays of another one, which has room for all bodies then, to do what it would do with other groups. */
+    void match(DrivenMotion other, Ties ties, Ties otherTies) {
+        other.ensure();
+        other.path.ensure(state.x().length);
+        path.match(other.path);
+        endX = other.endX;
+        endV = other.endV;
+        endAt = other.endAt;
+        fineLength = other.fineLength;
+        pace = other.pace;
+        struckIn = other.struckIn;
+        strikes = other.strikes;
+        areEndsKept = other.areEndsKept;
+        if (tied != null) {
+            ties.match(otherTies);
+            tied.match(other.tied);
+        }
+    }
+
+    /** Whether the first stride of a group's step is the same whether the path is to be fine or not. */
+    boolean hasOneBeginning(int first) {
+        return first >= fineLength.length || !(fineLength[first] > 0 && fineLength[first] < trajectories.h());
+    }
+
+    /** Does what {@link #advance} does first with a group at the start of a step, in whatever thread. */
+    void advanceAhead(IntList group, Ahead notes) {
+        int first = group.values[0];
+        double h = trajectories.h();
+        if (tied != null && leaps(group, first, false)) {
+            notes.leap(first, h, isCoarse);
+            return;
+        }
+        if (!hasOneBeginning(first)) {
+            if (tied != null && tied.isRefused()) {
+                notes.refuse(first);
+                tied.setRefused(false);
+            }
+            return;
+        }
+        double length = stride(group, 0, h);
+        double error = pathError(group, length);
+        for (int k = 0; k < group.size; k++) {
+            pace[group.values[k]] = h;
+        }
+        notes.stride(first, publish(group, 0, length), error, length * root(error));
+    }
+
+    /** Takes note of what threads have done with groups in this step. */
+    void setAhead(Ahead notes) {
+        ahead = notes;
+    }
+
+    /** Whether nothing but making use of it is left to do with a group, be bodies near or not. */
+    boolean isDone(int first) {
+        return ahead != null && ahead.isFine(first);
+    }
+
+    /** Puts a group back to its anchors, at the start of a step, as if no thread had come to it. */
+    void undo(IntList group) {
+        restore(group);
+        for (int k = 0; k < group.size; k++) {
+            trajectories.anchor(group.values[k], 0, state);
+            endAt[group.values[k]] = Double.NaN;
+        }
     }
 
     /** Integrates a group from its anchors into the state vectors; returns how far. */
@@ -291,6 +373,7 @@ final class DrivenMotion implements Serializable {
     /** Begins a step. */
     void begin() {
         areEndsKept = false;
+        ahead = null;
     }
 
     /** The state vectors, which hold where the paths of driven bodies end, are about to be used otherwise. */

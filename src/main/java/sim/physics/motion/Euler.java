@@ -38,6 +38,11 @@ public final class Euler implements Integrator {
     }
 
     @Override
+    public boolean isConcurrent() {
+        return true;
+    }
+
+    @Override
     public int order() {
         return 1;
     }

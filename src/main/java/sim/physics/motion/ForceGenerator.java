@@ -50,4 +50,15 @@ public interface ForceGenerator extends Serializable {
     default double energy() {
         return 0;
     }
+
+    /**
+     * Whether several threads may ask for the forces on different bodies at the same time, see
+     * {@code PhysicsEngine.setThreads}: {@link #addForce} and {@link #actsOn} write nothing but the force on that body, and
+     * read nothing that changes within a step but that body.
+     *
+     * @return false, unless overridden; then the stepping thread alone calls
+     */
+    default boolean isConcurrent() {
+        return false;
+    }
 }

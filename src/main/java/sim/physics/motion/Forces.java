@@ -10,6 +10,9 @@ public final class Forces implements Serializable {
 
     private final State state;
 
+    /** For a generator, while it is asked for one force. */
+    final double[] workspace = new double[State.BLOCK];
+
     Forces(State state) {
         this.state = state;
     }

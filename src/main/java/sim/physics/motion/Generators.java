@@ -25,6 +25,9 @@ final class Generators implements Serializable {
     /** Whether some generator couples bodies. */
     boolean coupled;
 
+    /** Whether several threads may ask for the forces on different bodies. */
+    boolean concurrent = true;
+
     /** Those that need the integrator. */
     private ForceGenerator[] driving = {};
 
@@ -49,6 +52,7 @@ final class Generators implements Serializable {
         gravityX = 0;
         gravityY = 0;
         coupled = false;
+        concurrent = true;
         surface = null;
         List<ForceGenerator> others = new ArrayList<>();
         for (ForceGenerator g : all) {
@@ -58,6 +62,7 @@ final class Generators implements Serializable {
             } else {
                 others.add(g);
                 coupled |= g.isCoupled();
+                concurrent &= g.isConcurrent() && !g.isCoupled();
                 surface = g instanceof SurfaceFriction s ? s : surface;
             }
         }
@@ -127,7 +132,7 @@ final class Generators implements Serializable {
     }
 
     /** Adds the forces on a body, but for those of uniform fields. */
-    void addForces(Body body, double time, Forces forces) {
+    private void addForces(Body body, double time, Forces forces) {
         for (ForceGenerator g : driving) {
             if (g.actsOn(body)) {
                 g.addForce(body, time, forces);

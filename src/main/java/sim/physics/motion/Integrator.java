@@ -36,4 +36,14 @@ public interface Integrator extends Serializable {
     default boolean isAdaptive() {
         return false;
     }
+
+    /**
+     * Whether several threads may advance different bodies at the same time: the method keeps nothing from call to call, and
+     * what it writes lies in the blocks of the bodies.
+     *
+     * @return false unless overridden
+     */
+    default boolean isConcurrent() {
+        return false;
+    }
 }

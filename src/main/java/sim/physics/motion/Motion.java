@@ -28,7 +28,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
     private final IntList driven;
     private final IntList pushed;
     private final IntList alone = new IntList();
-    private final DrivenMotion drivenMotion;
+    final DrivenMotion drivenMotion;
 
     /** Null while nothing ties bodies together. */
     Ties ties;

@@ -80,6 +80,19 @@ public final class Path implements Serializable {
         }
     }
 
+    /** Shares the arrays of another one, but for the workspace of methods that choose their steps. */
+    void match(Path other) {
+        a = other.a;
+        j = other.j;
+        stage = other.stage;
+        x0 = other.x0;
+        v0 = other.v0;
+        sumX = other.sumX;
+        sumV = other.sumV;
+        first = other.first;
+        next = other.next;
+    }
+
     /** Takes the accelerations of the stage for those at the start, unless these are known. */
     void takeFirst(IntList bodies) {
         for (int k = 0; k < bodies.size && !knowsFirst; k++) {

@@ -96,6 +96,11 @@ public final class Rattle implements Integrator {
     }
 
     @Override
+    public boolean isConcurrent() {
+        return true;
+    }
+
+    @Override
     public int order() {
         return order;
     }

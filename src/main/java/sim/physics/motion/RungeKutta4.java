@@ -87,6 +87,11 @@ public final class RungeKutta4 implements Integrator {
     }
 
     @Override
+    public boolean isConcurrent() {
+        return true;
+    }
+
+    @Override
     public int order() {
         return 4;
     }

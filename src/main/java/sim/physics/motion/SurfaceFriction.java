@@ -16,7 +16,6 @@ public final class SurfaceFriction implements ForceGenerator {
     private static final long serialVersionUID = 1L;
 
     private final double gravity;
-    private final double[] unit = new double[State.BLOCK];
 
     /**
      * Makes the friction of a plane.
@@ -42,7 +41,13 @@ public final class SurfaceFriction implements ForceGenerator {
     }
 
     @Override
+    public boolean isConcurrent() {
+        return true;
+    }
+
+    @Override
     public void addForce(Body body, double time, Forces forces) {
+        double[] unit = forces.workspace;
         double weight = body.getSurfaceFriction() * body.getMass() * gravity;
         body.surfacePatch()
                 .friction(

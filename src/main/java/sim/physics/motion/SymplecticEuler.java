@@ -50,6 +50,11 @@ public final class SymplecticEuler implements Integrator {
     }
 
     @Override
+    public boolean isConcurrent() {
+        return true;
+    }
+
+    @Override
     public int order() {
         return 1;
     }

@@ -45,6 +45,24 @@ final class TiedMotion implements Serializable {
         this.ties = ties;
     }
 
+    /** Shares the workspace of another one, which has room for all bodies then. */
+    void match(TiedMotion first) {
+        first.ensure();
+        startX = first.startX;
+        startV = first.startV;
+        strideX = first.strideX;
+        strideV = first.strideV;
+    }
+
+    boolean isRefused() {
+        return isRefused;
+    }
+
+    /** Sets whether the next stride need not look for a quick way. */
+    void setRefused(boolean yes) {
+        isRefused = yes;
+    }
+
     void setObserver(CourseObserver who) {
         observer = who;
     }
@@ -186,14 +204,18 @@ final class TiedMotion implements Serializable {
     }
 
     private void begin(IntList group) {
+        ensure();
+        copy(group, state.x(), startX);
+        copy(group, state.v(), startV);
+    }
+
+    private void ensure() {
         if (startX.length < state.x().length) {
             startX = Arrays.copyOf(startX, state.x().length);
             startV = Arrays.copyOf(startV, state.x().length);
             strideX = Arrays.copyOf(strideX, state.x().length);
             strideV = Arrays.copyOf(strideV, state.x().length);
         }
-        copy(group, state.x(), startX);
-        copy(group, state.v(), startV);
     }
 
     /** The cubics from the start to where the bodies are now. */

@@ -9,6 +9,29 @@ import sim.physics.matrix.BlockSparseMatrix;
 /** What ties bodies together, as their motion sees it. Bodies that are tied to one another form an <i>island</i>. */
 public interface Ties extends Serializable {
     /**
+     * Makes one for another thread, which is asked about some islands while this one is asked about others; the islands are
+     * the same.
+     *
+     * @return to be matched before it is asked
+     */
+    Ties helper();
+
+    /**
+     * Takes over what may have changed.
+     *
+     * @param first where this one comes from by {@link #helper}
+     */
+    void match(Ties first);
+
+    /**
+     * Whether a thread of its own may advance an island: no code of an author has part in it.
+     *
+     * @param island all bodies of an island
+     * @return false if not
+     */
+    boolean mayBeShared(IntList island);
+
+    /**
      * Whether something ties a body.
      *
      * @param body index

@@ -30,6 +30,11 @@ public final class ViscousFriction implements ForceGenerator {
     }
 
     @Override
+    public boolean isConcurrent() {
+        return true;
+    }
+
+    @Override
     public void addForce(Body body, double time, Forces forces) {
         double drag = body.getSurfaceFriction() * g * body.getMass();
         forces.add(body, -drag * body.getVelocityX(), -drag * body.getVelocityY());

@@ -52,6 +52,38 @@ public final class NarrowPhase implements Serializable {
     }
 
     /**
+     * Makes one for another thread, which looks at pairs while this one looks at others.
+     *
+     * @return does what this one does after {@link #match}
+     */
+    public NarrowPhase twin() {
+        return new NarrowPhase(pairs, trajectories, shapes, boxes);
+    }
+
+    /**
+     * Does from now on what another one does.
+     *
+     * @param other where this one comes from
+     */
+    public void match(NarrowPhase other) {
+        continuous = other.continuous;
+    }
+
+    /**
+     * Takes over the count of work that another one has done.
+     *
+     * @param twin made by {@link #twin()}
+     */
+    public void take(NarrowPhase twin) {
+        if (twin.timeOfImpact != null) {
+            wake();
+            timeOfImpact.evaluations += twin.evaluations();
+            twin.timeOfImpact.evaluations = 0;
+            twin.separatingLine.evaluations = 0;
+        }
+    }
+
+    /**
      * Forgets what was known of a pair number, for a pair that begins.
      *
      * @param pair its number

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision;
+
+import java.io.Serializable;
+import sim.physics.collision.broad.Boxes;
+import sim.physics.collision.broad.BroadPhase;
+import sim.physics.collision.broad.CellGrid;
+import sim.physics.collision.broad.Departures;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.collision.narrow.ShapeTable;
+import sim.physics.internal.Agenda;
+import sim.physics.internal.IntList;
+import sim.physics.internal.Team;
+import sim.physics.motion.Body;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+
+/** The boxes that bodies are in, when they leave them, and what the broad phase is told of that. */
+final class Enclosures implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Bodies from which on it pays to share their boxes: of driven bodies, and of those that leave theirs. */
+    private static final int FEWEST_DRIVEN = 512;
+
+    private static final int FEWEST_LEAVING = 4096;
+
+    private final CollisionDetection detection;
+    private final State state;
+    private final Trajectories trajectories;
+    private final Pairs pairs;
+    private final ShapeTable shapes = new ShapeTable();
+    private final Boxes boxes = new Boxes();
+    private final Room room;
+    private final SpaceOrder order;
+    private final Agenda agenda = new Agenda();
+    private BroadPhase broadPhase;
+
+    /** Null unless threads share the work. */
+    private Team team;
+
+    private transient SharedBoxes shared;
+
+    Enclosures(
+            CollisionDetection detection, State state, Trajectories trajectories, Pairs pairs, BroadPhase broadPhase) {
+        this.detection = detection;
+        this.state = state;
+        this.trajectories = trajectories;
+        this.pairs = pairs;
+        this.broadPhase = broadPhase;
+        room = new Room(trajectories, boxes);
+        order = new SpaceOrder(boxes, pairs);
+    }
+
+    ShapeTable shapes() {
+        return shapes;
+    }
+
+    Boxes boxes() {
+        return boxes;
+    }
+
+    SpaceOrder order() {
+        return order;
+    }
+
+    void setTeam(Team team) {
+        this.team = team;
+        shared = null;
+    }
+
+    /** Makes room for a body. */
+    void prepare(int body, Body view) {
+        shapes.set(body, view.getShape());
+        admit(body, view);
+        agenda.ensure(state.size());
+    }
+
+    /** Takes a body in, or takes note of what it collides with. */
+    void admit(int body, Body view) {
+        room.admit(body, view, state.size());
+    }
+
+    /** Tells the broad phase of a body. */
+    void add(int body) {
+        broadPhase.add(body, boxes, pairs);
+    }
+
+    void remove(int body) {
+        broadPhase.remove(body, boxes, pairs);
+        agenda.schedule(body, Agenda.NEVER);
+    }
+
+    /** Puts an empty broad phase in the place of the present one; the bodies are to be added again. */
+    void setBroadPhase(BroadPhase replacement) {
+        broadPhase = replacement;
+    }
+
+    /** New boxes for the bodies that leave theirs in a step that begins. */
+    void renew(long step, double h) {
+        IntList leaving = agenda.advance(step);
+        Departures departures = null;
+        if (broadPhase instanceof CellGrid && order.isLong(leaving)) { // the same, but in the order of space
+            departures = order.sortLeaving(leaving, state.size());
+            for (int k = 0; k < leaving.size; k++) {
+                departures.keep(leaving.values[k], boxes);
+            }
+        }
+        boolean isShared = shares(leaving, FEWEST_LEAVING);
+        if (isShared) {
+            shared.renew(leaving, state.size(), step, h);
+        }
+        for (int k = 0; k < leaving.size; k++) {
+            int body = leaving.values[k];
+            if (isShared && !boxes.isFixed(body)) {
+                shared.put(body, boxes);
+                agenda.schedule(body, shared.date(k));
+            } else {
+                enclose(body, 0, step, h);
+            }
+            if (departures == null) {
+                broadPhase.update(body, boxes, pairs);
+            }
+        }
+        for (int k = 0; departures != null && k < leaving.size; k++) {
+            ((CellGrid) broadPhase).update(leaving.values[k], boxes, pairs, departures);
+        }
+    }
+
+    /**
+     * Takes note that a body has a new trajectory.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     * @param teleported whether its position changed too
+     * @param step number of the step
+     * @param h its length
+     */
+    void moved(int body, double tau, boolean teleported, long step, double h) {
+        if (!teleported && trajectories.isDriven(body) && room.holds(body, tau, detection.end(body))) {
+            agenda.schedule(body, Agenda.NEVER); // it is looked at again in the next step anyway
+        } else if (!boxes.isFixed(body) || teleported) {
+            long date = teleported ? step : room.leavingDate(body, tau, step, h);
+            if (date <= step) {
+                enclose(body, tau, step, h);
+                broadPhase.update(body, boxes, pairs);
+            } else {
+                agenda.schedule(body, date);
+            }
+        }
+    }
+
+    /** The same for driven bodies that have new trajectories from the start of the step on, one after the other. */
+    void moved(IntList bodies, long step, double h) {
+        if (!shares(bodies, FEWEST_DRIVEN)) {
+            for (int k = 0; k < bodies.size; k++) {
+                moved(bodies.values[k], 0, false, step, h);
+            }
+            return;
+        }
+        shared.enter(bodies, state.size(), step, h);
+        for (int k = 0; k < bodies.size; k++) {
+            int body = bodies.values[k];
+            agenda.schedule(body, shared.date(k));
+            if (shared.isNew(k)) {
+                shared.put(body, boxes);
+                broadPhase.update(body, boxes, pairs);
+            }
+        }
+    }
+
+    private boolean shares(IntList bodies, int least) {
+        if (team == null || !team.pays(bodies.size, least)) {
+            return false;
+        }
+        shared = shared == null ? new SharedBoxes(detection, trajectories, room, team) : shared;
+        return true;
+    }
+
+    /** Puts a body into a new box that holds its path to the end of the step, with room to go on. */
+    void enclose(int body, double tau, long step, double h) {
+        if (boxes.isFixed(body)) { // its box fits its vertices
+            shapes.encloseFixed(body, trajectories.data(), body * Trajectories.STRIDE, boxes);
+            agenda.schedule(body, Agenda.NEVER);
+            return;
+        }
+        room.enclose(body, tau, detection.end(body));
+        agenda.schedule(body, Math.max(step + 1, room.leavingDate(body, tau, step, h)));
+    }
+}

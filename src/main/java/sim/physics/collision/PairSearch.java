@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision;
+
+import java.io.Serializable;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.collision.narrow.NarrowPhase;
+import sim.physics.motion.Trajectories;
+
+/**
+ * A look at a pair: when its bodies touch first, or until when they are apart. It depends on the two bodies' paths and on
+ * what is known of the pair, and changes nothing else.
+ */
+final class PairSearch implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** The bodies never touch on their present paths. */
+    static final byte NEVER = 0;
+
+    /** They are apart up to the offset that was found. */
+    static final byte LATER = 1;
+
+    /** They touch at that offset. */
+    static final byte IMPACT = 2;
+
+    private final Pairs pairs;
+    private final Trajectories trajectories;
+    private final PairMarks marks;
+    private final NarrowPhase narrowPhase;
+
+    /** What the last look found: one of the above. */
+    byte found;
+
+    PairSearch(Pairs pairs, Trajectories trajectories, PairMarks marks, NarrowPhase narrowPhase) {
+        this.pairs = pairs;
+        this.trajectories = trajectories;
+        this.marks = marks;
+        this.narrowPhase = narrowPhase;
+    }
+
+    NarrowPhase narrowPhase() {
+        return narrowPhase;
+    }
+
+    /** One for another thread, to look at pairs while this one looks at others. */
+    PairSearch twin() {
+        return new PairSearch(pairs, trajectories, marks, narrowPhase.twin());
+    }
+
+    /**
+     * Looks for a pair's first contact.
+     *
+     * @param pair its number
+     * @param tau offset in the present step from which on to look
+     * @param end until when the bodies' paths hold
+     * @return an offset, if there is one that matters
+     */
+    double look(int pair, double tau, double end) {
+        found = NEVER;
+        if (marks.isUnseen(pair)) {
+            return 0;
+        }
+        double start = narrowPhase.boundingCircles(pair, tau);
+        if (start == Double.POSITIVE_INFINITY) {
+            return 0;
+        }
+        double depth = marks.depth(pair);
+        double t = depth > 0
+                ? narrowPhase.firstContact(pair, tau, start, end, depth)
+                : narrowPhase.firstContact(pair, tau, start, end);
+        found = LATER;
+        if (narrowPhase.isApart()) {
+            return t;
+        }
+        if (narrowPhase.isTouching() && t < end) {
+            found = IMPACT;
+            return t;
+        }
+        boolean driven = !narrowPhase.isContinuous()
+                || trajectories.isDriven(pairs.first(pair))
+                || trajectories.isDriven(pairs.second(pair));
+        return driven ? trajectories.h() : t;
+    }
+}
