@@ -355,13 +355,12 @@ public final class Motion implements EquationsOfMotion, Serializable {
     }
 
     /**
-     * Whether contact forces may act on a body for a while, beside what drives it.
+     * Whether contact forces may act on driven bodies for a while, beside what drives them.
      *
-     * @param body index
-     * @return false if forces couple bodies, or it has joints with stops or motors
+     * @return false if forces couple bodies
      */
-    public boolean isSupportable(int body) {
-        return !generators.coupled && !(isTied(body) && ties.isSwitched(ties.island(body)));
+    public boolean isSupportable() {
+        return !generators.coupled;
     }
 
     /** The simulated time of an offset in the present step. */

@@ -21,6 +21,9 @@ final class Sliding implements Serializable {
     /** Time to rest, relative to the step, from which the deceleration is taken as constant. */
     private static final double LAST = 1e-7;
 
+    /** Parts of a way until they get longer. */
+    private static final int PATIENCE = 500;
+
     private static final int SET_OFF_ITERATIONS = 20;
 
     private final Motion motion;
@@ -48,14 +51,16 @@ final class Sliding implements Serializable {
             setOff(group, b, t, LAST * LAST * length);
         }
         double done = 0;
-        while (done < length) {
+        double least = SHARE * LAST * motion.step();
+        for (int parts = 0; done < length; parts++) {
+            least *= parts < PATIENCE ? 1 : 2; // it creeps: neither held, nor set in motion
             double rest = timeToRest(body, group, t + done);
             if (rest <= LAST * motion.step() && stop(body, surface, group, Math.min(rest, length - done), t + done)) {
                 done += Math.min(rest, length - done);
                 break;
             }
             double left = length - done;
-            double part = Math.min(left, Math.max(SHARE * rest, SHARE * LAST * motion.step()));
+            double part = Math.min(left, Math.max(SHARE * rest, least));
             DrivenMotion.cover(motion, state, group, t + done, part, path);
             done = part == left ? length : done + part;
         }

@@ -24,7 +24,7 @@ final class Bounces implements Serializable {
     private static final int BLURRED = 50;
 
     /** Way in a step at the speed of a rattling pair's bounces, in their greatest lengths: the force may have been misjudged. */
-    private static final double RATTLE_WAY = 16;
+    private static final double RATTLE_WAY = 1;
 
     private final Trajectories trajectories;
     private final Motion motion;

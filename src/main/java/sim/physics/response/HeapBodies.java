@@ -10,6 +10,11 @@ import sim.physics.internal.IntList;
 final class HeapBodies implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Times that something happens to a body in a step which is quiet; and after which its pauses get no longer. */
+    private static final int QUIET = 10;
+
+    private static final int LONGEST = 7;
+
     /** By how much longer forces are to hold on driven bodies than last time, if no point has closed. */
     private static final double LONGER = 1.2;
 
@@ -35,8 +40,12 @@ final class HeapBodies implements Serializable {
     /** The number of the step before which it does not lie on anything, because it was struck too often. */
     double[] givenUp = {};
 
+    /** How often that was so without a quiet step between. */
+    int[] givenUpTimes = {};
+
     /** How often something has happened to it in this step, and the energy that it has lost in heaps. */
     int[] turns = {};
+    int[] ends = {};
 
     double[] lost = {};
 
@@ -67,10 +76,18 @@ final class HeapBodies implements Serializable {
             pace = Arrays.copyOf(pace, n);
             hasClosed = Arrays.copyOf(hasClosed, n);
             givenUp = Arrays.copyOf(givenUp, n);
+            givenUpTimes = Arrays.copyOf(givenUpTimes, n);
             turns = Arrays.copyOf(turns, n);
+            ends = Arrays.copyOf(ends, n);
             lost = Arrays.copyOf(lost, n);
             place = Arrays.copyOf(place, n);
         }
+    }
+
+    /** Lets a driven body lie on nothing for some steps; for more steps each time. */
+    void giveUp(int body, double step) {
+        givenUpTimes[body] = Math.min(givenUpTimes[body] + 1, LONGEST);
+        givenUp[body] = step + (2 << givenUpTimes[body]);
     }
 
     /** Takes note of a change of velocity. */
@@ -119,7 +136,9 @@ final class HeapBodies implements Serializable {
     /** Begins a step, or a body's time in a heap. */
     void begin(int body) {
         paidUntil[body] = 0;
+        givenUpTimes[body] = turns[body] + ends[body] < QUIET ? 0 : givenUpTimes[body];
         turns[body] = 0;
+        ends[body] = 0;
         lost[body] = 0;
     }
 }

@@ -26,11 +26,11 @@ public final class Heaps implements Serializable {
     /** Times that something may happen to a driven body in a step before its pairs do not last any more. */
     private static final int MOST = 40;
 
+    /** Times that forces on a driven body may be found in a step before that. */
+    private static final int MOST_ENDS = 300;
+
     /** Turn of driven bodies in a step, rad, up to which they may lie on something. */
     private static final double CALM = 0.03;
-
-    /** Steps until they may again. */
-    private static final int PAUSE = 4;
 
     private final State state;
     private final Trajectories trajectories;
@@ -89,7 +89,7 @@ public final class Heaps implements Serializable {
             return true;
         }
         boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
-        return !paused && motion.isSupportable(body) && isCalm(motion.companions(body));
+        return !paused && motion.isSupportable() && isCalm(motion.companions(body));
     }
 
     /** Whether bodies that move together turn so little in a step that forces may be constant for it. */
@@ -108,7 +108,7 @@ public final class Heaps implements Serializable {
         IntList group = motion.companions(body);
         for (int k = 0; k < group.size; k++) {
             int one = group.values[k];
-            by.givenUp[one] = trajectories.step() + PAUSE;
+            by.giveUp(one, trajectories.step());
             motion.support(one, 0, 0, 0);
             part(one);
         }
@@ -233,7 +233,13 @@ public final class Heaps implements Serializable {
      * @param body index
      */
     public void again(int body) {
-        mark(body);
+        by.ends[body]++;
+        if (trajectories.isDriven(body) && by.ends[body] > MOST_ENDS) {
+            giveUp(body);
+            changed.add(body);
+        } else {
+            mark(body);
+        }
     }
 
     /** Takes note that a lasting pair has closed within the step; false if it is not to last any more. */

@@ -5,11 +5,17 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
+import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
@@ -104,6 +110,45 @@ class DrivenContactTest {
         assertThat((chassis.getVelocityX() - before) / 2).isCloseTo(acceleration, within(1e-5));
         assertThat(front.getAngularVelocity()).isCloseTo(-chassis.getVelocityX() / 0.5, within(1e-5));
         assertThat(engine.getImpacts()).isEqualTo(impacts);
+    }
+
+    /** A motor turns a wheel at its target speed, whether the wheel slips at first or not; in the end the car rolls. */
+    @ParameterizedTest
+    @ValueSource(doubles = {2, 5, 100})
+    void aCarRollsAtTheSpeedOfItsMotor(double torque) {
+        car(0.3);
+        engine.add(Motor.turning(chassis, rear, -10, torque));
+        run(540);
+        long impacts = engine.getImpacts();
+        run(60);
+        assertThat(chassis.getVelocityX()).isCloseTo(-5, within(1e-7));
+        assertThat(front.getAngularVelocity()).isCloseTo(10, within(1e-6));
+        assertThat(rear.getY()).isCloseTo(0.5, within(1e-6));
+        assertThat(engine.getImpacts()).isEqualTo(impacts);
+    }
+
+    @Test
+    void aCheckpointGoesOnBitForBit() throws IOException, ClassNotFoundException {
+        car(0.3);
+        run(70);
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+            out.writeObject(engine);
+        }
+        PhysicsEngine copy;
+        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
+            copy = (PhysicsEngine) in.readObject();
+        }
+        run(80);
+        for (int k = 0; k < 80; k++) {
+            copy.step();
+        }
+        assertThat(copy.getImpacts()).isEqualTo(engine.getImpacts());
+        for (int k = 0; k < 4; k++) {
+            assertThat(copy.bodies().get(k).getX()).isEqualTo(engine.bodies().get(k).getX());
+            assertThat(copy.bodies().get(k).getY()).isEqualTo(engine.bodies().get(k).getY());
+            assertThat(copy.bodies().get(k).getAngle()).isEqualTo(engine.bodies().get(k).getAngle());
+        }
     }
 
     /** On the floor without friction it swings as if that were not there. */
