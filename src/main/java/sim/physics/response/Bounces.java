@@ -24,7 +24,7 @@ final class Bounces implements Serializable {
     private static final int BLURRED = 50;
 
     /** Way in a step at the speed of a rattling pair's bounces, in their greatest lengths: the force may have been misjudged. */
-    private static final double RATTLE_WAY = 1;
+    private static final double RATTLE_WAY = 16;
 
     private final Trajectories trajectories;
     private final Motion motion;
@@ -185,7 +185,8 @@ final class Bounces implements Serializable {
         }
         double bounce = 2 * c.restitution * approachSpeed / closing;
         double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
-        boolean isLong = count > Tolerances.REST_AFTER || count > BLURRED && approachSpeed > 2 * lastSpeed[pair];
+        boolean isBlurred = 2 * c.restitution * approachSpeed > (1 + c.restitution) * lastSpeed[pair];
+        boolean isLong = count > Tolerances.REST_AFTER || count > BLURRED && isBlurred;
         if (canRest && bounce < (isLong ? shortest : Tolerances.REST * h)) {
             c.restitution = 0;
             return true;
