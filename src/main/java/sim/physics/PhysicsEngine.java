@@ -260,10 +260,18 @@ public final class PhysicsEngine implements Steppable {
         state.setPresence(admission);
         IntList deflected = response.respond(touching, tau, now);
         state.setPresence(null);
+        boolean someRest = !response.resting().isEmpty();
+        boolean someLie = !response.heaps().isEmpty();
         for (int k = 0; k < deflected.size; k++) {
-            motion.deflect(deflected.values[k]);
-            response.resting().struck(deflected.values[k], tau);
-            response.heaps().struck(deflected.values[k]);
+            if (!trajectories.areStraight()) { // else nothing has ever been driven, or borne
+                motion.deflect(deflected.values[k]);
+            }
+            if (someRest) {
+                response.resting().struck(deflected.values[k], tau);
+            }
+            if (someLie) {
+                response.heaps().struck(deflected.values[k]);
+            }
         }
         for (int k = 0; k < deflected.size; k++) {
             int body = deflected.values[k];

@@ -58,16 +58,31 @@ final class Room implements Serializable {
         if (boxes.isFixed(body) || isAloof[body]) {
             return Agenda.NEVER;
         }
-        double[] m = trajectories.data();
         int o = body * Trajectories.STRIDE;
         double[] d = boxes.data();
         int b = body * Boxes.STRIDE;
         double radius = trajectories.radius(body);
         double time = trajectories.duration(body, tau);
-        double t = leavingTime(o, time, h, d[b] + radius, d[b + 2] - radius);
-        t = Math.min(t, leavingTime(o + 1, time, h, d[b + 1] + radius, d[b + 3] - radius));
+        double t;
+        if (trajectories.areStraight()) {
+            double[] m = trajectories.data();
+            t = leavingTime(m[o] + time * m[o + Trajectories.VX], m[o + Trajectories.VX], d[b] + radius, d[b + 2] - radius);
+            t = Math.min(t, leavingTime(
+                    m[o + 1] + time * m[o + Trajectories.VY], m[o + Trajectories.VY], d[b + 1] + radius, d[b + 3] - radius));
+        } else {
+            t = leavingTime(o, time, h, d[b] + radius, d[b + 2] - radius);
+            t = Math.min(t, leavingTime(o + 1, time, h, d[b + 1] + radius, d[b + 3] - radius));
+        }
         double steps = Math.floor((tau + t) / h);
         return steps < 1e15 ? step + (long) steps : Agenda.NEVER;
+    }
+
+    /** How long a coordinate that changes uniformly stays between two bounds. */
+    private static double leavingTime(double x, double v, double low, double high) {
+        if (v == 0) {
+            return x >= low && x <= high ? Double.POSITIVE_INFINITY : 0;
+        }
+        return Math.max((high - x) / v, (low - x) / v); // no branch by the direction, which nobody could foretell
     }
 
     /** How long a coordinate surely stays between two bounds. */
@@ -80,10 +95,7 @@ final class Room implements Serializable {
         double x = m[o] + time * (m[o + Trajectories.VX] + time * (a + time * j));
         double v = m[o + Trajectories.VX] + time * (2 * a + 3 * time * j);
         if (a == 0 && j == 0) {
-            if (v == 0) {
-                return x >= low && x <= high ? Double.POSITIVE_INFINITY : 0;
-            }
-            return Math.max((high - x) / v, (low - x) / v); // no branch by the direction, which nobody could foretell
+            return leavingTime(x, v, low, high);
         }
         double bound = Math.abs(a) + 3 * Math.abs(j) * h;
         double room = Math.min(high - x, x - low);
@@ -133,18 +145,20 @@ final class Room implements Serializable {
     }
 
     private boolean isUniform(int o) {
-        double[] m = trajectories.data();
         double[] k = trajectories.bends();
-        int mask = trajectories.bendMask();
-        return k[(o & mask) + Trajectories.AX] == 0
-                && k[(o & mask) + Trajectories.AY] == 0
-                && k[(o & mask) + Trajectories.JX] == 0
-                && k[(o & mask) + Trajectories.JY] == 0
-                && k[(o & mask) + Trajectories.DRIVEN] == 0;
+        return trajectories.areStraight()
+                || k[o + Trajectories.AX] == 0
+                        && k[o + Trajectories.AY] == 0
+                        && k[o + Trajectories.JX] == 0
+                        && k[o + Trajectories.JY] == 0
+                        && k[o + Trajectories.DRIVEN] == 0;
     }
 
     private double place(int o, double d) {
         double[] m = trajectories.data();
+        if (trajectories.areStraight()) {
+            return m[o] + d * (m[o + Trajectories.VX] + d * 0.0);
+        }
         double[] k = trajectories.bends();
         int mask = trajectories.bendMask();
         return m[o] + d * (m[o + Trajectories.VX] + d * (k[(o & mask) + Trajectories.AX] + d * k[(o & mask) + Trajectories.JX]));
@@ -152,6 +166,9 @@ final class Room implements Serializable {
 
     private double speed(int o, double d) {
         double[] m = trajectories.data();
+        if (trajectories.areStraight()) {
+            return m[o + Trajectories.VX] + d * 0.0; // a negative zero becomes positive, as with bends
+        }
         double[] k = trajectories.bends();
         int mask = trajectories.bendMask();
         return m[o + Trajectories.VX] + d * (2 * k[(o & mask) + Trajectories.AX] + 3 * d * k[(o & mask) + Trajectories.JX]);
@@ -200,7 +217,6 @@ final class Room implements Serializable {
 
     /** How far the accelerations can carry a coordinate off its straight path in a time. */
     private double pathBound(int o, double d, double rest) {
-        double[] m = trajectories.data();
         double[] k = trajectories.bends();
         int mask = trajectories.bendMask();
         double j = Math.abs(k[(o & mask) + Trajectories.JX]);

@@ -381,8 +381,11 @@ final class DrivenMotion implements Serializable {
         if (areEndsKept) {
             return;
         }
-        ensure();
         areEndsKept = true;
+        if (trajectories.areStraight()) {
+            return; // nothing has ever been driven
+        }
+        ensure();
         for (int k = 0; k < driven.size; k++) {
             int b = State.BLOCK * driven.values[k];
             copy(state.x(), b, endX, b);

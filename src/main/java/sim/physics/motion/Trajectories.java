@@ -113,6 +113,15 @@ public final class Trajectories implements Serializable {
         return bendMask;
     }
 
+    /**
+     * Whether all bodies have always moved and spun uniformly, so that nobody need look at the bends.
+     *
+     * @return true if no body has ever been accelerated or driven
+     */
+    public boolean areStraight() {
+        return bendMask == 0;
+    }
+
     /** Gives each body bends of its own. */
     double[] unfold() {
         if (bendMask == 0) {
@@ -228,7 +237,9 @@ public final class Trajectories implements Serializable {
         double[] m = data;
         double[] k = bends;
         double d = (step - m[o + STEP]) * h + (tau - m[o + OFFSET]);
-        if (d != 0) {
+        if (bendMask == 0) {
+            bringStraight(o, d);
+        } else if (d != 0) {
             for (int c = 0; c < State.BLOCK; c++) {
                 double v = m[o + VX + c];
                 double a = k[(o & bendMask) + AX + c];
@@ -240,6 +251,23 @@ public final class Trajectories implements Serializable {
         }
         m[o + STEP] = step;
         m[o + OFFSET] = tau;
+    }
+
+    /** The same with zeros for the bends, of which one term is left: it makes a negative zero positive. */
+    private void bringStraight(int o, double d) {
+        if (d != 0) {
+            double[] m = data;
+            double zero = d * 0.0;
+            double vx = m[o + VX] + zero;
+            double vy = m[o + VY] + zero;
+            double omega = m[o + OMEGA] + zero;
+            m[o] += d * vx;
+            m[o + 1] += d * vy;
+            m[o + 2] += d * omega;
+            m[o + VX] = vx;
+            m[o + VY] = vy;
+            m[o + OMEGA] = omega;
+        }
     }
 
     /**
@@ -280,6 +308,8 @@ public final class Trajectories implements Serializable {
         int o = body * STRIDE;
         if (ax != 0 || ay != 0 || alpha != 0) {
             unfold();
+        } else if (bendMask == 0) {
+            return;
         }
         bends[(o & bendMask) + AX] = 0.5 * ax;
         bends[(o & bendMask) + AY] = 0.5 * ay;
@@ -287,6 +317,17 @@ public final class Trajectories implements Serializable {
         bends[(o & bendMask) + JX] = 0;
         bends[(o & bendMask) + JY] = 0;
         bends[(o & bendMask) + JTHETA] = 0;
+    }
+
+    /**
+     * Whether a body follows a parabola and spins uniformly.
+     *
+     * @param body index
+     * @return false if its spin or its acceleration changes
+     */
+    public boolean isParabola(int body) {
+        int o = body * STRIDE & bendMask;
+        return bends[o + ATHETA] == 0 && bends[o + JX] == 0 && bends[o + JY] == 0 && bends[o + JTHETA] == 0;
     }
 
     /** Whether a body has a velocity at its anchor. */
@@ -345,6 +386,10 @@ public final class Trajectories implements Serializable {
      * @param state the vectors
      */
     public void publish(double tau, State state) {
+        if (bendMask == 0) {
+            publishStraight(tau, state);
+            return;
+        }
         double[] x = state.x();
         double[] v = state.v();
         double[] m = data;
@@ -361,6 +406,26 @@ public final class Trajectories implements Serializable {
             v[b] = m[o + VX] + d * (2 * k[(o & bendMask) + AX] + 3 * d * k[(o & bendMask) + JX]);
             v[b + 1] = m[o + VY] + d * (2 * k[(o & bendMask) + AY] + 3 * d * k[(o & bendMask) + JY]);
             v[b + 2] = m[o + OMEGA] + d * (2 * k[(o & bendMask) + ATHETA] + 3 * d * k[(o & bendMask) + JTHETA]);
+        }
+    }
+
+    private void publishStraight(double tau, State state) {
+        double[] x = state.x();
+        double[] v = state.v();
+        double[] m = data;
+        int n = state.size();
+        for (int i = 0, o = 0, b = 0; i < n; i++, o += STRIDE, b += State.BLOCK) {
+            double d = (step - m[o + STEP]) * h + (tau - m[o + OFFSET]);
+            double zero = d * 0.0;
+            double vx = m[o + VX] + zero;
+            double vy = m[o + VY] + zero;
+            double omega = m[o + OMEGA] + zero;
+            x[b] = m[o] + d * vx;
+            x[b + 1] = m[o + 1] + d * vy;
+            x[b + 2] = m[o + 2] + d * omega;
+            v[b] = vx;
+            v[b + 1] = vy;
+            v[b + 2] = omega;
         }
     }
 

@@ -101,7 +101,7 @@ public final class CollisionResponse implements Serializable {
         now = time;
         if (touching.size == 1) {
             int pair = touching.values[0];
-            since = Math.max(since(pairs.first(pair)), since(pairs.second(pair)));
+            since = trajectories.areStraight() ? 0 : Math.max(since(pairs.first(pair)), since(pairs.second(pair)));
             locate(pair, tau);
             if (manifold.count == 1 && (jointed == null || !jointed.has(pairs.first(pair), pairs.second(pair)))) {
                 respondToOne(pair, tau);

@@ -24,6 +24,9 @@ final class Strikes implements Serializable {
 
     /** Takes note of bodies whose velocities have just been changed at their anchors. */
     void note(IntList bodies) {
+        if (trajectories.areStraight()) {
+            return; // nobody asks, since nothing has ever been driven
+        }
         for (int k = 0; k < bodies.size; k++) {
             int body = bodies.values[k];
             if (body >= step.length) {

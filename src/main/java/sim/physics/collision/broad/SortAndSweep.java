@@ -63,7 +63,7 @@ public final class SortAndSweep implements BroadPhase {
          * Gives an end point its new value and sorts it in. At equal values lower end points stand before upper ones,
          * so that boxes that touch overlap.
          */
-        void move(int which, double to, Boxes boxes, Pairs pairs) {
+        void move(int which, double to, Axis across, Boxes boxes, Pairs pairs) {
             int k = place[which];
             boolean upper = (which & 1) != 0;
             while (k > 0 && (value[k - 1] > to || value[k - 1] == to && !upper && (end[k - 1] & 1) != 0)) {
@@ -71,7 +71,7 @@ public final class SortAndSweep implements BroadPhase {
                 if (!upper && (end[k] & 1) != 0) {
                     meet(which >> 1, end[k] >> 1, boxes, pairs);
                 } else if (upper && (end[k] & 1) == 0) {
-                    part(which >> 1, end[k] >> 1, pairs);
+                    part(which >> 1, end[k] >> 1, across, boxes, pairs);
                 }
                 k--;
             }
@@ -80,13 +80,20 @@ public final class SortAndSweep implements BroadPhase {
                 if (upper && (end[k] & 1) == 0) {
                     meet(which >> 1, end[k] >> 1, boxes, pairs);
                 } else if (!upper && (end[k] & 1) != 0) {
-                    part(which >> 1, end[k] >> 1, pairs);
+                    part(which >> 1, end[k] >> 1, across, boxes, pairs);
                 }
                 k++;
             }
             value[k] = to;
             end[k] = which;
             place[which] = k;
+        }
+
+        /** Whether two overlap as it stands. */
+        boolean overlap(int a, int b, Boxes boxes) {
+            double[] d = boxes.data();
+            int o = Boxes.STRIDE * b + lower;
+            return value[place[2 * a + 1]] >= d[o] && d[o + 2] >= value[place[2 * a]];
         }
 
         private void shift(int to, int from) {
@@ -101,8 +108,9 @@ public final class SortAndSweep implements BroadPhase {
             }
         }
 
-        private static void part(int a, int b, Pairs pairs) {
-            if (a != b) {
+        /** Ends a pair, if there is one: only if the two overlap in the other dimension too, where a may still be moved. */
+        private static void part(int a, int b, Axis across, Boxes boxes, Pairs pairs) {
+            if (a != b && across.overlap(a, b, boxes)) {
                 int p = pairs.find(a, b);
                 if (p >= 0) {
                     pairs.end(p);
@@ -130,21 +138,21 @@ public final class SortAndSweep implements BroadPhase {
 
     @Override
     public void update(int body, Boxes boxes, Pairs pairs) {
-        update(axisX, body, boxes, pairs);
-        update(axisY, body, boxes, pairs);
+        update(axisX, axisY, body, boxes, pairs);
+        update(axisY, axisX, body, boxes, pairs);
     }
 
     /** Moves the end point that leads first, so that the lower one never passes the upper one. */
-    private static void update(Axis axis, int body, Boxes boxes, Pairs pairs) {
+    private static void update(Axis axis, Axis across, int body, Boxes boxes, Pairs pairs) {
         double lower = boxes.data()[Boxes.STRIDE * body + axis.lower];
         double upper = boxes.data()[Boxes.STRIDE * body + axis.lower + 2];
         int low = 2 * body;
         if (upper >= axis.value[axis.place[low + 1]]) {
-            axis.move(low + 1, upper, boxes, pairs);
-            axis.move(low, lower, boxes, pairs);
+            axis.move(low + 1, upper, across, boxes, pairs);
+            axis.move(low, lower, across, boxes, pairs);
         } else {
-            axis.move(low, lower, boxes, pairs);
-            axis.move(low + 1, upper, boxes, pairs);
+            axis.move(low, lower, across, boxes, pairs);
+            axis.move(low + 1, upper, across, boxes, pairs);
         }
     }
 

@@ -225,15 +225,18 @@ public final class NarrowPhase implements Serializable {
 
     private double boundingCircles(int i, int j, double tau) {
         double[] m = trajectories.data();
-        double[] bends = trajectories.bends();
-        int mask = trajectories.bendMask();
         int a = i * Trajectories.STRIDE;
         int b = j * Trajectories.STRIDE;
-        double ax = bends[(a & mask) + Trajectories.AX];
-        double ay = bends[(a & mask) + Trajectories.AY];
-        double driven = bends[(a & mask) + Trajectories.DRIVEN] + bends[(b & mask) + Trajectories.DRIVEN];
-        if (bends[(b & mask) + Trajectories.AX] != ax || bends[(b & mask) + Trajectories.AY] != ay || driven != 0) {
-            return tau;
+        double ax = 0;
+        double ay = 0;
+        if (!trajectories.areStraight()) {
+            double[] bends = trajectories.bends();
+            ax = bends[a + Trajectories.AX];
+            ay = bends[a + Trajectories.AY];
+            double driven = bends[a + Trajectories.DRIVEN] + bends[b + Trajectories.DRIVEN];
+            if (bends[b + Trajectories.AX] != ax || bends[b + Trajectories.AY] != ay || driven != 0) {
+                return tau;
+            }
         }
         double step = trajectories.step();
         double h = trajectories.h();

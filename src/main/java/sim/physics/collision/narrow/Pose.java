@@ -172,6 +172,26 @@ final class Pose {
         rounding = a.rounding() + b.rounding();
         bounding = a.bounding() + b.bounding();
         size = bounding;
+        if (trajectories.areStraight()) {
+            loadStraight();
+        } else {
+            loadBends();
+        }
+    }
+
+    private void loadStraight() {
+        a.maxOmega = Math.abs(m[oa + Trajectories.OMEGA]);
+        b.maxOmega = Math.abs(m[ob + Trajectories.OMEGA]);
+        a.maxAlpha = 0;
+        b.maxAlpha = 0;
+        ax = 0;
+        ay = 0;
+        accelerationIsConstant = true;
+        linear = true;
+        maxAcceleration = 0;
+    }
+
+    private void loadBends() {
         bound(a, oa);
         bound(b, ob);
         ax = 2 * (bends[(ob & bendMask) + Trajectories.AX] - bends[(oa & bendMask) + Trajectories.AX]);

@@ -54,8 +54,10 @@ final class SeparatingLine {
     long evaluations;
 
     private double[] m;
-    private double[] bends;
-    private int bendMask;
+    /** Acceleration of both, halved. */
+    private double ax;
+
+    private double ay;
     private double[] shape;
     private int oa;
     private int ob;
@@ -177,14 +179,11 @@ final class SeparatingLine {
     /** Turns to a pair; false if their motion is not uniform, or both are circles. */
     private boolean load(int i, int j) {
         m = trajectories.data();
-        bends = trajectories.bends();
-        bendMask = trajectories.bendMask();
         oa = i * Trajectories.STRIDE;
         ob = j * Trajectories.STRIDE;
-        if (bends[(oa & bendMask) + Trajectories.AX] != bends[(ob & bendMask) + Trajectories.AX]
-                || bends[(oa & bendMask) + Trajectories.AY] != bends[(ob & bendMask) + Trajectories.AY]
-                || !isUniform(oa)
-                || !isUniform(ob)) {
+        ax = 0;
+        ay = 0;
+        if (!trajectories.areStraight() && !loadBends(i, j)) {
             return false;
         }
         shape = shapes.data();
@@ -197,11 +196,14 @@ final class SeparatingLine {
         return countA > 1 || countB > 1; // two circles have no line
     }
 
-    private boolean isUniform(int o) {
-        return bends[(o & bendMask) + Trajectories.ATHETA] == 0
-                && bends[(o & bendMask) + Trajectories.JX] == 0
-                && bends[(o & bendMask) + Trajectories.JY] == 0
-                && bends[(o & bendMask) + Trajectories.JTHETA] == 0;
+    private boolean loadBends(int i, int j) {
+        double[] bends = trajectories.bends();
+        ax = bends[oa + Trajectories.AX];
+        ay = bends[oa + Trajectories.AY];
+        return ax == bends[ob + Trajectories.AX]
+                && ay == bends[ob + Trajectories.AY]
+                && trajectories.isParabola(i)
+                && trajectories.isParabola(j);
     }
 
     /** Places both bodies at an instant. */
@@ -210,8 +212,6 @@ final class SeparatingLine {
         double h = trajectories.h();
         double da = (step - m[oa + Trajectories.STEP]) * h + (tau - m[oa + Trajectories.OFFSET]);
         double db = (step - m[ob + Trajectories.STEP]) * h + (tau - m[ob + Trajectories.OFFSET]);
-        double ax = bends[(oa & bendMask) + Trajectories.AX];
-        double ay = bends[(oa & bendMask) + Trajectories.AY];
         double xa = m[oa] + da * (m[oa + Trajectories.VX] + da * ax);
         double ya = m[oa + 1] + da * (m[oa + Trajectories.VY] + da * ay);
         double xb = m[ob] + db * (m[ob + Trajectories.VX] + db * ax);
