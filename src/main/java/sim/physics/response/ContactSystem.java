@@ -20,24 +20,18 @@ import java.util.Arrays;
 final class ContactSystem implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Values per point: normal, levers, arms, bias, friction, mobilities, sliding, forces. */
-    private static final int STRIDE = 15;
+    /** Values per point: gap, friction, mobilities, bias, sliding, forces, parting. */
+    private static final int STRIDE = 9;
 
-    private static final int NX = 0;
-    private static final int NY = 1;
-    private static final int LEVER_A = 2;
-    private static final int LEVER_B = 3;
-    private static final int ARM_A = 4;
-    private static final int ARM_B = 5;
-    private static final int GAP = 6;
-    private static final int FRICTION = 7;
-    private static final int MOBILITY_N = 8;
-    private static final int MOBILITY_T = 9;
-    private static final int BIAS = 10;
-    private static final int SLIDING = 11;
-    private static final int FORCE_N = 12;
-    private static final int FORCE_T = 13;
-    private static final int PARTING = 14;
+    private static final int GAP = 0;
+    private static final int FRICTION = 1;
+    private static final int MOBILITY_N = 2;
+    private static final int MOBILITY_T = 3;
+    private static final int BIAS = 4;
+    private static final int SLIDING = 5;
+    private static final int FORCE_N = 6;
+    private static final int FORCE_T = 7;
+    private static final int PARTING = 8;
 
     /** Accelerations that no contact gives, relative to those of the forces: an impulse would be needed (Painlevé 1895). */
     private static final double ASTRAY = 1e4;
@@ -63,7 +57,7 @@ final class ContactSystem implements Serializable {
     private int near;
     private int bodyCount;
     private double[] data = new double[8 * STRIDE];
-    private int[] bodies = new int[16];
+    private final ContactRows rows = new ContactRows();
     private double[] before = {};
     private double slowest;
     private boolean frictionless;
@@ -90,25 +84,17 @@ final class ContactSystem implements Serializable {
     /** Adds a point between two bodies of the cluster, −1 for what cannot move. */
     void add(int a, int b, Impact c, double gap, double bias) {
         int at = points + near;
-        if (bodies.length < 2 * at + 2) {
-            bodies = Arrays.copyOf(bodies, 4 * at + 4);
-            data = Arrays.copyOf(data, STRIDE * (2 * at + 2));
-        }
-        bodies[2 * at] = a;
-        bodies[2 * at + 1] = b;
+        rows.set(at, a, b, c);
         int o = STRIDE * at;
-        data[o + NX] = c.nx;
-        data[o + NY] = c.ny;
-        data[o + LEVER_A] = c.leverA;
-        data[o + LEVER_B] = c.leverB;
-        data[o + ARM_A] = c.armA;
-        data[o + ARM_B] = c.armB;
+        if (data.length < o + STRIDE) {
+            data = Arrays.copyOf(data, 2 * o + STRIDE);
+        }
         data[o + GAP] = gap;
         data[o + BIAS] = bias;
         data[o + PARTING] = 0;
         data[o + FRICTION] = c.friction;
         data[o + MOBILITY_N] = c.normalMobility();
-        data[o + MOBILITY_T] = (c.wA + c.wB) + (c.iA * c.armA * c.armA + c.iB * c.armB * c.armB);
+        data[o + MOBILITY_T] = c.tangentMobility();
         points++;
     }
 
@@ -322,54 +308,17 @@ final class ContactSystem implements Serializable {
     }
 
     double normal(int p) {
-        int o = STRIDE * p;
-        int a = 3 * bodies[2 * p];
-        int b = 3 * bodies[2 * p + 1];
-        double nx = data[o + NX];
-        double ny = data[o + NY];
-        double sum = 0;
-        if (b >= 0) {
-            sum += u[b] * nx + u[b + 1] * ny + u[b + 2] * data[o + LEVER_B];
-        }
-        if (a >= 0) {
-            sum -= u[a] * nx + u[a + 1] * ny + u[a + 2] * data[o + LEVER_A];
-        }
-        return sum;
+        return rows.normal(p, u);
     }
 
     double tangent(int p) {
-        int o = STRIDE * p;
-        int a = 3 * bodies[2 * p];
-        int b = 3 * bodies[2 * p + 1];
-        double nx = data[o + NX];
-        double ny = data[o + NY];
-        double sum = 0;
-        if (b >= 0) {
-            sum += u[b + 1] * nx - u[b] * ny + u[b + 2] * data[o + ARM_B];
-        }
-        if (a >= 0) {
-            sum -= u[a + 1] * nx - u[a] * ny + u[a + 2] * data[o + ARM_A];
-        }
-        return sum;
+        return rows.tangent(p, u);
     }
 
     /** Adds forces along the normal and the tangent of a point. */
     void push(int p, double fn, double ft) {
-        int o = STRIDE * p;
-        double x = fn * data[o + NX] - ft * data[o + NY];
-        double y = fn * data[o + NY] + ft * data[o + NX];
-        int a = bodies[2 * p];
-        if (a >= 0) {
-            u[3 * a] -= w[2 * a] * x;
-            u[3 * a + 1] -= w[2 * a] * y;
-            u[3 * a + 2] -= w[2 * a + 1] * (fn * data[o + LEVER_A] + ft * data[o + ARM_A]);
-        }
-        int b = bodies[2 * p + 1];
-        if (b >= 0) {
-            u[3 * b] += w[2 * b] * x;
-            u[3 * b + 1] += w[2 * b] * y;
-            u[3 * b + 2] += w[2 * b + 1] * (fn * data[o + LEVER_B] + ft * data[o + ARM_B]);
-        }
+        rows.pushFirst(p, fn, ft, w, u);
+        rows.pushSecond(p, fn, ft, w, u);
     }
 
     double gap(int p) {

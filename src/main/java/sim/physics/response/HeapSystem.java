@@ -21,20 +21,14 @@ final class HeapSystem implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values per point. */
-    private static final int STRIDE = 12;
+    private static final int STRIDE = 6;
 
-    private static final int NX = 0;
-    private static final int NY = 1;
-    private static final int LEVER_A = 2;
-    private static final int LEVER_B = 3;
-    private static final int ARM_A = 4;
-    private static final int ARM_B = 5;
-    private static final int BOUND = 6;
-    private static final int FRICTION = 7;
-    private static final int MOBILITY_N = 8;
-    private static final int MOBILITY_T = 9;
-    private static final int IMPULSE_N = 10;
-    private static final int IMPULSE_T = 11;
+    private static final int BOUND = 0;
+    private static final int FRICTION = 1;
+    private static final int MOBILITY_N = 2;
+    private static final int MOBILITY_T = 3;
+    private static final int IMPULSE_N = 4;
+    private static final int IMPULSE_T = 5;
 
     private static final int SWEEPS = 6;
     private static final int LEAST_SWEEPS = 20;
@@ -68,7 +62,7 @@ final class HeapSystem implements Serializable {
     private double[] kept = {};
 
     private double[] data = new double[8 * STRIDE];
-    private int[] bodies = new int[16];
+    private final ContactRows rows = new ContactRows();
 
     HeapSystem() {
         // grows with the heaps
@@ -99,22 +93,14 @@ final class HeapSystem implements Serializable {
 
     /** Adds a point between two bodies, −1 for what cannot move. */
     void add(int a, int b, Impact c) {
-        if (bodies.length < 2 * points + 2) {
-            bodies = Arrays.copyOf(bodies, 4 * points + 4);
-            data = Arrays.copyOf(data, STRIDE * (2 * points + 2));
-        }
-        bodies[2 * points] = a;
-        bodies[2 * points + 1] = b;
+        rows.set(points, a, b, c);
         int o = STRIDE * points;
-        data[o + NX] = c.nx;
-        data[o + NY] = c.ny;
-        data[o + LEVER_A] = c.leverA;
-        data[o + LEVER_B] = c.leverB;
-        data[o + ARM_A] = c.armA;
-        data[o + ARM_B] = c.armB;
+        if (data.length < o + STRIDE) {
+            data = Arrays.copyOf(data, 2 * o + STRIDE);
+        }
         data[o + FRICTION] = c.friction;
         data[o + MOBILITY_N] = c.normalMobility();
-        data[o + MOBILITY_T] = (c.wA + c.wB) + (c.iA * c.armA * c.armA + c.iB * c.armB * c.armB);
+        data[o + MOBILITY_T] = c.tangentMobility();
         data[o + IMPULSE_N] = 0;
         data[o + IMPULSE_T] = 0;
         if (replies != null) {
@@ -182,32 +168,12 @@ final class HeapSystem implements Serializable {
 
     /** Normal velocity of a point. */
     double normal(int p, double[] v) {
-        int o = STRIDE * p;
-        double sum = 0;
-        int b = bodies[2 * p + 1];
-        if (b >= 0) {
-            sum += v[3 * b] * data[o + NX] + v[3 * b + 1] * data[o + NY] + v[3 * b + 2] * data[o + LEVER_B];
-        }
-        int a = bodies[2 * p];
-        if (a >= 0) {
-            sum -= v[3 * a] * data[o + NX] + v[3 * a + 1] * data[o + NY] + v[3 * a + 2] * data[o + LEVER_A];
-        }
-        return sum;
+        return rows.normal(p, v);
     }
 
     /** Tangential velocity of a point. */
     double tangent(int p, double[] v) {
-        int o = STRIDE * p;
-        double sum = 0;
-        int b = bodies[2 * p + 1];
-        if (b >= 0) {
-            sum += v[3 * b + 1] * data[o + NX] - v[3 * b] * data[o + NY] + v[3 * b + 2] * data[o + ARM_B];
-        }
-        int a = bodies[2 * p];
-        if (a >= 0) {
-            sum -= v[3 * a + 1] * data[o + NX] - v[3 * a] * data[o + NY] + v[3 * a + 2] * data[o + ARM_A];
-        }
-        return sum;
+        return rows.tangent(p, v);
     }
 
     int bodyCount() {
@@ -248,20 +214,11 @@ final class HeapSystem implements Serializable {
 
     /** Adds what a point's impulses do to velocities. */
     void push(int p, double jn, double jt, double[] v) {
-        int o = STRIDE * p;
-        double x = jn * data[o + NX] - jt * data[o + NY];
-        double y = jn * data[o + NY] + jt * data[o + NX];
-        int b = bodies[2 * p + 1];
-        if (b >= 0 && !(replies != null && replies.push(2 * p + 1, jn, jt, v))) {
-            v[3 * b] += w[2 * b] * x;
-            v[3 * b + 1] += w[2 * b] * y;
-            v[3 * b + 2] += w[2 * b + 1] * (jn * data[o + LEVER_B] + jt * data[o + ARM_B]);
+        if (replies == null || !replies.push(2 * p + 1, jn, jt, v)) {
+            rows.pushSecond(p, jn, jt, w, v);
         }
-        int a = bodies[2 * p];
-        if (a >= 0 && !(replies != null && replies.push(2 * p, jn, jt, v))) {
-            v[3 * a] -= w[2 * a] * x;
-            v[3 * a + 1] -= w[2 * a] * y;
-            v[3 * a + 2] -= w[2 * a + 1] * (jn * data[o + LEVER_A] + jt * data[o + ARM_A]);
+        if (replies == null || !replies.push(2 * p, jn, jt, v)) {
+            rows.pushFirst(p, jn, jt, w, v);
         }
     }
 
@@ -402,7 +359,7 @@ final class HeapSystem implements Serializable {
         }
         boolean fixed = false;
         for (int p = 0; p < points; p++) {
-            fixed |= bodies[2 * p] < 0 || bodies[2 * p + 1] < 0;
+            fixed |= rows.isOnFixed(p);
         }
         for (int k = 0; k < count; k++) {
             v[3 * k] = fixed ? 0 : px / mass;

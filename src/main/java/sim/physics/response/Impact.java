@@ -93,6 +93,11 @@ public final class Impact implements Serializable {
         return (wA + wB) + (iA * leverA * leverA + iB * leverB * leverB);
     }
 
+    /** The same along the tangent, with arms for levers. */
+    double tangentMobility() {
+        return (wA + wB) + (iA * armA * armA + iB * armB * armB);
+    }
+
     /** Sets the levers from the points; {@code roundA}, {@code roundB}: the body is a circle. */
     void setLevers(boolean roundA, boolean roundB) {
         leverA = roundA ? 0 : rAx * ny - rAy * nx;

@@ -428,7 +428,7 @@ final class SimultaneousImpact implements Serializable {
             int a = place(bodyA[k]);
             int b = place(bodyB[k]);
             c.setVelocities(a < 0 ? null : velocity[a], b < 0 ? null : velocity[b]);
-            double kt = (c.wA + c.wB) + (c.iA * c.armA * c.armA + c.iB * c.armB * c.armB);
+            double kt = c.tangentMobility();
             if (tied) {
                 replies.find(k, bodyA[k], bodyB[k], c, true);
                 kt = replies.tangent(a, b, c, k);

@@ -38,7 +38,7 @@ public final class TwoBodyImpulse implements ImpulseSolver {
     private static void withFriction(Impact c, double approach) {
         double slide = c.tangentVelocity();
         double kn = c.normalMobility();
-        double kt = (c.wA + c.wB) + (c.iA * c.armA * c.armA + c.iB * c.armB * c.armB);
+        double kt = c.tangentMobility();
         double knt = c.iA * c.leverA * c.armA + c.iB * c.leverB * c.armB;
         double wanted = -(c.sticky ? 1 : 1 + c.restitution) * approach;
         double det = kn * kt - knt * knt;
