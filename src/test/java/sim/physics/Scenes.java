@@ -6,7 +6,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import sim.physics.collision.narrow.Distance;
+import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
+import sim.physics.scenes.Gas;
+import sim.physics.scenes.SceneData;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
@@ -29,6 +32,36 @@ public final class Scenes {
         PhysicsEngine engine = new PhysicsEngine();
         fill(engine, kind, bodies, seed);
         return engine;
+    }
+
+    /** The gas S3, half circles and half rectangles, 20 % of the area covered, with its masses by area. */
+    public static PhysicsEngine s3(int bodies, long seed) {
+        SceneData data = Gas.s3(bodies, seed);
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(data.dt());
+        for (SceneData.Box wall : data.walls()) {
+            engine.add(Body.fixed(new Rectangle(wall.width(), wall.height())).at(wall.x(), wall.y()));
+        }
+        for (int k = 0; k < bodies; k++) {
+            boolean isCircle = data.kind()[k] == SceneData.Kind.CIRCLE;
+            Body body = new Body(isCircle ? new Circle(data.sizeA()[k]) : new Rectangle(data.sizeA()[k], data.sizeB()[k]));
+            engine.add(body.at(data.x()[k], data.y()[k], data.theta()[k])
+                    .moving(data.vx()[k], data.vy()[k], data.omega()[k]));
+        }
+        return engine;
+    }
+
+    /** A chain of thin rods of length and mass 1, pinned at the origin and lying to the right of it; returns the last one. */
+    public static Body rods(PhysicsEngine engine, int count, long collidesWith) {
+        Body last = null;
+        for (int k = 0; k < count; k++) {
+            Body rod = engine.add(new Body(new Rectangle(1, 0.01)).at(k + 0.5, 0));
+            rod.setMass(1, 1 / 12.0);
+            rod.setCollisionGroup(1, collidesWith);
+            engine.add(new PinJoint(last == null ? rod : last, last == null ? null : rod, k, 0));
+            last = rod;
+        }
+        return last;
     }
 
     /** Inner half width of the box of {@link #gas}; its centre is the origin. */

@@ -34,8 +34,6 @@ import sim.physics.motion.SymplecticEuler;
 import sim.physics.motion.ViscousFriction;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
-import sim.physics.scenes.Gas;
-import sim.physics.scenes.SceneData;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -94,22 +92,6 @@ class ThreadsTest {
             hash = 31 * hash + contact.a().index();
             hash = 31 * hash + contact.b().index();
         }
-    }
-
-    private static PhysicsEngine gas(int n) {
-        SceneData data = Gas.s3(n, 5);
-        PhysicsEngine engine = new PhysicsEngine();
-        engine.setTimeStep(data.dt());
-        for (SceneData.Box wall : data.walls()) {
-            engine.add(Body.fixed(new Rectangle(wall.width(), wall.height())).at(wall.x(), wall.y()));
-        }
-        for (int k = 0; k < n; k++) {
-            boolean isCircle = data.kind()[k] == SceneData.Kind.CIRCLE;
-            Body body = new Body(isCircle ? new Circle(data.sizeA()[k]) : new Rectangle(data.sizeA()[k], data.sizeB()[k]));
-            engine.add(body.at(data.x()[k], data.y()[k], data.theta()[k])
-                    .moving(data.vx()[k], data.vy()[k], data.omega()[k]));
-        }
-        return engine;
     }
 
     /** Chains under gravity between bodies that slide and hit them; some with motors, stops and rods. */
@@ -199,7 +181,7 @@ class ThreadsTest {
 
     @Test
     void aGas() {
-        assertSameBits(() -> gas(2000), 60, 2000);
+        assertSameBits(() -> Scenes.s3(2000, 5), 60, 2000);
     }
 
     @Test
@@ -290,7 +272,7 @@ class ThreadsTest {
     @Test
     void aGasUnderAForceOfAnAuthor() {
         assertSameBits(() -> {
-            PhysicsEngine engine = gas(1500);
+            PhysicsEngine engine = Scenes.s3(1500, 5);
             engine.add(new Drag(true, 1e9));
             return engine;
         }, 30, 500);
@@ -326,7 +308,7 @@ class ThreadsTest {
     @Test
     void authorsAreCalledByTheSteppingThread() {
         for (boolean isConcurrent : new boolean[] {false, true}) {
-            PhysicsEngine engine = gas(1500);
+            PhysicsEngine engine = Scenes.s3(1500, 5);
             Drag drag = new Drag(isConcurrent, 1e9);
             engine.add(drag);
             engine.setThreads(16);
@@ -341,7 +323,7 @@ class ThreadsTest {
     @Test
     void theFirstExceptionIsThatOfOneThread() {
         Supplier<PhysicsEngine> scene = () -> {
-            PhysicsEngine engine = gas(2000);
+            PhysicsEngine engine = Scenes.s3(2000, 5);
             engine.add(new Drag(true, 10));
             return engine;
         };
@@ -383,7 +365,7 @@ class ThreadsTest {
 
     @Test
     void smallStepsAreNotShared() {
-        PhysicsEngine gas = gas(3000);
+        PhysicsEngine gas = Scenes.s3(3000, 5);
         gas.setThreads(4);
         run(gas, 20);
         assertThat(gas.sharedWorks()).isZero();

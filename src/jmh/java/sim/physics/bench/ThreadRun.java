@@ -7,14 +7,13 @@ import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
 import java.util.Locale;
 import sim.physics.PhysicsEngine;
+import sim.physics.Scenes;
 import sim.physics.constraint.PinJoint;
 import sim.physics.internal.Team;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
 import sim.physics.motion.Gravity;
-import sim.physics.scenes.Gas;
-import sim.physics.scenes.SceneData;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -166,28 +165,12 @@ public final class ThreadRun {
 
     private static PhysicsEngine make(String scene, int n) {
         return switch (scene) {
-            case "gas" -> gas(n);
+            case "gas" -> Scenes.s3(n, 1);
             case "chains" -> chains(n, true, 60);
             case "rods" -> chains(n, false, 240);
             case "forces" -> forces(n);
             default -> throw new IllegalArgumentException("scene is " + scene + ": gas, chains, rods or forces");
         };
-    }
-
-    private static PhysicsEngine gas(int n) {
-        SceneData data = Gas.s3(n, 1);
-        PhysicsEngine engine = new PhysicsEngine();
-        engine.setTimeStep(data.dt());
-        for (SceneData.Box wall : data.walls()) {
-            engine.add(Body.fixed(new Rectangle(wall.width(), wall.height())).at(wall.x(), wall.y()));
-        }
-        for (int k = 0; k < n; k++) {
-            boolean isCircle = data.kind()[k] == SceneData.Kind.CIRCLE;
-            Body body = new Body(isCircle ? new Circle(data.sizeA()[k]) : new Rectangle(data.sizeA()[k], data.sizeB()[k]));
-            engine.add(body.at(data.x()[k], data.y()[k], data.theta()[k])
-                    .moving(data.vx()[k], data.vy()[k], data.omega()[k]));
-        }
-        return engine;
     }
 
     /** Chains of ten rods under gravity. */

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import sim.physics.PhysicsEngine;
+import sim.physics.Scenes;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.motion.AdaptiveIntegrator;
@@ -45,15 +46,7 @@ class AdaptiveTest {
     }
 
     private static Body rods(PhysicsEngine engine, int count) {
-        Body last = null;
-        for (int k = 0; k < count; k++) {
-            Body rod = engine.add(new Body(new Rectangle(1, 0.01)).at(k + 0.5, 0));
-            rod.setMass(1, 1 / 12.0);
-            rod.setCollisionGroup(1, 0);
-            engine.add(new PinJoint(last == null ? rod : last, last == null ? null : rod, k, 0));
-            last = rod;
-        }
-        return last;
+        return Scenes.rods(engine, count, 0);
     }
 
     private static double tipError(Body rod, double x, double y) {

@@ -72,15 +72,7 @@ class AuditTest {
 
     private static Body rods(PhysicsEngine engine, int count) {
         engine.add(new Gravity(0, -G));
-        Body last = null;
-        for (int k = 0; k < count; k++) {
-            Body rod = engine.add(new Body(new Rectangle(1, 0.01)).at(k + 0.5, 0));
-            rod.setMass(1, 1 / 12.0);
-            rod.setCollisionGroup(1, -1);
-            engine.add(new PinJoint(last == null ? rod : last, last == null ? null : rod, k, 0));
-            last = rod;
-        }
-        return last;
+        return Scenes.rods(engine, count, -1);
     }
 
     private static Body bob(PhysicsEngine engine, double stiffness, double damping) {

@@ -10,12 +10,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
-import sim.physics.constraint.PinJoint;
+import sim.physics.Scenes;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Rattle;
 import sim.physics.shape.Circle;
-import sim.physics.shape.Rectangle;
 
 /** RATTLE is of the order that was asked for, goes back the way it came, and its energy does not drift. */
 class RattleTest {
@@ -27,15 +26,7 @@ class RattleTest {
         engine.setTimeStep(step);
         engine.setIntegrator(new Rattle(order));
         engine.add(new Gravity(0, -G));
-        Body last = null;
-        for (int k = 0; k < count; k++) {
-            Body rod = engine.add(new Body(new Rectangle(1, 0.01)).at(k + 0.5, 0));
-            rod.setMass(1, 1 / 12.0);
-            rod.setCollisionGroup(1, 0);
-            engine.add(new PinJoint(last == null ? rod : last, last == null ? null : rod, k, 0));
-            last = rod;
-        }
-        return last;
+        return Scenes.rods(engine, count, 0);
     }
 
     private double energy() {

@@ -9,13 +9,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
-import sim.physics.constraint.PinJoint;
+import sim.physics.Scenes;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Spring;
 import sim.physics.motion.SymplecticEuler;
 import sim.physics.shape.Circle;
-import sim.physics.shape.Rectangle;
 
 /** Symplectic Euler is of order 1, keeps momenta, and its energy stays near where it was for ever. */
 class SymplecticEulerTest {
@@ -30,15 +29,7 @@ class SymplecticEulerTest {
 
     private static Body rods(PhysicsEngine engine, int count) {
         engine.add(new Gravity(0, -G));
-        Body last = null;
-        for (int k = 0; k < count; k++) {
-            Body rod = engine.add(new Body(new Rectangle(1, 0.01)).at(k + 0.5, 0));
-            rod.setMass(1, 1 / 12.0);
-            rod.setCollisionGroup(1, -1);
-            engine.add(new PinJoint(last == null ? rod : last, last == null ? null : rod, k, 0));
-            last = rod;
-        }
-        return last;
+        return Scenes.rods(engine, count, -1);
     }
 
     private static double error(int steps) {
