@@ -428,20 +428,14 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean isSwitched(IntList bodies) {
-        List<Island> those = of(bodies);
-        for (int k = 0; k < those.size(); k++) {
-            if (!those.get(k).switches.isEmpty()) {
-                return true;
-            }
-        }
-        return false;
+        return Switches.any(of(bodies));
     }
 
     @Override
-    public boolean decide(IntList bodies) {
+    public boolean decide(IntList bodies, double time) {
         boolean hits = false;
         for (Island island : of(bodies)) {
-            if (island.switches.decide(state)) {
+            if (island.switches.decide(state, time)) {
                 hits = true;
                 island.evaluate(state);
                 solver.prepare(island, state.w().values());
@@ -453,31 +447,27 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void confirm(IntList bodies, boolean hold) {
-        for (Island island : of(bodies)) {
-            if (hold) {
-                island.switches.hold(state);
-            } else {
-                island.switches.settle();
-            }
-        }
+        Switches.confirm(of(bodies), state, hold);
     }
 
     @Override
     public double watch(IntList bodies) {
-        double least = Double.POSITIVE_INFINITY;
-        for (Island island : of(bodies)) {
-            least = Math.min(least, island.switches.watch(state));
-        }
-        return least;
+        return Switches.watch(of(bodies), state);
     }
 
     @Override
     public double push(IntList bodies, double[] a) {
-        double least = Double.POSITIVE_INFINITY;
-        for (Island island : of(bodies)) {
-            least = Math.min(least, island.switches.push(state, a));
-        }
-        return least;
+        return Switches.push(of(bodies), state, a);
+    }
+
+    @Override
+    public boolean limit(IntList bodies, boolean yes) {
+        return Switches.limit(of(bodies), yes);
+    }
+
+    @Override
+    public double spare(IntList bodies) {
+        return Switches.spare(of(bodies));
     }
 
     @Override

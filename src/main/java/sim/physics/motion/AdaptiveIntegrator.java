@@ -20,7 +20,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
     private static final double SUDDEN = 1.0 / 8;
 
     /** What an estimate may be too small by where forces jump. */
-    private static final double CAUTION = 4;
+    private static final double CAUTION = 12;
 
     /** How long the steps before count, in their lengths. */
     private static final double MEMORY = 2;
@@ -32,7 +32,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
     private static final double FORGET = 0.2;
 
     /** The most steps for which an error of a velocity counts. */
-    private static final double LONGEST = 1e4;
+    private static final double LONGEST = 200;
 
     private static final double SMALLEST = 0x1p-50;
 

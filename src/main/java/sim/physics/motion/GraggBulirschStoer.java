@@ -31,7 +31,11 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
      */
     private static final double STABLE = 1;
 
-    private static final double AIM = 0.65;
+    private static final double AIM = 0.3;
+
+    /** What errors are, over the estimate, in the mean of our scenes. */
+    private static final double CAUTION = 1.2;
+
     private static final double LEAST_STABLE = 0.3;
     private static final double LEAST = 0.02;
     private static final double MOST = 5;
@@ -61,9 +65,9 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             midpoint(equations, state, bodies, t, h, path, row);
             extrapolate(s, row);
             int count = row + 1;
-            double error = row == 0 ? Double.POSITIVE_INFINITY : error(s, h);
-            propose(s, count, error);
             double fast = row == 0 ? 0 : h * h * s.rate;
+            double error = row == 0 ? Double.POSITIVE_INFINITY : error(s);
+            propose(s, count, error);
             if (fast > STABLE * aim) {
                 s.factor = Math.max(LEAST_STABLE, SAFETY * STABLE * aim / fast);
                 return false;
@@ -203,8 +207,8 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         }
     }
 
-    /** The last two extrapolations' difference in units of what is allowed: of positions, and of velocities times h. */
-    private static double error(Stages s, double h) {
+    /** The last two extrapolations' difference in units of what is allowed: of positions, and of velocities. */
+    private static double error(Stages s) {
         double[] y = s.work;
         int n = s.size;
         double most = 0;
@@ -213,7 +217,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             double v = Math.abs(s.time * (y[n + m] - y[3 * n + m]));
             most = Math.max(most, s.weight[m] * Math.max(x, v));
         }
-        return most;
+        return CAUTION * most;
     }
 
     private static void finish(State state, IntList bodies, Stages s) {

@@ -79,7 +79,7 @@ public final class RadauIIA extends AdaptiveIntegrator {
     private static final double LEAST_TURN = 1e-3;
 
     /** The error that steps leave, over the estimate, in the mean of our scenes. */
-    private static final double CALIBRATION = 0.14;
+    private static final double CALIBRATION = 0.17;
 
     /**
      * The square of a step times the fastest frequency, over that of the number of coordinates, from which derivatives at

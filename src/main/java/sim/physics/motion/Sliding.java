@@ -22,7 +22,7 @@ final class Sliding implements Serializable {
     private static final double CHOSEN_SHARE = 0.5;
 
     /** Way to rest, in tolerances, from which the deceleration is taken as constant. */
-    private static final double NEGLIGIBLE = 0.1;
+    private static final double NEGLIGIBLE = 1;
 
     /** Time to rest, relative to the step, from which the deceleration is taken as constant. */
     private static final double LAST = 1e-7;
