@@ -113,7 +113,6 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
     /** The most steps for which an error of a velocity counts: more than one only where the motion takes longer to change. */
     private static final double LONGEST = 1.5;
 
-
     private static final double LEAST = 0.02;
     private static final double MOST = 6;
 

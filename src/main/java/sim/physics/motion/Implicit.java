@@ -29,6 +29,9 @@ final class Implicit implements Serializable {
     /** The last step over the time in which the motion changes, at most 1: for that, velocities matter. */
     double turn = 1;
 
+    /** The length of the last step that was solved with the derivatives of its start; 0: none was. */
+    double plain;
+
     /** Steps to come whose derivatives are found at each stage, as they change too much from one to the other. */
     int turning;
 
