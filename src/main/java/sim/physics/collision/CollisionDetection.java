@@ -66,7 +66,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         Boxes boxes = enclosures.boxes();
         NarrowPhase narrowPhase = new NarrowPhase(pairs, trajectories, enclosures.shapes(), boxes);
         this.search = new PairSearch(pairs, trajectories, marks, narrowPhase);
-        this.watch = new Watch(this, pairs, search, queue, enclosures.order());
+        this.watch = new Watch(this, pairs, marks, search, queue, enclosures.order());
         this.companions = new Companions(trajectories, boxes, pairs, marks, narrowPhase);
         pairs.setListener(this);
     }
@@ -191,15 +191,8 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         if (idle[body]) {
             return;
         }
-        boolean watched = false;
-        for (int k = 0; k < pairs.countOf(body); k++) {
-            int pair = pairs.of(body, k);
-            watched |= pair == except || !marks.isUnseen(pair);
-            if (pair != except) {
-                watch.look(pair, tau);
-            }
-        }
-        idle[body] = !watched;
+        boolean straight = trajectories.areStraight() && narrowPhase().isContinuous() && marks.areShallow();
+        idle[body] = straight ? !watch.lookAround(body, tau, except) : !watch.lookAtAll(body, tau, except);
     }
 
     /**
