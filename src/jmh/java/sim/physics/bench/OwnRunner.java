@@ -37,6 +37,10 @@ final class OwnRunner implements Runner {
         }
     }
 
+    PhysicsEngine engine() {
+        return engine;
+    }
+
     private static Shape shape(SceneData scene, int i) {
         return switch (scene.kind()[i]) {
             case CIRCLE -> new Circle(scene.sizeA()[i]);

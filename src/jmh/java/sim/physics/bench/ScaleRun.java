@@ -6,6 +6,7 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Locale;
+import org.openjdk.jol.info.GraphLayout;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.scenes.Gas;
@@ -19,6 +20,7 @@ import sim.physics.shape.Rectangle;
  * <pre>
  * ScaleRun start 50          an engine is made, 50 bodies are added, and it makes its first step
  * ScaleRun disks 1000        impacts a second of equal disks, by the area that they cover
+ * ScaleRun memory 100000 1500  bytes that all objects of an engine take, per body and by class
  * ScaleRun growth 100000 9   time per body and step, a gas of 1000 and one of 100000 bodies in turns
  * </pre>
  */
@@ -38,7 +40,9 @@ public final class ScaleRun {
             case "start" -> start(n);
             case "disks" -> disks(n);
             case "growth" -> growth(n, Integer.parseInt(args[2]));
-            default -> throw new IllegalArgumentException("what is " + args[0] + ": it must be start, disks or growth");
+            case "memory" -> memory(n, Integer.parseInt(args[2]));
+            default ->
+                throw new IllegalArgumentException("what is " + args[0] + ": it must be start, disks, memory or growth");
         }
     }
 
@@ -97,6 +101,19 @@ public final class ScaleRun {
                     .moving(velocities.vx()[i], velocities.vy()[i]));
         }
         return engine;
+    }
+
+    /** All that can be reached from an engine with a gas, after some steps. */
+    private static void memory(int n, int steps) {
+        OwnRunner gas = new OwnRunner(Gas.s3(n, 1001), false);
+        for (int k = 0; k < steps; k++) {
+            gas.step();
+        }
+        System.setProperty("jol.magicFieldOffset", "true"); // shapes have records, whose fields else cannot be seen
+        GraphLayout layout = GraphLayout.parseInstance(gas.engine());
+        System.out.printf(
+                Locale.ROOT, "%d bodies, after %d steps: %.1f bytes a body%n%s%n", n, steps,
+                layout.totalSize() / (double) n, layout.toFootprint());
     }
 
     private static void growth(int n, int rounds) {

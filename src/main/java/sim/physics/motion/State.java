@@ -79,6 +79,8 @@ public final class State implements Serializable {
     /** Null until somebody follows it, so that a scene which nobody asks about pays nothing. */
     private transient PlaceLog placeLog;
 
+    private Surface surface = Surface.SMOOTH;
+
     /** Shapes that were seen last, by their hash, so that bodies of equal shapes share one. */
     private transient Shape[] shapes;
 
@@ -237,7 +239,20 @@ public final class State implements Serializable {
         return index;
     }
 
+    /** The surface that was set last: bodies made alike come one after the other. */
+    Surface lastSurface() {
+        return surface;
+    }
+
+    /** Notes that surface. */
+    Surface share(Surface last) {
+        surface = last;
+        return last;
+    }
+
     private void share(Body body) {
+        Surface own = body.surface();
+        body.share(share(surface.with(own.restitution, own.friction, own)));
         shapes = shapes == null ? new Shape[SHAPES] : shapes;
         Shape shape = body.getShape();
         int hash = shape.hashCode();
