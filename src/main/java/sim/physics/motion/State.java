@@ -81,6 +81,9 @@ public final class State implements Serializable {
 
     private Surface surface = Surface.SMOOTH;
 
+    /** Whether bodies have had different surfaces; else nobody need look at the views for them. */
+    private boolean mixed;
+
     /** Shapes that were seen last, by their hash, so that bodies of equal shapes share one. */
     private transient Shape[] shapes;
 
@@ -246,8 +249,29 @@ public final class State implements Serializable {
 
     /** Notes that surface. */
     Surface share(Surface last) {
+        mixed |= last != surface && bodyCount() > 1;
         surface = last;
         return last;
+    }
+
+    /**
+     * The coefficient of restitution of a body.
+     *
+     * @param index the block
+     * @return 0 … 1
+     */
+    public double restitution(int index) {
+        return mixed ? bodies[index].getRestitution() : surface.restitution;
+    }
+
+    /**
+     * The coefficient of friction of a body.
+     *
+     * @param index the block
+     * @return not negative
+     */
+    public double friction(int index) {
+        return mixed ? bodies[index].getFriction() : surface.friction;
     }
 
     private void share(Body body) {
@@ -275,6 +299,7 @@ public final class State implements Serializable {
         own.grouped = grouped;
         own.size = 1;
         own.bodies[0] = body;
+        own.surface = body.surface();
         int from = BLOCK * index;
         System.arraycopy(x, from, own.x, 0, BLOCK);
         System.arraycopy(v, from, own.v, 0, BLOCK);
