@@ -358,7 +358,7 @@ final class Heap implements Serializable {
         }
         double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
         for (int k = 0; k < manifold.count; k++) {
-            response.load(manifold, a, b, k, point);
+            response.load(manifold, pair, k, point);
             double room = detection.marks().depth(pair) + scales.bend(manifold, point, a, b, left);
             int p = system.size();
             system.add(number(a), number(b), point);

@@ -428,7 +428,7 @@ public final class RestingContacts implements Serializable {
             }
         }
         for (int k = manifold.count; near && k < manifold.count + manifold.near; k++) {
-            response.load(manifold, a, b, k, point);
+            response.load(manifold, pair, k, point);
             int first = state.body(a).isFixed() ? -1 : place[a] - 1;
             int second = state.body(b).isFixed() ? -1 : place[b] - 1;
             system.addNear(first, second, point, manifold.gaps[k]);
@@ -441,7 +441,7 @@ public final class RestingContacts implements Serializable {
             return;
         }
         for (int k = 0; k < manifold.count; k++) {
-            response.load(manifold, a, b, k, point);
+            response.load(manifold, pair, k, point);
             worstGap = Math.max(worstGap, Math.abs(manifold.gaps[k]));
             system.add(
                     state.body(a).isFixed() ? -1 : place[a] - 1,
