@@ -43,6 +43,7 @@ public final class CollisionResponse implements Serializable {
     private final Bounces bounces;
     private final RestingContacts resting;
     private final Heaps heaps;
+    private final LastingContacts lasting;
     private final Wedged wedged;
     private final Strikes strikes;
     private transient Manifold manifold;
@@ -71,8 +72,10 @@ public final class CollisionResponse implements Serializable {
         this.loader = new ContactLoader(state, trajectories);
         this.simultaneous = new SimultaneousImpact(state);
         this.bounces = new Bounces(trajectories, motion);
-        this.resting = new RestingContacts(state, trajectories, motion, detection, this);
-        this.heaps = new Heaps(state, trajectories, motion, detection, this);
+        ContactLedger ledger = new ContactLedger(trajectories);
+        this.resting = new RestingContacts(state, trajectories, motion, detection, this, ledger);
+        this.heaps = new Heaps(state, trajectories, motion, detection, this, ledger);
+        this.lasting = new LastingContacts(state, detection, resting, heaps, ledger);
         this.wedged = new Wedged(trajectories, detection);
         this.strikes = new Strikes(trajectories);
     }
@@ -241,6 +244,15 @@ public final class CollisionResponse implements Serializable {
         return heaps;
     }
 
+    /**
+     * What rests and lies on one another, with its forces.
+     *
+     * @return live
+     */
+    public LastingContacts lasting() {
+        return lasting;
+    }
+
     /** The listeners want the pair to pass: both go on as they came. */
     private void letPass(int pair, int a, int b) {
         detection.marks().ignore(pair, true);
@@ -344,14 +356,8 @@ public final class CollisionResponse implements Serializable {
     }
 
     private void load(int a, int b, int point) {
-        load(manifold, a, b, point, impact);
-    }
-
-    private void load(Manifold m, int a, int b, int point, Impact c) {
-        loader.load(m, a, b, point, c);
-        if (c.sticky) {
-            c.restitution = 0;
-        }
+        loader.load(manifold, a, b, point, impact);
+        impact.restitution = impact.sticky ? 0 : impact.restitution;
     }
 
     /** Loads one point of a pair that rests or lies on one another: what sticks is held by friction without bounds. */

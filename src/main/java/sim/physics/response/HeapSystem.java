@@ -269,7 +269,7 @@ final class HeapSystem implements Serializable {
         return false;
     }
 
-    /** Ends the approach of points that close faster than they may, and forgets the impulses that do so. */
+    /** Ends the approach of points that close faster than they may. */
     void strike(double scale) {
         if (kept.length < points) {
             kept = new double[2 * points];
@@ -281,7 +281,6 @@ final class HeapSystem implements Serializable {
         solve(scale, true);
         for (int p = 0; p < points; p++) {
             data[STRIDE * p + BOUND] = kept[p];
-            start(p, 0, 0);
         }
     }
 
