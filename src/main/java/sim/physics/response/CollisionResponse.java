@@ -45,7 +45,6 @@ public final class CollisionResponse implements Serializable {
     private final Heaps heaps;
     private final LastingContacts lasting;
     private final Wedged wedged;
-    private final Strikes strikes;
     private transient Manifold manifold;
     /** From when on the courses of the two hold that are brought to the instant of their impact. */
     private double since;
@@ -77,7 +76,6 @@ public final class CollisionResponse implements Serializable {
         this.heaps = new Heaps(state, trajectories, motion, detection, this, ledger);
         this.lasting = new LastingContacts(state, detection, resting, heaps, ledger);
         this.wedged = new Wedged(trajectories, detection);
-        this.strikes = new Strikes(trajectories);
     }
 
     /** Begins a step. */
@@ -105,18 +103,16 @@ public final class CollisionResponse implements Serializable {
             locate(pair, tau);
             if (manifold.count == 1 && (jointed == null || !jointed.has(pairs.first(pair), pairs.second(pair)))) {
                 respondToOne(pair, tau);
-                strikes.note(changed);
                 return changed;
             }
         }
         respondToSeveral(touching, tau);
-        strikes.note(changed);
         return changed;
     }
 
     /** From which offset in the step on a body's motion has been smooth. */
     private double since(int body) {
-        return heaps.has(body) ? trajectories.offset(body) : strikes.last(body);
+        return heaps.has(body) ? trajectories.offset(body) : motion.smoothSince(body);
     }
 
     /**

@@ -40,7 +40,6 @@ public final class ShapeTable implements Serializable {
     private double[] data = new double[64];
     private int used;
     private int[] baseOf = new int[8];
-    private int largestCount = 1;
     private final Map<Shape, Integer> known = new HashMap<>();
 
     /** Makes an empty table. */
@@ -54,11 +53,6 @@ public final class ShapeTable implements Serializable {
 
     int base(int body) {
         return baseOf[body];
-    }
-
-    /** The largest number of vertices that a shape of the table has. */
-    int largestCount() {
-        return largestCount;
     }
 
     /**
@@ -86,7 +80,6 @@ public final class ShapeTable implements Serializable {
         if (used > data.length) {
             data = Arrays.copyOf(data, Math.max(2 * data.length, used));
         }
-        largestCount = Math.max(largestCount, n);
         data[base + COUNT] = n;
         data[base + ROUNDING] = shape.radius();
         data[base + BOUNDING] = shape.boundingRadius();
