@@ -25,12 +25,6 @@ final class Heap implements Serializable {
     /** Height of an edge's other end from which it is no contact, relative to the smaller body. */
     private static final double FLAT = 2e-2;
 
-    /** Gap that is kept, relative to the smaller body, beside what turning and sliding take of it. */
-    private static final double CUSHION = 1e-10;
-
-    /** The same where paths are not quite the motion. */
-    private static final double DRIVEN_CUSHION = 1e-7;
-
     /** Speed at which points hardly close, relative to the bodies'. */
     private static final double HARDLY = 1e-12;
 
@@ -41,9 +35,6 @@ final class Heap implements Serializable {
 
     /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
     private static final double MOST_SHARE = 100;
-
-    /** Part of a missing gap that a solution regains. */
-    private static final double REGAIN = 0.2;
 
     /** Speed that is none, relative to that which the forces give in the time of a solution. */
     private static final double STILL = 1e-7;
@@ -122,7 +113,7 @@ final class Heap implements Serializable {
             boolean driven = trajectories.isDriven(detection.pairs().first(pair))
                     || trajectories.isDriven(detection.pairs().second(pair));
             detection.marks().setLasting(pair, true);
-            detection.marks().setDepth(pair, (driven ? DRIVEN_CUSHION : CUSHION) * size);
+            detection.marks().setDepth(pair, HeapGaps.depth(driven, size));
             ledger.begin(pair);
         }
     }
@@ -183,7 +174,7 @@ final class Heap implements Serializable {
         }
         double h = trajectories.h();
         double length = spin * h > TURN ? TURN / spin : h;
-        length = Math.max(isDriven ? Math.min(length, by.pace(heap, h)) : length, h / SOLUTIONS);
+        length = Math.max(isDriven ? Math.min(length, by.pace(heap, h, h / SOLUTIONS)) : length, h / SOLUTIONS);
         isFresh = !struck;
         until = Math.min(isDriven ? h : paid, tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
@@ -353,9 +344,13 @@ final class Heap implements Serializable {
         }
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), !isFresh);
         double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
+        if (isDriven) {
+            detection.marks().setDepth(pair, HeapGaps.depth(true, size));
+        }
+        double depth = detection.marks().depth(pair);
+        system.allow(HeapGaps.littleSpeed(depth, left));
         for (int k = 0; k < manifold.count; k++) {
             response.load(manifold, pair, k, point);
-            double room = detection.marks().depth(pair) + scales.bend(manifold, point, a, b, left);
             int p = system.size();
             system.add(number(a), number(b), point);
             if (isDriven) {
@@ -364,9 +359,8 @@ final class Heap implements Serializable {
                 system.measure(p);
             }
             notes.add(pair, k);
-            double gap = manifold.gaps[k];
-            double least = isFresh ? room : 0.5 * room;
-            system.bound(p, gap < least ? REGAIN * (room - gap) / left : (least - gap) / left);
+            double bend = scales.bend(manifold, point, a, b, left);
+            system.bound(p, HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isDriven));
             if (isFresh && !isDriven) {
                 notes.start(p, left);
             }
