@@ -90,10 +90,12 @@ public final class Agenda implements Serializable {
     }
 
     private void append(int bucket, int item) {
-        if (count[bucket] % (CHUNK - 1) == 0 && free == 0 && used + CHUNK > chunks.length) {
+        int place = count[bucket] % (CHUNK - 1);
+        if (place == 0 && free == 0 && used + CHUNK > chunks.length) {
             makeRoom();
+            place = count[bucket] % (CHUNK - 1);
         }
-        int place = count[bucket]++ % (CHUNK - 1);
+        count[bucket]++;
         if (place == 0) {
             int chunk = take();
             if (count[bucket] == 1) {
