@@ -88,6 +88,7 @@ final class Enclosures implements Serializable {
 
     void remove(int body) {
         broadPhase.remove(body, boxes, pairs);
+        shapes.remove(body, state.body(body).getShape());
         agenda.schedule(body, Agenda.NEVER);
     }
 
@@ -173,7 +174,7 @@ final class Enclosures implements Serializable {
         if (team == null || !team.pays(bodies.size, least)) {
             return false;
         }
-        shared = shared == null ? new SharedBoxes(detection, trajectories, room, team) : shared;
+        shared = shared == null ? new SharedBoxes(detection, room, team) : shared;
         return true;
     }
 
