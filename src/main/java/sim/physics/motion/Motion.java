@@ -237,16 +237,13 @@ public final class Motion implements EquationsOfMotion, Serializable {
 
     private void setDriven(int body, boolean yes) {
         boolean was = trajectories.isDriven(body);
+        trajectories.setDriven(body, yes);
         if (yes) {
             state.f(); // makes room for forces
         }
-        trajectories.setDriven(body, yes);
-        if (was == yes) {
-            return;
-        }
-        if (yes) {
+        if (yes && !was) {
             driven.insert(body);
-        } else {
+        } else if (was && !yes) {
             driven.takeOut(body);
         }
     }
@@ -292,21 +289,29 @@ public final class Motion implements EquationsOfMotion, Serializable {
      *
      * @param body index
      * @param fine whether the paths must be near the motion, because others are near
-     * @return offset up to which the path holds: h, or less if the body stops, must be looked at again before, or the
-     *     integrator chooses its steps itself
+     * @return offset up to which the path holds: h, or less if the body stops or must be looked at again before
      */
     public double advance(int body, boolean fine) {
         return drivenMotion.advance(companions(body), fine);
     }
 
     /**
-     * Whether the paths that the last call of {@link #advance} set may be farther from the motion than what is near
-     * others may be.
+     * Whether the paths that were set last may be farther from the motion than what is near others may be.
      *
      * @return false after a step of fixed length
      */
     public boolean isCoarse() {
         return drivenMotion.isCoarse();
+    }
+
+    /**
+     * From when on the motion of a body has been smooth, in a scene in which something is driven.
+     *
+     * @param body index
+     * @return offset in the present step of the last change of its velocity; 0 if there was none
+     */
+    public double smoothSince(int body) {
+        return drivenMotion.smoothSince(body);
     }
 
     /**
@@ -320,8 +325,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
     }
 
     /**
-     * Brings a body, and those that move with it, to an instant: driven ones by the integrator from their anchors, so
-     * that an impact does not cost the order of the method.
+     * Brings a body, and those that move with it, to an instant: driven ones by the integrator from their anchors.
      *
      * @param body index
      * @param tau offset in the present step
@@ -408,8 +412,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
     public void fall(int body, double[] a, int at) {
         int b = State.BLOCK * body;
         double[] w = state.w().values();
-        Body view = state.body(body);
         boolean held = support.holds(body);
+        Body view = state.body(body);
         a[at] = held ? 0 : generators.gravityX + w[b] * view.appliedX();
         a[at + 1] = held ? 0 : generators.gravityY + w[b] * view.appliedY();
         a[at + 2] = held ? 0 : w[b + State.THETA] * view.appliedTorque();
@@ -435,7 +439,7 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * @return whether it is at rest until something happens to it
      */
     public boolean hold(int body) {
-        if (!rests(body)) {
+        if (trajectories.isMoving(body) || isTied(body) || !generators.holds(state.body(body))) {
             return false;
         }
         setDriven(body, false);
@@ -457,10 +461,6 @@ public final class Motion implements EquationsOfMotion, Serializable {
     /** Length of the present step. */
     double step() {
         return trajectories.h();
-    }
-
-    private boolean rests(int body) {
-        return !trajectories.isMoving(body) && !isTied(body) && generators.holds(state.body(body));
     }
 
     @Override
