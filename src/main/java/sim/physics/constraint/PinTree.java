@@ -123,7 +123,7 @@ final class PinTree implements Serializable {
 
     private final double[] sum = new double[9];
 
-    /** By link: accelerations x″, y″, θ″ of it as if it were alone; null if a uniform field is all. */
+    /** By block: accelerations x″, y″, θ″ as if each link were alone; null but while they are used. */
     private double[] alone;
 
     private double gap;
@@ -215,9 +215,30 @@ final class PinTree implements Serializable {
 
     /** The pass from the tips to the root, run by run, under a uniform field. */
     void eliminate(double gx, double gy) {
+        eliminate();
+        hang(gx, gy);
+    }
+
+    /**
+     * The same under any forces.
+     *
+     * @param loads accelerations x″, y″, θ″ of each link as if it were alone, by block
+     */
+    void eliminate(double[] loads) {
+        alone = loads;
+        eliminate();
+        alone = null;
+        hang(0, 0);
+    }
+
+    private void eliminate() {
         for (int r = runCount - 1; r >= 0; r--) {
             eliminate(runs[r], runs[r + 1] - 1);
         }
+    }
+
+    /** The acceleration of the root. */
+    private void hang(double gx, double gy) {
         double x = -gx;
         double y = -gy;
         if (isFree) { // what hangs at the root takes part in the fall
@@ -347,11 +368,11 @@ final class PinTree implements Serializable {
             sum[8] += m11;
         }
         if (alone != null) {
-            double ax = alone[State.BLOCK * k];
-            double ay = alone[State.BLOCK * k + 1];
+            double ax = alone[block[k]];
+            double ay = alone[block[k] + 1];
             sum[3] -= link[STRIDE * k + MASS] * ax;
             sum[4] -= link[STRIDE * k + MASS] * ay;
-            sum[5] += mdx * ay - mdy * ax + link[STRIDE * k + INERTIA] * alone[State.BLOCK * k + 2];
+            sum[5] += mdx * ay - mdy * ax + link[STRIDE * k + INERTIA] * alone[block[k] + State.THETA];
         }
     }
 

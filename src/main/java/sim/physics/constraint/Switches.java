@@ -138,6 +138,35 @@ final class Switches implements Serializable {
         return values;
     }
 
+    /** Turns rows of some islands on that are where they may be held, or settles which act. */
+    static void confirm(List<Island> islands, State state, boolean hold) {
+        for (Island island : islands) {
+            if (hold) {
+                island.switches.hold(state);
+            } else {
+                island.switches.settle();
+            }
+        }
+    }
+
+    /** The least of what is watched in some islands. */
+    static double watch(List<Island> islands, State state) {
+        double least = Double.POSITIVE_INFINITY;
+        for (Island island : islands) {
+            least = Math.min(least, island.switches.watch(state));
+        }
+        return least;
+    }
+
+    /** The least time in which a motor of some islands reaches its speed. */
+    static double push(List<Island> islands, State state, double[] a) {
+        double least = Double.POSITIVE_INFINITY;
+        for (Island island : islands) {
+            least = Math.min(least, island.switches.push(state, a));
+        }
+        return least;
+    }
+
     /** Decides which rows act; returns whether some row asks for another speed than there is. */
     boolean decide(State state) {
         island.evaluate(state);

@@ -27,6 +27,13 @@ final class TreePlaces implements Serializable {
     private double centreU;
     private double centreV;
 
+    /** The same at the start. */
+    private double startX;
+
+    private double startY;
+    private double startU;
+    private double startV;
+
     private double total;
 
     /**
@@ -50,6 +57,11 @@ final class TreePlaces implements Serializable {
         }
     }
 
+    /** Mass of all links. */
+    double total() {
+        return total;
+    }
+
     /** Takes note of where a free tree is: its centre of mass from the root, so that no rounding adds up. */
     void locate() {
         rootX = tree.link[PinTree.X];
@@ -57,6 +69,10 @@ final class TreePlaces implements Serializable {
         rootU = tree.link[PinTree.U];
         rootV = tree.link[PinTree.V];
         centre();
+        startX = centreX;
+        startY = centreY;
+        startU = centreU;
+        startV = centreV;
     }
 
     private void centre() {
@@ -118,12 +134,26 @@ final class TreePlaces implements Serializable {
         }
     }
 
-    /** Puts the centre of mass of a free tree, which was {@link #place placed} anywhere, where it moves to in a time. */
+    /** Velocity of the centre of mass at the start. */
+    double velocityX() {
+        return rootU + startU;
+    }
+
+    double velocityY() {
+        return rootV + startV;
+    }
+
+    /** Puts the centre of mass of a free tree, which was {@link #place placed} anywhere, where it falls to in a time. */
     void shift(double gx, double gy, double h) {
-        double x = centreX + h * (rootU + centreU + 0.5 * h * gx);
-        double y = centreY + h * (rootV + centreV + 0.5 * h * gy);
-        double u = centreU + h * gx;
-        double v = centreV + h * gy;
+        shift(h * (velocityX() + 0.5 * h * gx), h * (velocityY() + 0.5 * h * gy), h * gx, h * gy);
+    }
+
+    /** The same, given its way since the start, and the change of its velocity. */
+    void shift(double wayX, double wayY, double changeX, double changeY) {
+        double x = startX + wayX;
+        double y = startY + wayY;
+        double u = startU + changeX;
+        double v = startV + changeY;
         centre();
         x = rootX + (x - centreX);
         y = rootY + (y - centreY);
