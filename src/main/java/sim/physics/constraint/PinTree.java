@@ -472,7 +472,10 @@ final class PinTree implements Serializable {
             double gapY = l[o + FIRSTY] + h * (before * l[o + FIRSTX] - sixth * l[o + BENDY]);
             gapX -= l[o + COS] * l[o + EX] - l[o + SIN] * l[o + EY];
             gapY -= l[o + SIN] * l[o + EX] + l[o + COS] * l[o + EY];
-            most = Math.max(most, Math.abs(gapX) + Math.abs(gapY)); // NaN stays
+            double open = Math.abs(gapX) + Math.abs(gapY);
+            if (!(open <= most)) { // seldom; a maximum would make each wait for the last
+                most = open >= 0 ? open : Double.POSITIVE_INFINITY; // NaN stays
+            }
         }
         gap = most;
     }
