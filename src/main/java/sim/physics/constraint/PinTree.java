@@ -84,6 +84,9 @@ final class PinTree implements Serializable {
 
     private static final int INERTIA = 30;
 
+    /** Part of the mass of all links. */
+    static final int SHARE = 31;
+
     /** Values of the first link of a run: own e; e, M and p at a stage; A; place and velocity. */
     static final int SIDE = 16;
 

@@ -96,11 +96,11 @@ final class TreeLoads implements Serializable {
         double x = 0;
         double y = 0;
         for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
-            x += tree.link[o + PinTree.MASS] * a[tree.block[k]];
-            y += tree.link[o + PinTree.MASS] * a[tree.block[k] + 1];
+            x += tree.link[o + PinTree.SHARE] * a[tree.block[k]];
+            y += tree.link[o + PinTree.SHARE] * a[tree.block[k] + 1];
         }
-        fallX[stage] = x / tree.places.total();
-        fallY[stage] = y / tree.places.total();
+        fallX[stage] = x;
+        fallY[stage] = y;
     }
 
     /** Puts the centre of mass where it is at a stage: c times the rates of the stage before from the start. */

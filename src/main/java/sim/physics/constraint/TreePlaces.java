@@ -34,7 +34,6 @@ final class TreePlaces implements Serializable {
     private double startU;
     private double startV;
 
-    private double total;
 
     /**
      * Makes the places of a tree.
@@ -51,15 +50,13 @@ final class TreePlaces implements Serializable {
 
     /** Takes over the masses of the links. */
     void weigh() {
-        total = 0;
+        double total = 0;
         for (int o = 0; o < tree.link.length; o += PinTree.STRIDE) {
             total += tree.link[o + PinTree.MASS];
         }
-    }
-
-    /** Mass of all links. */
-    double total() {
-        return total;
+        for (int o = 0; o < tree.link.length; o += PinTree.STRIDE) {
+            tree.link[o + PinTree.SHARE] = tree.link[o + PinTree.MASS] / total;
+        }
     }
 
     /** Takes note of where a free tree is: its centre of mass from the root, so that no rounding adds up. */
@@ -81,7 +78,7 @@ final class TreePlaces implements Serializable {
         centreU = 0;
         centreV = 0;
         for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
-            double m = tree.link[o + PinTree.MASS] / total;
+            double m = tree.link[o + PinTree.SHARE];
             centreX += m * (tree.link[o + PinTree.X] - tree.link[PinTree.X]);
             centreY += m * (tree.link[o + PinTree.Y] - tree.link[PinTree.Y]);
             centreU += m * (tree.link[o + PinTree.U] - tree.link[PinTree.U]);
