@@ -53,7 +53,7 @@ final class ChainLayout {
             if (!note(island.a[p], p) || !note(island.b[p], p)) {
                 return -1;
             }
-            end = island.a[p] < 0 || island.b[p] < 0 ? p : end;
+            end = end < 0 && (island.a[p] < 0 || island.b[p] < 0) ? p : end;
         }
         return end;
     }
