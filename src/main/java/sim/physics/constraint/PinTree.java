@@ -282,8 +282,13 @@ final class PinTree implements Serializable {
             double hub = l[o + HUB] + fe;
             double s0 = f0 - mdy;
             double s1 = f1 + mdx;
-            if (alone != null || child[k] >= 0) {
-                addOthers(k, mdx, mdy, square);
+            if (alone != null) {
+                p0 -= pull(k, State.X);
+                p1 -= pull(k, State.Y);
+                tau += mdx * alone[block[k] + 1] - mdy * alone[block[k]] + l[o + INERTIA] * alone[block[k] + State.THETA];
+            }
+            if (child[k] >= 0) {
+                addOthers(k, square);
                 hub += sum[0];
                 s0 += sum[1];
                 s1 += sum[2];
@@ -295,8 +300,7 @@ final class PinTree implements Serializable {
                 m11 += sum[8];
             }
             double per = 1 / hub;
-            l[o + RX] = ex;
-            l[o + RY] = ey;
+            keep(o, ex, ey, s0 * per, s1 * per, tau * per);
             m00 += l[o + MASS];
             m11 += l[o + MASS];
             int n = Math.max(0, o - STRIDE); // the parent, if the run goes on
@@ -310,9 +314,6 @@ final class PinTree implements Serializable {
             f0 = g0 - se * u0;
             f1 = g1 - se * u1;
             fe = ex * g1 - ey * g0 - se * se * per;
-            l[o + SX] = u0;
-            l[o + SY] = u1;
-            l[o + T] = tau * per;
             m00 -= u0 * s0;
             m01 -= u0 * s1;
             m11 -= u1 * s1;
@@ -320,6 +321,18 @@ final class PinTree implements Serializable {
             p1 = p1 - square * mdy + u1 * tau;
         }
         leave(SIDE * from, m00, m01, m11, p0, p1);
+    }
+
+    private double pull(int k, int coordinate) {
+        return link[STRIDE * k + MASS] * alone[block[k] + coordinate];
+    }
+
+    private void keep(int o, double rx, double ry, double sx, double sy, double t) {
+        link[o + RX] = rx;
+        link[o + RY] = ry;
+        link[o + SX] = sx;
+        link[o + SY] = sy;
+        link[o + T] = t;
     }
 
     private double turnedX(int o) {
@@ -339,10 +352,8 @@ final class PinTree implements Serializable {
         side[at + SIDE_P + 1] = p1;
     }
 
-    /**
-     * Sums over the children that are not right behind a link: e⊥·M' e⊥, M' e⊥, p' − ω² M' e, τ, M'; and what acts on the link.
-     */
-    private void addOthers(int k, double mdx, double mdy, double square) {
+    /** Sums over the children that are not right behind a link: e⊥·M' e⊥, M' e⊥, p' − ω² M' e, τ, M'. */
+    private void addOthers(int k, double square) {
         double[] b = side;
         double cos = link[STRIDE * k + COS];
         double sin = link[STRIDE * k + SIN];
@@ -369,13 +380,6 @@ final class PinTree implements Serializable {
             sum[6] += m00;
             sum[7] += m01;
             sum[8] += m11;
-        }
-        if (alone != null) {
-            double ax = alone[block[k]];
-            double ay = alone[block[k] + 1];
-            sum[3] -= link[STRIDE * k + MASS] * ax;
-            sum[4] -= link[STRIDE * k + MASS] * ay;
-            sum[5] += mdx * ay - mdy * ax + link[STRIDE * k + INERTIA] * alone[block[k] + State.THETA];
         }
     }
 
