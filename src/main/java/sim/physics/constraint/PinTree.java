@@ -303,9 +303,8 @@ final class PinTree implements Serializable {
             keep(o, ex, ey, s0 * per, s1 * per, tau * per);
             m00 += l[o + MASS];
             m11 += l[o + MASS];
-            int n = Math.max(0, o - STRIDE); // the parent, if the run goes on
-            ex = turnedX(n);
-            ey = turnedY(n);
+            ex = turnedX(Math.max(0, o - STRIDE)); // of the parent, if the run goes on
+            ey = turnedY(Math.max(0, o - STRIDE));
             double g0 = m01 * ex - m00 * ey;
             double g1 = m11 * ex - m01 * ey;
             double se = s1 * ex - s0 * ey;

@@ -301,7 +301,10 @@ final class DrivenMotion implements Serializable {
         double[] m = trajectories.data();
         double most = 0;
         for (int k = 0; k < group.size; k++) {
-            most = Math.max(most, Math.abs(m[Trajectories.STRIDE * group.values[k] + Trajectories.OMEGA]));
+            double omega = Math.abs(m[Trajectories.STRIDE * group.values[k] + Trajectories.OMEGA]);
+            if (!(omega <= most)) { // seldom; a maximum would make each wait for the last
+                most = omega;
+            }
         }
         double turn = length * most;
         return turn * turn * turn * turn;
