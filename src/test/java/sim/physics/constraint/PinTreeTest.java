@@ -17,6 +17,7 @@ import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
 import sim.physics.motion.Gravity;
+import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
 /** Trees of pins, whose steps are made in their angles: against the general code, and the laws of motion. */
@@ -144,6 +145,39 @@ class PinTreeTest {
             weight.step();
         }
         assertThat(places(hang)).containsExactly(places(fall), within(1e-9));
+    }
+
+    /** A wind that blows on circles only. */
+    private static final class Draught implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public boolean actsOn(Body body) {
+            return body.getShape() instanceof Circle;
+        }
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            forces.add(body, 1, 0);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void whatActsElsewhereDoesNotChangeABit(boolean isHeld) {
+        PhysicsEngine calm = engine(1 / 240.0, 9.81);
+        PhysicsEngine busy = engine(1 / 240.0, 9.81);
+        List<Body> rods = tree(calm, 9, isHeld, 5);
+        List<Body> others = tree(busy, 9, isHeld, 5);
+        Body ball = busy.add(new Body(new Circle(1)).at(1000, 0));
+        busy.add(new Draught());
+        for (int k = 0; k < 240; k++) {
+            ball.addForce(0, k % 2);
+            calm.step();
+            busy.step();
+        }
+        assertThat(ball.getVelocityX()).isGreaterThan(0.1);
+        assertThat(places(others)).isEqualTo(places(rods));
     }
 
     @Test
