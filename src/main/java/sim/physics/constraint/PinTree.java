@@ -60,8 +60,8 @@ final class PinTree implements Serializable {
 
     static final int COS = 15;
     static final int SIN = 16;
-    private static final int RX = 17;
-    private static final int RY = 18;
+    static final int RX = 17;
+    static final int RY = 18;
     private static final int SX = 19;
     private static final int SY = 20;
     private static final int T = 21;
@@ -93,7 +93,7 @@ final class PinTree implements Serializable {
     private static final int SIDE_E = 2;
     private static final int SIDE_M = 4;
     private static final int SIDE_P = 7;
-    private static final int SIDE_A = 9;
+    static final int SIDE_A = 9;
     static final int SIDE_X = 11;
 
     final int links;
@@ -399,7 +399,7 @@ final class PinTree implements Serializable {
         double x = side[SIDE * from + SIDE_A];
         double y = side[SIDE * from + SIDE_A + 1];
         for (int k = from, o = STRIDE * from; k < to; k++, o += STRIDE) {
-            double alpha = l[o + T] - (l[o + SX] * x + l[o + SY] * y);
+            double alpha = angular(o, x, y);
             double omega = l[o + TURNING];
             double square = omega * omega;
             if (child[k] >= 0) {
@@ -428,8 +428,13 @@ final class PinTree implements Serializable {
         }
     }
 
+    /** The angular acceleration of a link whose near pin has an acceleration. */
+    double angular(int o, double x, double y) {
+        return link[o + T] - (link[o + SX] * x + link[o + SY] * y);
+    }
+
     /** The accelerations of the pins of children that are not right behind a link. */
-    private void carry(int k, double x, double y, double alpha, double square) {
+    void carry(int k, double x, double y, double alpha, double square) {
         for (int c = child[k]; c >= 0; c = sister[c]) {
             int at = SIDE * c;
             double ex = side[at + SIDE_E];
@@ -458,7 +463,7 @@ final class PinTree implements Serializable {
         double sixth = h / 6;
         double most = gap;
         for (int k = from, o = STRIDE * from; k < to; k++, o += STRIDE) {
-            double alpha = l[o + T] - (l[o + SX] * x + l[o + SY] * y);
+            double alpha = angular(o, x, y);
             double square = l[o + TURNING] * l[o + TURNING];
             if (child[k] >= 0) {
                 carry(k, x, y, alpha, square);

@@ -25,6 +25,9 @@ final class TreeLoads implements Serializable {
     /** The state at the start of a step, by link. */
     private final double[] start;
 
+    /** Accelerations of the links there, with what the pins do, by link. */
+    private final double[] first;
+
     /** Accelerations of the centre of mass at the stages. */
     private final double[] fallX = new double[STAGES];
 
@@ -33,6 +36,7 @@ final class TreeLoads implements Serializable {
     TreeLoads(PinTree tree) {
         this.tree = tree;
         start = new double[VALUES * tree.links];
+        first = new double[State.BLOCK * tree.links];
     }
 
     /** Keeps the state at the start of a step. */
@@ -60,8 +64,9 @@ final class TreeLoads implements Serializable {
      * @param a takes accelerations, [x″, y″, θ″] per body of the state
      * @param t time of the start
      * @param h step
+     * @param isFirst whether it begins where the state was kept
      */
-    void step(State state, IntList bodies, Loads loads, double[] a, double t, double h) {
+    void step(State state, IntList bodies, Loads loads, double[] a, double t, double h, boolean isFirst) {
         if (tree.isFree) {
             tree.places.locate();
         }
@@ -79,6 +84,9 @@ final class TreeLoads implements Serializable {
                 fall(stage, a);
             }
             tree.eliminate(a);
+            if (stage == 0 && isFirst) {
+                noteAccelerations();
+            }
             if (stage < STAGES - 1) {
                 tree.accelerate(stage, NODE[stage + 1] * h);
             }
@@ -89,6 +97,36 @@ final class TreeLoads implements Serializable {
             end(h);
         }
         scatter(state, PinTree.ANGLE, PinTree.OMEGA);
+    }
+
+    /** Where the pass from the tips to the root has ended, and with nothing that the next stage needs changed. */
+    private void noteAccelerations() {
+        double[] l = tree.link;
+        for (int r = 0; r < tree.runCount; r++) {
+            double x = tree.side[PinTree.SIDE * tree.runs[r] + PinTree.SIDE_A];
+            double y = tree.side[PinTree.SIDE * tree.runs[r] + PinTree.SIDE_A + 1];
+            for (int k = tree.runs[r], o = PinTree.STRIDE * k; k < tree.runs[r + 1]; k++, o += PinTree.STRIDE) {
+                double alpha = tree.angular(o, x, y);
+                double square = l[o + PinTree.TURNING] * l[o + PinTree.TURNING];
+                double dx = l[o + PinTree.COS] * l[o + PinTree.DX] - l[o + PinTree.SIN] * l[o + PinTree.DY];
+                double dy = l[o + PinTree.SIN] * l[o + PinTree.DX] + l[o + PinTree.COS] * l[o + PinTree.DY];
+                first[State.BLOCK * k] = x - square * dx - alpha * dy;
+                first[State.BLOCK * k + 1] = y - square * dy + alpha * dx;
+                first[State.BLOCK * k + 2] = alpha;
+                tree.carry(k, x, y, alpha, square);
+                double rx = l[o + PinTree.RX];
+                double ry = l[o + PinTree.RY];
+                x = x - square * rx - alpha * ry;
+                y = y - square * ry + alpha * rx;
+            }
+        }
+    }
+
+    /** Says what the accelerations at the start were, by block. */
+    void tellFirst(double[] a) {
+        for (int k = 0; k < tree.links; k++) {
+            System.arraycopy(first, State.BLOCK * k, a, tree.block[k], State.BLOCK);
+        }
     }
 
     /** The acceleration of the centre of mass. */

@@ -93,7 +93,7 @@ final class TreeStep implements Serializable {
      * @param state its vectors are changed, if all is well
      * @param solver one whose results these are
      * @param loads the forces
-     * @param a takes accelerations, [x″, y″, θ″] per body of the state
+     * @param a gets the accelerations at the start, with what the pins do, [x″, y″, θ″] per body of the state
      * @param t time of the start
      * @param h step
      * @return false if the general code must make this step
@@ -113,6 +113,7 @@ final class TreeStep implements Serializable {
             }
         }
         unite();
+        loaded.tellFirst(a);
         island.redundantRows = 0;
         return true;
     }
@@ -184,7 +185,7 @@ final class TreeStep implements Serializable {
         double part = h / parts;
         worst = 0;
         for (int k = 0; k < parts; k++) {
-            loaded.step(state, island.bodies, loads, a, t + k * part, part);
+            loaded.step(state, island.bodies, loads, a, t + k * part, part, k == 0);
             if (!isSmooth()) {
                 return false;
             }

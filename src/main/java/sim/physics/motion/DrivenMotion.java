@@ -225,11 +225,8 @@ final class DrivenMotion implements Serializable {
         if (neighbours == null && isFresh) {
             restore(group); // the vectors may hold the ends of paths that were not fine enough
         }
+        path.knowsFirst = false;
         if (!isFresh || !tied.leap(motion, group, motion.time(0), h, path)) {
-            return false;
-        }
-        isCoarse = turnsCoarsely(group, h);
-        if (isCoarse && areNear(group, neighbours)) {
             return false;
         }
         double per = 1 / h;
@@ -239,7 +236,8 @@ final class DrivenMotion implements Serializable {
             endAt[body] = h;
             pace[body] = h;
         }
-        return true;
+        isCoarse = path.knowsFirst ? pathError(group, trajectories.bends(), Trajectories.STRIDE, h) > 1 : turnsCoarsely(group, h);
+        return !isCoarse || !areNear(group, neighbours);
     }
 
     /** The step that the integrator makes of itself with a body, at most that of the engine. */
@@ -275,12 +273,18 @@ final class DrivenMotion implements Serializable {
         if (!path.knowsFirst) {
             return turnError(group, length);
         }
+        return pathError(group, path.a, State.BLOCK, length);
+    }
+
+    /** The same, given where half the second derivatives at the start are. */
+    private double pathError(IntList group, double[] half, int stride, double length) {
         double most = 0;
         for (int k = 0; k < group.size; k++) {
             int b = State.BLOCK * group.values[k];
+            int o = stride * group.values[k];
             double radius = trajectories.radius(group.values[k]);
-            double way = Math.abs(path.first[b] - 2 * path.a[b]) + Math.abs(path.first[b + 1] - 2 * path.a[b + 1]);
-            double turn = Math.abs(path.first[b + 2] - 2 * path.a[b + 2]);
+            double way = Math.abs(path.first[b] - 2 * half[o]) + Math.abs(path.first[b + 1] - 2 * half[o + 1]);
+            double turn = Math.abs(path.first[b + 2] - 2 * half[o + 2]);
             most = Math.max(most, Math.max(way / radius, turn));
         }
         return most * length * length / (32 * near(group));

@@ -254,12 +254,17 @@ final class TiedMotion implements Serializable {
 
     /** Advances a group over a time, if there is a quick way; else nothing is changed, and of the path only its workspace. */
     boolean leap(Motion motion, IntList group, double t, double length, Path path) {
-        path.ensure(state.x().length);
         Generators fields = motion.generators;
-        isRefused = !(motion.getIntegrator() instanceof RungeKutta4)
-                || !(fallsFreely(motion, group)
-                        ? ties.advance(group, fields.gravityX, fields.gravityY, length)
-                        : ties.advance(group, motion, path.stage, t, length));
+        isRefused = !(motion.getIntegrator() instanceof RungeKutta4);
+        if (!isRefused && fallsFreely(motion, group)) {
+            isRefused = !ties.advance(group, fields.gravityX, fields.gravityY, length);
+        } else if (!isRefused) {
+            path.ensure(state.x().length);
+            isRefused = !ties.advance(group, motion, path.stage, t, length);
+            if (!isRefused) {
+                path.takeFirst(group);
+            }
+        }
         return !isRefused;
     }
 

@@ -89,7 +89,7 @@ public interface Ties extends Serializable {
      *
      * @param bodies all bodies of an island, or of all islands
      * @param loads the forces, evaluated at the stages; what it throws leaves the state vectors at one of them
-     * @param a room for accelerations, [x″, y″, θ″] per body of the state
+     * @param a gets the accelerations at the start, with those of the ties, [x″, y″, θ″] per body of the state
      * @param t simulated time of the start
      * @param h step, of either sign
      * @return false if there is no such way; then nothing has changed

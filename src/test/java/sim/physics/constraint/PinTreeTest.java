@@ -180,6 +180,34 @@ class PinTreeTest {
         assertThat(places(others)).isEqualTo(places(rods));
     }
 
+    /** Turns rods by 0.3 rad to and fro within a step of 0.1. */
+    private static final class Shaker implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public boolean actsOn(Body body) {
+            return body.getShape() instanceof Rectangle;
+        }
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            double inertia = body.getInertia() + 0.25 * body.getMass();
+            forces.addTorque(body, inertia * 592 * Math.cos(2 * Math.PI * time / 0.1));
+        }
+    }
+
+    /** The ends of the step tell nothing of it. */
+    @Test
+    void aLinkThatSwingsOutAndBackMeetsWhatIsThere() {
+        PhysicsEngine engine = engine(0.1, 0);
+        Body rod = engine.add(new Body(new Rectangle(1, 0.02)).at(0.5, 0));
+        engine.add(new PinJoint(rod, 0, 0));
+        engine.add(Body.fixed(new Circle(0.05)).at(0.8 * Math.cos(0.25), 0.8 * Math.sin(0.25)));
+        engine.add(new Shaker());
+        engine.step();
+        assertThat(engine.getImpacts()).isPositive();
+    }
+
     @Test
     void aFreeTreeGoesWhereItsForcesPushIt() {
         PhysicsEngine engine = engine(1 / 240.0, 0);
