@@ -13,7 +13,7 @@ import sim.physics.collision.Overlap;
 import sim.physics.collision.Overlaps;
 import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.CellGrid;
-import sim.physics.collision.broad.SortAndSweep;
+import sim.physics.collision.broad.BruteForce;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintSolver;
 import sim.physics.constraint.Constraints;
@@ -57,7 +57,7 @@ public final class PhysicsEngine implements Steppable {
     private final Trajectories trajectories = new Trajectories();
     private final Motion motion = new Motion(state, trajectories);
     private final SharedMotion sharedMotion = new SharedMotion(motion, state, trajectories);
-    private final CollisionDetection detection = new CollisionDetection(state, trajectories, new SortAndSweep());
+    private final CollisionDetection detection = new CollisionDetection(state, trajectories, new BruteForce());
     private final CollisionResponse response = new CollisionResponse(state, trajectories, motion, detection);
 
     private final IntList changed = new IntList();
@@ -776,7 +776,8 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Chooses the broad phase, which the engine else chooses by the number of bodies.
+     * Chooses the broad phase, which the engine else chooses by the number of bodies: the write-up's is
+     * {@link sim.physics.collision.broad.SortAndSweep}.
      *
      * @param broadPhase one that is not in use
      */

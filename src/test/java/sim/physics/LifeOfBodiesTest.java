@@ -9,6 +9,7 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 import sim.engine.SimState;
+import sim.physics.collision.broad.BruteForce;
 import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.SortAndSweep;
 import sim.physics.constraint.PinJoint;
@@ -134,15 +135,19 @@ class LifeOfBodiesTest {
     }
 
     @Test
-    void bothBroadPhasesGiveTheSameRun() {
+    void allBroadPhasesGiveTheSameRun() {
         PhysicsEngine sweep = Scenes.gas(Scenes.Kind.FIGURE_1, 60, 2);
         sweep.setBroadPhase(new SortAndSweep());
         PhysicsEngine grid = Scenes.gas(Scenes.Kind.FIGURE_1, 60, 2);
         grid.setBroadPhase(new CellGrid());
+        PhysicsEngine all = Scenes.gas(Scenes.Kind.FIGURE_1, 60, 2);
+        all.setBroadPhase(new BruteForce());
         for (int k = 0; k < 20; k++) {
             run(sweep, 10);
             run(grid, 10);
+            run(all, 10);
             assertThat(grid.getImpacts()).isEqualTo(sweep.getImpacts());
+            assertThat(all.getImpacts()).isEqualTo(sweep.getImpacts());
         }
     }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.bench;
 
+import java.util.Arrays;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.motion.Euler;
@@ -21,20 +22,35 @@ final class OwnRunner implements Runner {
         if (euler) {
             engine.setIntegrator(new Euler());
         }
+        Body[] all = bodies(scene);
+        for (Body body : all) {
+            engine.add(body);
+        }
+        bodies = Arrays.copyOfRange(all, all.length - scene.size(), all.length);
+    }
+
+    /** The walls and then the bodies of a scene, in no engine yet. */
+    static Body[] bodies(SceneData scene) {
+        Body[] all = new Body[scene.walls().size() + scene.size()];
+        int count = 0;
         for (SceneData.Box wall : scene.walls()) {
             Body body = Body.fixed(new Rectangle(wall.width(), wall.height())).at(wall.x(), wall.y());
             body.setRestitution(scene.restitution());
-            engine.add(body);
+            all[count++] = body;
         }
-        bodies = new Body[scene.size()];
-        for (int i = 0; i < bodies.length; i++) {
+        for (int i = 0; i < scene.size(); i++) {
             Body body = new Body(shape(scene, i))
                     .at(scene.x()[i], scene.y()[i], scene.theta()[i])
                     .moving(scene.vx()[i], scene.vy()[i], scene.omega()[i]);
             body.setMass(scene.mass()[i], scene.inertia(i));
             body.setRestitution(scene.restitution());
-            bodies[i] = engine.add(body);
+            all[count++] = body;
         }
+        return all;
+    }
+
+    PhysicsEngine engine() {
+        return engine;
     }
 
     private static Shape shape(SceneData scene, int i) {

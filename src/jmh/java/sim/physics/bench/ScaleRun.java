@@ -6,6 +6,7 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Locale;
+import org.openjdk.jol.info.GraphLayout;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.scenes.Gas;
@@ -19,6 +20,8 @@ import sim.physics.shape.Rectangle;
  * <pre>
  * ScaleRun start 50          an engine is made, 50 bodies are added, and it makes its first step
  * ScaleRun disks 1000        impacts a second of equal disks, by the area that they cover
+ * ScaleRun memory 100000 1500  bytes that all objects of an engine take, per body and by class
+ * ScaleRun unused 1000 40     a step of the engine against one that lacks what a gas does not use
  * ScaleRun growth 100000 9   time per body and step, a gas of 1000 and one of 100000 bodies in turns
  * </pre>
  */
@@ -38,7 +41,10 @@ public final class ScaleRun {
             case "start" -> start(n);
             case "disks" -> disks(n);
             case "growth" -> growth(n, Integer.parseInt(args[2]));
-            default -> throw new IllegalArgumentException("what is " + args[0] + ": it must be start, disks or growth");
+            case "unused" -> unused(n, Integer.parseInt(args[2]));
+            case "memory" -> memory(n, Integer.parseInt(args[2]));
+            default ->
+                throw new IllegalArgumentException("what is " + args[0] + ": it must be start, disks, memory, unused or growth");
         }
     }
 
@@ -61,12 +67,12 @@ public final class ScaleRun {
     private static void disks(int n) {
         for (double covered : new double[] {0.2, 0.4, 0.6, 0.7}) {
             PhysicsEngine engine = disks(n, covered);
-            measure(engine, 1000);
+            measure(engine::step, 1000);
             double[] perSecond = new double[7];
             double[] nanos = new double[7];
             for (int round = 0; round < 7; round++) {
                 long impacts = engine.getImpacts();
-                long time = measure(engine, 500);
+                long time = measure(engine::step, 500);
                 perSecond[round] = (engine.getImpacts() - impacts) * 1e3 / time;
                 nanos[round] = time / 500.0 / n;
             }
@@ -99,16 +105,59 @@ public final class ScaleRun {
         return engine;
     }
 
+    /** All that can be reached from an engine with a gas, after some steps. */
+    private static void memory(int n, int steps) {
+        OwnRunner gas = new OwnRunner(Gas.s3(n, 1001), false);
+        for (int k = 0; k < steps; k++) {
+            gas.step();
+        }
+        System.setProperty("jol.magicFieldOffset", "true"); // shapes have records, whose fields else cannot be seen
+        GraphLayout layout = GraphLayout.parseInstance(gas.engine());
+        System.out.printf(
+                Locale.ROOT, "%d bodies, after %d steps: %.1f bytes a body%n%s%n", n, steps,
+                layout.totalSize() / (double) n, layout.toFootprint());
+    }
+
+    /** Fresh gases, each in the engine and in the bare step, who begins by turns; the first half warms up. */
+    private static void unused(int n, int rounds) {
+        int steps = Math.max(20, 600_000 / n);
+        double[] ratios = new double[rounds];
+        double[] micros = new double[rounds];
+        for (int r = -rounds; r < rounds; r++) {
+            SceneData scene = Gas.s3(n, 500 + r);
+            PhysicsEngine engine = new OwnRunner(scene, false).engine();
+            BareStep bare = new BareStep(scene);
+            boolean first = r % 2 == 0;
+            double before = first ? measure(engine::step, steps) : 0;
+            double without = measure(bare::step, steps);
+            double with = first ? before : measure(engine::step, steps);
+            if (r >= 0) {
+                ratios[r] = with / without;
+                micros[r] = with / 1e3 / steps;
+            }
+            if (r == rounds - 1) {
+                System.out.printf(
+                        Locale.ROOT, "impacts %d and %d, energy %.15g and %.15g%n", engine.getImpacts(), bare.impacts(),
+                        engine.kineticEnergy(), bare.kineticEnergy());
+            }
+        }
+        Arrays.sort(ratios);
+        Arrays.sort(micros);
+        System.out.printf(
+                Locale.ROOT, "%d bodies: %.3f us a step, %.3f times the bare step [%.3f, %.3f]%n", n, micros[rounds / 2],
+                ratios[rounds / 2], ratios[rounds / 4], ratios[3 * rounds / 4]);
+    }
+
     private static void growth(int n, int rounds) {
         OwnRunner small = new OwnRunner(Gas.s3(1000, 1001), false);
-        measure(small, 4000);
+        measure(small::step, 4000);
         OwnRunner large = new OwnRunner(Gas.s3(n, 1001), false);
-        measure(large, 60);
+        measure(large::step, 60);
         double[][] results = new double[3][rounds];
         int steps = Math.max(1, 2_000_000 / n);
         for (int r = 0; r < rounds; r++) {
-            results[0][r] = measure(small, 2000) / 2e6;
-            results[1][r] = measure(large, steps) / (double) steps / n;
+            results[0][r] = measure(small::step, 2000) / 2e6;
+            results[1][r] = measure(large::step, steps) / (double) steps / n;
             results[2][r] = results[1][r] / results[0][r];
         }
         Arrays.stream(results).forEach(Arrays::sort);
@@ -116,27 +165,19 @@ public final class ScaleRun {
         System.out.printf(
                 Locale.ROOT, "1000 bodies: %.1f ns a body and step, %d: %.1f, %.2f [%.2f, %.2f] times as long%n",
                 results[0][m], n, results[1][m], results[2][m], results[2][0], results[2][rounds - 1]);
-        measure(large, 1);
+        measure(large::step, 1);
         long bytes = THREAD.getCurrentThreadAllocatedBytes();
-        measure(large, steps);
+        measure(large::step, steps);
         System.out.println(
                 "allocated in " + steps + " steps: " + (THREAD.getCurrentThreadAllocatedBytes() - bytes) + " bytes; collections"
                         + " so far: " + ManagementFactory.getGarbageCollectorMXBeans().stream()
                                 .map(c -> c.getName() + " " + c.getCollectionCount()).toList());
     }
 
-    private static long measure(OwnRunner runner, int steps) {
+    private static long measure(Runnable step, int steps) {
         long nanos = THREAD.getCurrentThreadCpuTime();
         for (int s = 0; s < steps; s++) {
-            runner.step();
-        }
-        return THREAD.getCurrentThreadCpuTime() - nanos;
-    }
-
-    private static long measure(PhysicsEngine engine, int steps) {
-        long nanos = THREAD.getCurrentThreadCpuTime();
-        for (int s = 0; s < steps; s++) {
-            engine.step();
+            step.run();
         }
         return THREAD.getCurrentThreadCpuTime() - nanos;
     }

@@ -3,12 +3,11 @@
 package sim.physics.collision;
 
 import java.io.Serializable;
-import java.util.Arrays;
+import sim.physics.collision.broad.BodyNotes;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.NarrowPhase;
-import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Team;
 import sim.physics.internal.Tolerances;
@@ -43,9 +42,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     private final Watch watch;
 
     private final PathEnds pathEnds = new PathEnds();
-    private boolean[] known = new boolean[8];
-    /** Bodies none of whose pairs need be looked at. */
-    private boolean[] idle = new boolean[8];
+    private final BodyNotes notes;
     private double pathEnd;
 
     private final PairMarks marks = new PairMarks(pairs);
@@ -65,9 +62,10 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         this.trajectories = trajectories;
         this.enclosures = new Enclosures(this, state, trajectories, pairs, broadPhase);
         Boxes boxes = enclosures.boxes();
+        notes = boxes.notes();
         NarrowPhase narrowPhase = new NarrowPhase(pairs, trajectories, enclosures.shapes(), boxes);
         this.search = new PairSearch(pairs, trajectories, marks, narrowPhase);
-        this.watch = new Watch(this, pairs, search, queue, enclosures.order());
+        this.watch = new Watch(this, pairs, marks, search, queue, enclosures.order());
         this.companions = new Companions(trajectories, boxes, pairs, marks, narrowPhase);
         pairs.setListener(this);
     }
@@ -110,12 +108,8 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         enclosures.prepare(body, view);
         trajectories.setRadius(body, view.getShape().boundingRadius());
         pairs.ensure(state.size());
-        if (body >= known.length) {
-            known = Arrays.copyOf(known, Growth.length(known.length, state.size()));
-            idle = Arrays.copyOf(idle, known.length);
-        }
-        known[body] = true;
-        idle[body] = false;
+        notes.set(body, BodyNotes.KNOWN, true);
+        notes.set(body, BodyNotes.IDLE, false);
         pathEnds.clear(body);
         enclosures.enclose(body, tau, step, h);
         watch.clearList();
@@ -129,7 +123,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
      * @param body index
      */
     public void remove(int body) {
-        known[body] = false;
+        notes.set(body, BodyNotes.KNOWN, false);
         pathEnds.clear(body);
         enclosures.remove(body);
     }
@@ -189,18 +183,12 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     public void moved(int body, double tau, boolean teleported, int except) {
         enclosures.moved(body, tau, teleported, step, h);
         watch.clearList();
-        if (idle[body]) {
+        if (notes.has(body, BodyNotes.IDLE)) {
             return;
         }
-        boolean watched = false;
-        for (int k = 0; k < pairs.countOf(body); k++) {
-            int pair = pairs.of(body, k);
-            watched |= pair == except || !marks.isUnseen(pair);
-            if (pair != except) {
-                watch.look(pair, tau);
-            }
-        }
-        idle[body] = !watched;
+        boolean straight = trajectories.areStraight() && narrowPhase().isContinuous() && marks.areShallow();
+        boolean watched = straight ? watch.lookAround(body, tau, except) : watch.lookAtAll(body, tau, except);
+        notes.set(body, BodyNotes.IDLE, !watched);
     }
 
     /**
@@ -234,7 +222,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         watch.clearList();
         for (int m = 0; m < bodies.size; m++) {
             int body = bodies.values[m];
-            if (idle[body]) {
+            if (notes.has(body, BodyNotes.IDLE)) {
                 continue;
             }
             boolean watched = false;
@@ -243,7 +231,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
                 watched |= !marks.isUnseen(pair);
                 watch.list(pair);
             }
-            idle[body] = !watched;
+            notes.set(body, BodyNotes.IDLE, !watched);
         }
         watch.lookAtList(tau);
     }
@@ -310,7 +298,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
      * @return true from add to remove
      */
     public boolean knows(int body) {
-        return body < known.length && known[body];
+        return notes.knows(body);
     }
 
     /**
@@ -429,8 +417,8 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     }
 
     private void attend(int pair) {
-        idle[pairs.first(pair)] = false;
-        idle[pairs.second(pair)] = false;
+        notes.set(pairs.first(pair), BodyNotes.IDLE, false);
+        notes.set(pairs.second(pair), BodyNotes.IDLE, false);
     }
 
     @Override

@@ -173,7 +173,7 @@ final class Enclosures implements Serializable {
         if (team == null || !team.pays(bodies.size, least)) {
             return false;
         }
-        shared = shared == null ? new SharedBoxes(detection, trajectories, room, team) : shared;
+        shared = shared == null ? new SharedBoxes(detection, room, team) : shared;
         return true;
     }
 

@@ -43,6 +43,11 @@ public final class PairMarks implements Serializable {
         return pairs.marks(pair) != 0;
     }
 
+    /** Whether no pair has ever been allowed to be deep in one another. */
+    boolean areShallow() {
+        return depth.length == 0;
+    }
+
     /** Whether a body of a list has a pair that does not pass through one another. */
     boolean hasNeighbours(IntList bodies) {
         for (int k = 0; k < bodies.size; k++) {

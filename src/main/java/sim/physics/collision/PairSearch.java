@@ -60,7 +60,26 @@ final class PairSearch implements Serializable {
         if (marks.isUnseen(pair)) {
             return 0;
         }
-        double start = narrowPhase.boundingCircles(pair, tau);
+        return look(pair, tau, narrowPhase.boundingCircles(pair, tau), end);
+    }
+
+    /** The same for a pair that is to be looked at, and whose circles are known to meet at an offset. */
+    double lookFrom(int pair, double tau, double start, double end) {
+        narrowPhase.meets(pair);
+        return look(pair, tau, start, end);
+    }
+
+    /**
+     * The same from the offset on up to which the pair's circles are apart.
+     *
+     * @param pair its number, of one that is to be looked at
+     * @param tau offset in the present step from which on to look
+     * @param start what {@link NarrowPhase#boundingCircles} has just found
+     * @param end until when the bodies' paths hold
+     * @return an offset, if there is one that matters
+     */
+    private double look(int pair, double tau, double start, double end) {
+        found = NEVER;
         if (start == Double.POSITIVE_INFINITY) {
             return 0;
         }

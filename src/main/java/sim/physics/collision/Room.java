@@ -3,8 +3,7 @@
 package sim.physics.collision;
 
 import java.io.Serializable;
-import java.util.Arrays;
-import sim.physics.internal.Growth;
+import sim.physics.collision.broad.BodyNotes;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.internal.Agenda;
 import sim.physics.motion.Body;
@@ -30,32 +29,33 @@ final class Room implements Serializable {
     private final Trajectories trajectories;
     private final Boxes boxes;
 
-    /** Bodies that collide with nothing, which may leave their boxes. */
-    private boolean[] isAloof = new boolean[8];
+    private final BodyNotes notes;
 
     Room(Trajectories trajectories, Boxes boxes) {
-        this.trajectories = trajectories;
-        this.boxes = boxes;
+        this(trajectories, boxes, boxes.notes());
     }
 
-    /** Takes over from another one which bodies collide with nothing. */
-    void match(Room other) {
-        isAloof = other.isAloof;
+    private Room(Trajectories trajectories, Boxes boxes, BodyNotes notes) {
+        this.trajectories = trajectories;
+        this.boxes = boxes;
+        this.notes = notes;
+    }
+
+    /** The same with other boxes. */
+    Room with(Boxes others) {
+        return new Room(trajectories, others, notes);
     }
 
     /** Takes a body in, or takes note of what it collides with. */
     void admit(int body, Body view, int bodies) {
-        if (body >= isAloof.length) {
-            isAloof = Arrays.copyOf(isAloof, Growth.length(isAloof.length, bodies));
-        }
         boxes.ensure(bodies);
         boxes.setFixed(body, view.isFixed());
-        isAloof[body] = view.getCategory() == 0 || view.getCollidesWith() == 0;
+        notes.set(body, BodyNotes.ALOOF, view.getCategory() == 0 || view.getCollidesWith() == 0);
     }
 
     /** The step in which a body's centre leaves the room that its box has. */
     long leavingDate(int body, double tau, long step, double h) {
-        if (boxes.isFixed(body) || isAloof[body]) {
+        if (boxes.isFixed(body) || notes.has(body, BodyNotes.ALOOF)) {
             return Agenda.NEVER;
         }
         int o = body * Trajectories.STRIDE;
@@ -176,7 +176,7 @@ final class Room implements Serializable {
 
     /** Whether a body surely stays in its box to the end of the step, or need not. */
     boolean holds(int body, double tau, double h) {
-        if (isAloof[body]) {
+        if (notes.has(body, BodyNotes.ALOOF)) {
             return true;
         }
         double[] m = trajectories.data();

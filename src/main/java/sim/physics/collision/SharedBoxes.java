@@ -7,7 +7,6 @@ import sim.physics.collision.broad.Boxes;
 import sim.physics.internal.Agenda;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Team;
-import sim.physics.motion.Trajectories;
 
 /** New boxes of bodies at the start of a step, which several threads make ahead of the broad phase. */
 final class SharedBoxes implements Team.Work {
@@ -26,11 +25,11 @@ final class SharedBoxes implements Team.Work {
     private long step;
     private double h;
 
-    SharedBoxes(CollisionDetection detection, Trajectories trajectories, Room present, Team team) {
+    SharedBoxes(CollisionDetection detection, Room present, Team team) {
         this.detection = detection;
         this.team = team;
         this.present = present;
-        next = new Room(trajectories, ahead);
+        next = present.with(ahead);
     }
 
     /** Makes new boxes for bodies that leave theirs. */
@@ -50,7 +49,6 @@ final class SharedBoxes implements Team.Work {
         this.step = step;
         this.h = h;
         ahead.ensure(size);
-        next.match(present);
         if (dates.length < those.size) {
             dates = Arrays.copyOf(dates, 2 * those.size);
             isNew = Arrays.copyOf(isNew, dates.length);

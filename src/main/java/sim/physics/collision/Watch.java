@@ -29,6 +29,7 @@ final class Watch implements Serializable {
 
     private final CollisionDetection detection;
     private final Pairs pairs;
+    private final PairMarks marks;
     private final PairSearch search;
     private final EventQueue queue;
     private final SpaceOrder order;
@@ -43,9 +44,11 @@ final class Watch implements Serializable {
     private long step;
     private double h;
 
-    Watch(CollisionDetection detection, Pairs pairs, PairSearch search, EventQueue queue, SpaceOrder order) {
+    Watch(
+            CollisionDetection detection, Pairs pairs, PairMarks marks, PairSearch search, EventQueue queue, SpaceOrder order) {
         this.detection = detection;
         this.pairs = pairs;
+        this.marks = marks;
         this.search = search;
         this.queue = queue;
         this.order = order;
@@ -141,6 +144,57 @@ final class Watch implements Serializable {
         } else {
             together.add(pair, tau);
         }
+    }
+
+    /**
+     * Looks at the pairs of a body with a new course.
+     *
+     * @param body index
+     * @param tau offset in the present step from which on to look
+     * @param except a pair that need not be looked at, or −1
+     * @return whether there is any
+     */
+    boolean lookAtAll(int body, double tau, int except) {
+        boolean watched = false;
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            int pair = pairs.of(body, k);
+            watched |= pair == except || !marks.isUnseen(pair);
+            if (pair != except) {
+                look(pair, tau);
+            }
+        }
+        return watched;
+    }
+
+    /** Does the same where everybody has always moved uniformly: most pairs are settled together, by their circles. */
+    boolean lookAround(int body, double tau, int except) {
+        double[] starts = search.narrowPhase().boundingCirclesOf(body, tau);
+        boolean watched = false;
+        int n = pairs.countOf(body);
+        for (int k = 0; k < n; k++) {
+            int pair = pairs.of(body, k);
+            double start = starts[k];
+            boolean unseen = marks.isUnseen(pair);
+            watched |= pair == except || !unseen;
+            if (pair == except) {
+                continue;
+            }
+            if (unseen || start == Double.POSITIVE_INFINITY) {
+                pairs.setTime(pair, Double.NaN);
+                agenda.schedule(pair, Agenda.NEVER);
+            } else if (start >= h) {
+                schedule(pair, start);
+            } else {
+                look(pair, tau, start);
+            }
+        }
+        return watched;
+    }
+
+    private void look(int pair, double tau, double start) {
+        pairs.setTime(pair, Double.NaN);
+        double t = start >= tau ? search.lookFrom(pair, tau, start, h) : search.look(pair, tau, h);
+        plan(pair, search.found, t);
     }
 
     /** Looks for a pair's first contact from an instant on, and plans an impact or the next look. */

@@ -18,7 +18,7 @@ import sim.physics.shape.Shape;
  * their area (density 1), restitution 1, no friction, and collide with everything.
  */
 public class Body implements Serializable {
-    private static final long serialVersionUID = 2L;
+    private static final long serialVersionUID = 3L;
 
     private Shape shape;
     private final boolean fixed;
@@ -28,8 +28,7 @@ public class Body implements Serializable {
 
     private double mass;
     private double inertia;
-    private double restitution = 1;
-    private double friction;
+    private Surface surface = Surface.SMOOTH;
 
     /** Null until the body has some. */
     private Particulars particulars;
@@ -308,7 +307,7 @@ public class Body implements Serializable {
      * @return 0 (plastic) … 1 (elastic)
      */
     public final double getRestitution() {
-        return restitution;
+        return surface.restitution;
     }
 
     /**
@@ -318,7 +317,7 @@ public class Body implements Serializable {
      * @throws IllegalArgumentException if it is outside 0 … 1
      */
     public final void setRestitution(double restitution) {
-        this.restitution = Check.between("restitution", restitution, 0, 1);
+        setSurface(Check.between("restitution", restitution, 0, 1), surface.friction);
     }
 
     /**
@@ -327,7 +326,7 @@ public class Body implements Serializable {
      * @return μ
      */
     public final double getFriction() {
-        return friction;
+        return surface.friction;
     }
 
     /**
@@ -337,7 +336,11 @@ public class Body implements Serializable {
      * @throws IllegalArgumentException if it is negative or not finite
      */
     public final void setFriction(double friction) {
-        this.friction = Check.notNegative("friction", friction);
+        setSurface(surface.restitution, Check.notNegative("friction", friction));
+    }
+
+    private void setSurface(double restitution, double friction) {
+        surface = state.share(surface.with(restitution, friction, state.lastSurface()));
     }
 
     /**
@@ -566,6 +569,15 @@ public class Body implements Serializable {
     private Particulars particulars() {
         particulars = particulars == null ? new Particulars() : particulars;
         return particulars;
+    }
+
+    /** Puts an equal surface in the place of the body's own. */
+    void share(Surface other) {
+        surface = other;
+    }
+
+    Surface surface() {
+        return surface;
     }
 
     private void requireMovable(String what, boolean changes) {

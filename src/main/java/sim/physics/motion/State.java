@@ -79,6 +79,11 @@ public final class State implements Serializable {
     /** Null until somebody follows it, so that a scene which nobody asks about pays nothing. */
     private transient PlaceLog placeLog;
 
+    private Surface surface = Surface.SMOOTH;
+
+    /** Whether bodies have had different surfaces; else nobody need look at the views for them. */
+    private boolean mixed;
+
     /** Shapes that were seen last, by their hash, so that bodies of equal shapes share one. */
     private transient Shape[] shapes;
 
@@ -237,7 +242,41 @@ public final class State implements Serializable {
         return index;
     }
 
+    /** The surface that was set last: bodies made alike come one after the other. */
+    Surface lastSurface() {
+        return surface;
+    }
+
+    /** Notes that surface. */
+    Surface share(Surface last) {
+        mixed |= last != surface && bodyCount() > 1;
+        surface = last;
+        return last;
+    }
+
+    /**
+     * The coefficient of restitution of a body.
+     *
+     * @param index the block
+     * @return 0 … 1
+     */
+    public double restitution(int index) {
+        return mixed ? bodies[index].getRestitution() : surface.restitution;
+    }
+
+    /**
+     * The coefficient of friction of a body.
+     *
+     * @param index the block
+     * @return not negative
+     */
+    public double friction(int index) {
+        return mixed ? bodies[index].getFriction() : surface.friction;
+    }
+
     private void share(Body body) {
+        Surface own = body.surface();
+        body.share(share(surface.with(own.restitution, own.friction, own)));
         shapes = shapes == null ? new Shape[SHAPES] : shapes;
         Shape shape = body.getShape();
         int hash = shape.hashCode();
@@ -260,6 +299,7 @@ public final class State implements Serializable {
         own.grouped = grouped;
         own.size = 1;
         own.bodies[0] = body;
+        own.surface = body.surface();
         int from = BLOCK * index;
         System.arraycopy(x, from, own.x, 0, BLOCK);
         System.arraycopy(v, from, own.v, 0, BLOCK);

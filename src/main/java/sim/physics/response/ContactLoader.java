@@ -5,7 +5,6 @@ package sim.physics.response;
 import java.io.Serializable;
 import java.util.Objects;
 import sim.physics.collision.narrow.Manifold;
-import sim.physics.motion.Body;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
@@ -53,10 +52,8 @@ final class ContactLoader implements Serializable {
         c.rBx = m.rBx[point];
         c.rBy = m.rBy[point];
         c.setLevers(m.roundA, m.roundB);
-        Body bodyA = state.body(a);
-        Body bodyB = state.body(b);
-        c.restitution = restitutionRule.of(bodyA.getRestitution(), bodyB.getRestitution());
-        c.friction = frictionRule.of(bodyA.getFriction(), bodyB.getFriction());
+        c.restitution = restitutionRule.of(state.restitution(a), state.restitution(b));
+        c.friction = frictionRule.of(state.friction(a), state.friction(b));
         c.allowance = 0;
     }
 }

@@ -17,7 +17,7 @@ public final class Boxes implements Serializable {
     public static final int STRIDE = 4;
 
     private double[] data = new double[8 * STRIDE];
-    private boolean[] fixed = new boolean[8];
+    private final BodyNotes notes = new BodyNotes();
 
     /** Makes no box. */
     public Boxes() {
@@ -34,14 +34,23 @@ public final class Boxes implements Serializable {
     }
 
     /**
-     * Makes room for boxes.
+     * What is noted of the bodies.
+     *
+     * @return live
+     */
+    public BodyNotes notes() {
+        return notes;
+    }
+
+    /**
+     * Makes room for boxes, and for what is noted of the bodies.
      *
      * @param count number of blocks
      */
     public void ensure(int count) {
-        if (fixed.length < count) {
-            fixed = Arrays.copyOf(fixed, Growth.length(fixed.length, count));
-            data = Arrays.copyOf(data, STRIDE * fixed.length);
+        notes.ensure(count);
+        if (data.length < STRIDE * count) {
+            data = Arrays.copyOf(data, STRIDE * Growth.length(data.length / STRIDE, count));
         }
     }
 
@@ -52,7 +61,7 @@ public final class Boxes implements Serializable {
      * @return true for a wall
      */
     public boolean isFixed(int body) {
-        return fixed[body];
+        return notes.has(body, BodyNotes.FIXED);
     }
 
     /**
@@ -62,7 +71,7 @@ public final class Boxes implements Serializable {
      * @param isFixed true for a wall
      */
     public void setFixed(int body, boolean isFixed) {
-        fixed[body] = isFixed;
+        notes.set(body, BodyNotes.FIXED, isFixed);
     }
 
     /**
@@ -91,7 +100,7 @@ public final class Boxes implements Serializable {
      */
     public boolean overlap(int a, int b) {
         int i = STRIDE * a;
-        return meets(b, data[i], data[i + 1], data[i + 2], data[i + 3]) && !(fixed[a] && fixed[b]);
+        return meets(b, data[i], data[i + 1], data[i + 2], data[i + 3]) && !(isFixed(a) && isFixed(b));
     }
 
     private boolean meets(int body, double minX, double minY, double maxX, double maxY) {

@@ -29,6 +29,9 @@ public final class CellGrid implements BroadPhase {
 
     private static final int SMALLEST = 256;
 
+    /** Bodies from which on a bucket has less room to spare, since memory then costs more than a look. */
+    private static final int CROWD = 10_000;
+
     /** A box counts as fitting only with a margin for the rounding of cell numbers. */
     private static final double MARGIN = 0.999;
 
@@ -270,7 +273,8 @@ public final class CellGrid implements BroadPhase {
             setCell(Math.min(1.25 * extents[(n - 1) * 15 / 16], 1.05 * extents[n - 1]));
         }
         int size = mask + 1;
-        while (size < 2 * count) {
+        int least = count < CROWD ? 2 * count : count + count / 4;
+        while (size < least) {
             size *= 2;
         }
         mask = size - 1;

@@ -53,7 +53,7 @@ public final class Departures implements Serializable {
             places[bodies.values[k]] = base + k;
         }
         if (old == null || old.length < Boxes.STRIDE * count) {
-            old = new double[Boxes.STRIDE * (count + count / 4)];
+            old = new double[Boxes.STRIDE * (count + count / 8)];
         }
     }
 

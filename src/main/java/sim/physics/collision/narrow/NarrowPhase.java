@@ -18,13 +18,11 @@ import sim.physics.motion.Trajectories;
 public final class NarrowPhase implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Part of the time to a wall's box after which the search begins, so that rounding does not make it late. */
-    private static final double BEFORE = 1 - 0x1p-20;
-
     private final Pairs pairs;
     private final Trajectories trajectories;
     private final ShapeTable shapes;
     private final Boxes boxes;
+    private final BoundingCircles circles;
 
     private transient Pose pose;
     private transient ClosestFeatures features;
@@ -49,6 +47,7 @@ public final class NarrowPhase implements Serializable {
         this.trajectories = trajectories;
         this.shapes = shapes;
         this.boxes = boxes;
+        circles = new BoundingCircles(trajectories, shapes, boxes);
     }
 
     /**
@@ -220,102 +219,36 @@ public final class NarrowPhase implements Serializable {
      */
     public double boundingCircles(int pair, double tau) {
         touching = false;
-        return continuous ? boundingCircles(pairs.first(pair), pairs.second(pair), tau) : tau;
-    }
-
-    private double boundingCircles(int i, int j, double tau) {
-        double[] m = trajectories.data();
-        int a = i * Trajectories.STRIDE;
-        int b = j * Trajectories.STRIDE;
-        double ax = 0;
-        double ay = 0;
-        if (!trajectories.areStraight()) {
-            double[] bends = trajectories.bends();
-            ax = bends[a + Trajectories.AX];
-            ay = bends[a + Trajectories.AY];
-            double driven = bends[a + Trajectories.DRIVEN] + bends[b + Trajectories.DRIVEN];
-            if (bends[b + Trajectories.AX] != ax || bends[b + Trajectories.AY] != ay || driven != 0) {
-                return tau;
-            }
+        if (!continuous) {
+            return tau;
         }
-        double step = trajectories.step();
-        double h = trajectories.h();
-        double da = (step - m[a + Trajectories.STEP]) * h + (tau - m[a + Trajectories.OFFSET]);
-        double db = (step - m[b + Trajectories.STEP]) * h + (tau - m[b + Trajectories.OFFSET]);
-        double vax = m[a + Trajectories.VX];
-        double vay = m[a + Trajectories.VY];
-        double vbx = m[b + Trajectories.VX];
-        double vby = m[b + Trajectories.VY];
-        double px = m[b] + db * vbx - (m[a] + da * vax);
-        double py = m[b + 1] + db * vby - (m[a + 1] + da * vay);
-        if (ax != 0 || ay != 0) {
-            px += (db * db - da * da) * ax; // both fall alike
-            py += (db * db - da * da) * ay;
-            vax += 2 * da * ax;
-            vay += 2 * da * ay;
-            vbx += 2 * db * ax;
-            vby += 2 * db * ay;
-        }
-        double ux = vbx - vax;
-        double uy = vby - vay;
-        double radius = trajectories.radius(i) + trajectories.radius(j);
-        double c = px * px + py * py - radius * radius;
-        double approach = px * ux + py * uy;
-        if (c > 0) {
-            double d = approach * approach - (ux * ux + uy * uy) * c;
-            if ((Double.doubleToRawLongBits(approach) & Double.doubleToRawLongBits(-d)) >= 0) {
-                return Double.POSITIVE_INFINITY; // they part or pass; one branch, since nobody could foretell two
-            }
-            touching = isCircle(i) && isCircle(j);
-            return tau + c / (Math.sqrt(d) - approach);
-        }
-        if (isCircle(i) && isCircle(j)) {
-            double noise = Tolerances.APPROACH * radius * Math.sqrt(vax * vax + vay * vay + vbx * vbx + vby * vby);
-            touching = approach < -noise;
-            return touching ? tau : Double.POSITIVE_INFINITY;
-        }
-        if ((boxes.isFixed(i) || boxes.isFixed(j)) && ax == 0 && ay == 0) {
-            return tau + (boxes.isFixed(i) ? approach(i, j, db) : approach(j, i, da));
-        }
-        return tau;
+        double start = circles.meet(pairs.first(pair), pairs.second(pair), tau);
+        touching = circles.touching;
+        return start;
     }
 
     /**
-     * How long a body surely stays off the box of a fixed one: the circle around a wall is large, and nearly everybody is
-     * in it.
+     * Takes it that the circles of a pair meet, as {@link #boundingCirclesOf} has found.
      *
-     * @param fixed index of the fixed body
-     * @param body index of the other one, whose motion is straight
-     * @param d time since its anchor
+     * @param pair its number
      */
-    private double approach(int fixed, int body, double d) {
-        int o = body * Trajectories.STRIDE;
-        double[] m = trajectories.data();
-        double[] box = boxes.data();
-        int k = Boxes.STRIDE * fixed;
-        double radius = trajectories.radius(body);
-        double vx = m[o + Trajectories.VX];
-        double vy = m[o + Trajectories.VY];
-        double x = m[o] + d * vx;
-        double y = m[o + 1] + d * vy;
-        return Math.max(
-                entering(box[k] - (x + radius), x - radius - box[k + 2], vx),
-                entering(box[k + 1] - (y + radius), y - radius - box[k + 3], vy));
+    public void meets(int pair) {
+        touching = isCircle(pairs.first(pair)) && isCircle(pairs.second(pair));
     }
 
-    /** The same along one axis, by how far the body is below and above the box. */
-    private static double entering(double below, double above, double v) {
-        if (below > 0) {
-            return v > 0 ? below / v * BEFORE : Double.POSITIVE_INFINITY;
-        }
-        if (above > 0) {
-            return v < 0 ? above / -v * BEFORE : Double.POSITIVE_INFINITY;
-        }
-        return 0;
+    /**
+     * The same for all pairs of a body at once, where nobody has ever been accelerated.
+     *
+     * @param body index
+     * @param tau offset in the present step from which on to look
+     * @return for each of {@link Pairs#of}: an offset up to which the two are apart; NaN if the pair has to be looked at
+     */
+    public double[] boundingCirclesOf(int body, double tau) {
+        return circles.meetAll(body, pairs, tau);
     }
 
     private boolean isCircle(int body) {
-        return shapes.data()[shapes.base(body) + ShapeTable.COUNT] == 1;
+        return shapes.isCircle(body);
     }
 
     /**

@@ -29,7 +29,6 @@ final class SeparatingLine {
     /** How many steps beyond the end to look for a contact in passing, to save looks in the steps to come. */
     private static final double BEYOND = 8;
 
-
     /** Gap, relative to the sizes of the bodies, from which any edge will do that has all of the other body beyond it. */
     private static final double LOOSE = 0.1;
 
@@ -56,7 +55,6 @@ final class SeparatingLine {
     private double[] m;
     /** Acceleration of both, halved. */
     private double ax;
-
     private double ay;
     private double[] shape;
     private int oa;
@@ -68,7 +66,6 @@ final class SeparatingLine {
 
     /** Centre of B relative to the centre of A, its velocity and speed. */
     private double px;
-
     private double py;
     private double ux;
     private double uy;
@@ -94,7 +91,6 @@ final class SeparatingLine {
 
     /** Cosine and sine of the other body's orientation in the owner's frame. */
     private double cos;
-
     private double sin;
 
     // the line: normal, height over the owner's centre; the closest vertex and whether the line is an edge
@@ -106,22 +102,15 @@ final class SeparatingLine {
 
     /** Height of the closest vertex, and its place along the edge. */
     private double gap;
-
     private double along;
 
     /** The owner's vertex where the line begins or which it touches, and the normal in the other body's frame. */
     private int vertex;
-
     private double ox;
     private double oy;
 
     // derivatives of the other body's centre in the owner's frame, and of its height h0 over the line by 1, 2, 6
-    private double q1x;
-    private double q1y;
-    private double q2x;
-    private double q2y;
-    private double q3x;
-    private double q3y;
+    private final CentrePath path = new CentrePath();
     private double h0;
     private double h1;
     private double h2;
@@ -246,11 +235,27 @@ final class SeparatingLine {
         if (countA == 1 || countB == 1) {
             return findDiscLine();
         }
+        if (faceOther(false) || faceOther(true)) {
+            return true;
+        }
         pose.load(i, j);
         pose.moveTo(tau);
         pose.turn();
         code = features.find(ClosestFeatures.NO_FEATURES);
         return features.gap >= -tolerance && takeLine();
+    }
+
+    /** Tries the edge of one polygon that faces the other one's centre, and the vertex that is farthest down. */
+    private boolean faceOther(boolean ofB) {
+        frame(ofB);
+        onEdge = true;
+        vertex = shapes.facingEdge(owner, qx, qy);
+        int e = owner + ShapeTable.FIRST + ShapeTable.VERTEX * vertex;
+        setNormal(shape[e + ShapeTable.NX], shape[e + ShapeTable.NY]);
+        closest = shapes.lowestVertex(other, ox, oy);
+        int edge = 2 * vertex + 1;
+        code = ofB ? 2 * closest << 16 | edge : edge << 16 | 2 * closest;
+        return takeEdge();
     }
 
     /** Looks for the feature of a polygon in whose Voronoi region the centre of a disc is. */
@@ -259,11 +264,12 @@ final class SeparatingLine {
         int n = ofB ? countB : countA;
         frame(ofB);
         closest = 0;
+        int facing = shapes.facingEdge(owner, qx, qy);
         for (int k = 0; k < n; k++) {
-            vertex = k;
+            vertex = facing + k < n ? facing + k : facing + k - n;
             onEdge = takeEdge();
             if (onEdge || takeCorner()) {
-                int feature = onEdge ? 2 * k + 1 : 2 * k;
+                int feature = onEdge ? 2 * vertex + 1 : 2 * vertex;
                 code = ofB ? feature : feature << 16;
                 return true;
             }
@@ -371,19 +377,14 @@ final class SeparatingLine {
     /** The height of the other body's centre as a series in time. */
     private void expand() {
         double spin2 = spin * spin;
-        q1x = wx + spin * qy;
-        q1y = wy - spin * qx;
-        q2x = 2 * spin * wy - spin2 * qx;
-        q2y = -2 * spin * wx - spin2 * qy;
-        q3x = -spin2 * (3 * wx + spin * qy);
-        q3y = -spin2 * (3 * wy - spin * qx);
+        path.expand(qx, qy, wx, wy, spin);
         if (!onEdge && count == 1) {
             lookAhead();
         }
         h0 = nx * qx + ny * qy - height - rounding;
-        h1 = nx * q1x + ny * q1y;
-        h2 = (nx * q2x + ny * q2y) * 0.5;
-        h3 = (nx * q3x + ny * q3y) * (1.0 / 6);
+        h1 = nx * path.q1x + ny * path.q1y;
+        h2 = (nx * path.q2x + ny * path.q2y) * 0.5;
+        h3 = (nx * path.q3x + ny * path.q3y) * (1.0 / 6);
         root.fourth = 0;
         if (spin != 0 || relative != 0) {
             // the bounding circles overlap until they part for good, so the centres stay this close
@@ -400,15 +401,15 @@ final class SeparatingLine {
         double dx = qx - shape[o];
         double dy = qy - shape[o + 1];
         double f0 = gap * (gap + 2 * rounding);
-        double f1 = dx * q1x + dy * q1y;
-        double f2 = q1x * q1x + q1y * q1y + dx * q2x + dy * q2y;
+        double f1 = dx * path.q1x + dy * path.q1y;
+        double f2 = path.q1x * path.q1x + path.q1y * path.q1y + dx * path.q2x + dy * path.q2y;
         if (!(f1 < 0 && f0 > 0 && f2 > 0)) {
             return;
         }
         double d = f1 * f1 - f2 * f0;
         double s = d > 0 ? f0 / (Math.sqrt(d) - f1) : -f1 / f2;
-        double x = dx + s * (q1x + 0.5 * s * q2x);
-        double y = dy + s * (q1y + 0.5 * s * q2y);
+        double x = dx + s * (path.q1x + 0.5 * s * path.q2x);
+        double y = dy + s * (path.q1y + 0.5 * s * path.q2y);
         if (VoronoiRegion.ofVertexContains(shape, owner, vertex, x, y, 0)) {
             double distance = Math.sqrt(x * x + y * y);
             if (x * dx + y * dy > distance * (rounding + 2 * tolerance)) {
@@ -485,12 +486,12 @@ final class SeparatingLine {
             double reach = Math.max(Math.abs(px) + Math.abs(py), bounding);
             double margin = 0.5 * s * s * (2 * Math.abs(spin) * speed + spin * spin * reach
                     + relative * relative * shape[other + ShapeTable.CORE]);
-            double at = along + s * (nx * q1y - ny * q1x + relative * a);
+            double at = along + s * (nx * path.q1y - ny * path.q1x + relative * a);
             return at > margin && at < shape[e + ShapeTable.LENGTH] - margin;
         }
         int o = owner + ShapeTable.FIRST + ShapeTable.VERTEX * vertex;
-        double x = qx - shape[o] + s * (q1x + s * (0.5 * q2x + s * q3x / 6));
-        double y = qy - shape[o + 1] + s * (q1y + s * (0.5 * q2y + s * q3y / 6));
+        double x = qx - shape[o] + s * (path.q1x + s * (0.5 * path.q2x + s * path.q3x / 6));
+        double y = qy - shape[o + 1] + s * (path.q1y + s * (0.5 * path.q2y + s * path.q3y / 6));
         return count == 1
                 && VoronoiRegion.ofVertexContains(shape, owner, vertex, x, y, 0)
                 && Math.sqrt(x * x + y * y) - rounding <= 0.5 * tolerance;

@@ -56,6 +56,40 @@ public final class ShapeTable implements Serializable {
         return baseOf[body];
     }
 
+    boolean isCircle(int body) {
+        return data[baseOf[body] + COUNT] == 1;
+    }
+
+    /** The edge of a polygon whose line a point of the polygon's frame is highest above. */
+    int facingEdge(int base, double x, double y) {
+        int facing = 0;
+        double most = Double.NEGATIVE_INFINITY;
+        int n = (int) data[base + COUNT];
+        for (int k = 0, e = base + FIRST; k < n; k++, e += VERTEX) {
+            double height = data[e + NX] * x + data[e + NY] * y - data[e + H];
+            if (height > most) {
+                most = height;
+                facing = k;
+            }
+        }
+        return facing;
+    }
+
+    /** The vertex of a shape that is least far in a direction of the shape's frame. */
+    int lowestVertex(int base, double x, double y) {
+        int lowest = 0;
+        double least = Double.POSITIVE_INFINITY;
+        int n = (int) data[base + COUNT];
+        for (int k = 0, v = base + FIRST; k < n; k++, v += VERTEX) {
+            double depth = x * data[v] + y * data[v + 1];
+            if (depth < least) {
+                least = depth;
+                lowest = k;
+            }
+        }
+        return lowest;
+    }
+
     /** The largest number of vertices that a shape of the table has. */
     int largestCount() {
         return largestCount;

@@ -187,8 +187,8 @@ class BroadPhaseTest {
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
-    void bothReportWhatBruteForceReports(long seed) {
-        run(seed, List.of(SortAndSweep::new, CellGrid::new));
+    void allReportWhatLookingAtAllPairsGives(long seed) {
+        run(seed, List.of(SortAndSweep::new, CellGrid::new, BruteForce::new));
     }
 
     @Test

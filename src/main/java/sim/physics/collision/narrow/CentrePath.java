@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.collision.narrow;
+
+/** Derivatives of a body's centre in the frame of another body, which turns; both move and spin uniformly. */
+final class CentrePath {
+    /** First derivative. */
+    double q1x;
+
+    double q1y;
+
+    /** Second derivative. */
+    double q2x;
+
+    double q2y;
+
+    /** Third derivative. */
+    double q3x;
+
+    double q3y;
+
+    /**
+     * Sets them.
+     *
+     * @param qx centre in that frame
+     * @param qy centre in that frame
+     * @param wx its velocity, in the direction of the frame's axes
+     * @param wy its velocity
+     * @param spin angular velocity of the frame
+     */
+    void expand(double qx, double qy, double wx, double wy, double spin) {
+        double spin2 = spin * spin;
+        q1x = wx + spin * qy;
+        q1y = wy - spin * qx;
+        q2x = 2 * spin * wy - spin2 * qx;
+        q2y = -2 * spin * wx - spin2 * qy;
+        q3x = -spin2 * (3 * wx + spin * qy);
+        q3y = -spin2 * (3 * wy - spin * qx);
+    }
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+
+/** How a body's surface behaves in contacts. It never changes, so that bodies share one. */
+final class Surface implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** That of a body nobody has said anything about. */
+    static final Surface SMOOTH = new Surface(1, 0);
+
+    /** Coefficient of restitution. */
+    final double restitution;
+
+    /** Coefficient of friction. */
+    final double friction;
+
+    private Surface(double restitution, double friction) {
+        this.restitution = restitution;
+        this.friction = friction;
+    }
+
+    /** One with given coefficients: this one or another one, if they are the same. */
+    Surface with(double newRestitution, double newFriction, Surface other) {
+        if (is(newRestitution, newFriction)) {
+            return this;
+        }
+        return other.is(newRestitution, newFriction) ? other : new Surface(newRestitution, newFriction);
+    }
+
+    private boolean is(double otherRestitution, double otherFriction) {
+        return restitution == otherRestitution && friction == otherFriction;
+    }
+}
