@@ -5,6 +5,7 @@ package sim.physics.collision.narrow;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
+import sim.physics.shape.Shape;
 
 /** Distances between bodies where they are now, in an engine or not: for placing bodies and for looking at scenes. */
 public final class Distance {
@@ -12,6 +13,8 @@ public final class Distance {
     private final Trajectories trajectories = new Trajectories();
     private final Pose pose = new Pose(shapes, trajectories);
     private final ClosestFeatures features = new ClosestFeatures(pose);
+
+    private final Shape[] measured = new Shape[2];
 
     /** Makes an object that measures; not for use by several threads at once. */
     public Distance() {
@@ -55,7 +58,11 @@ public final class Distance {
     }
 
     private void place(int slot, Body body) {
-        shapes.set(slot, body.getShape());
+        if (measured[slot] != null) {
+            shapes.remove(slot, measured[slot]);
+        }
+        measured[slot] = body.getShape();
+        shapes.set(slot, measured[slot]);
         double[] m = trajectories.data();
         int o = slot * Trajectories.STRIDE;
         System.arraycopy(body.state().x(), State.BLOCK * body.index(), m, o, State.BLOCK);

@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.Map;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.internal.Growth;
+import sim.physics.internal.IntList;
 import sim.physics.internal.Trig;
 import sim.physics.motion.Trajectories;
 import sim.physics.shape.Shape;
@@ -16,8 +17,8 @@ import sim.physics.shape.Shape;
  * The shapes of all bodies as numbers for the kernels. Equal shapes are stored once.
  *
  * <pre>
- *   base + 0  number of vertices n        1  rounding radius     2  bounding radius     3  core radius
- *   base + 4 + 6k   x, y of vertex k · nx, ny outward normal of edge k (to vertex k + 1) · h = vertex · normal · length
+ *   base + 0  vertices n     1  rounding radius     2  bounding radius     3  core radius     4  number of bodies that have it
+ *   base + 5 + 6k   x, y of vertex k · nx, ny outward normal of edge k (to vertex k + 1) · h = vertex · normal · length
  * </pre>
  *
  * <p>The core of a shape is its polygon of vertices; the shape is all that is within the rounding radius of the core.
@@ -30,7 +31,8 @@ public final class ShapeTable implements Serializable {
     static final int ROUNDING = 1;
     static final int BOUNDING = 2;
     static final int CORE = 3;
-    static final int FIRST = 4;
+    static final int USERS = 4;
+    static final int FIRST = 5;
     static final int VERTEX = 6;
     static final int NX = 2;
     static final int NY = 3;
@@ -42,6 +44,9 @@ public final class ShapeTable implements Serializable {
     private int[] baseOf = new int[8];
     private int largestCount = 1;
     private final Map<Shape, Integer> known = new HashMap<>();
+
+    /** Places of shapes that nobody has any more, by their number of vertices. */
+    private final Map<Integer, IntList> free = new HashMap<>();
 
     /** Makes an empty table. */
     public ShapeTable() {
@@ -111,15 +116,40 @@ public final class ShapeTable implements Serializable {
             known.put(shape, base);
         }
         baseOf[body] = base;
+        data[base + USERS]++;
     }
 
-    private int append(Shape shape) {
-        int n = shape.vertexCount();
+    /**
+     * Forgets the shape of a body, and gives its place away if nobody else has it.
+     *
+     * @param body index
+     * @param shape its shape
+     */
+    public void remove(int body, Shape shape) {
+        int base = baseOf[body];
+        if (--data[base + USERS] == 0) {
+            known.remove(shape);
+            free.computeIfAbsent(shape.vertexCount(), n -> new IntList()).add(base);
+        }
+    }
+
+    /** Where to put a shape: where one of as many vertices was, or at the end. */
+    private int place(int n) {
+        IntList places = free.get(n);
+        if (places != null && places.size > 0) {
+            return places.values[--places.size];
+        }
         int base = used;
         used += FIRST + VERTEX * n;
         if (used > data.length) {
             data = Arrays.copyOf(data, Math.max(2 * data.length, used));
         }
+        return base;
+    }
+
+    private int append(Shape shape) {
+        int n = shape.vertexCount();
+        int base = place(n);
         largestCount = Math.max(largestCount, n);
         data[base + COUNT] = n;
         data[base + ROUNDING] = shape.radius();
