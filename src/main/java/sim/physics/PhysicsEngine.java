@@ -34,7 +34,9 @@ import sim.physics.motion.Trajectories;
 import sim.physics.query.Queries;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.CollisionResponse;
+import sim.physics.response.ContactListener;
 import sim.physics.response.ImpulseSolver;
+import sim.physics.response.LastingContact;
 import sim.physics.response.PairRule;
 
 /**
@@ -132,6 +134,7 @@ public final class PhysicsEngine implements Steppable {
             state.setPresence(null);
             stepping = false;
         }
+        response.lasting().tell();
     }
 
     /** Begins the step; bodies that were added or set since the last one start from where they were put. */
@@ -628,6 +631,53 @@ public final class PhysicsEngine implements Steppable {
         if (!response.listeners().remove(listener)) {
             throw new IllegalStateException("listener is " + listener + ": it is not in this engine");
         }
+    }
+
+    /**
+     * Adds one who is told of contacts that last, when a step is over. Contacts that last already when the first one is
+     * added begin then.
+     *
+     * @param listener not null
+     */
+    public void addContactListener(ContactListener listener) {
+        response.lasting().listeners().add(Objects.requireNonNull(listener, "listener"));
+    }
+
+    /**
+     * Removes one who is told of contacts that last.
+     *
+     * @param listener one that was added
+     * @throws IllegalStateException if it was not
+     */
+    public void removeContactListener(ContactListener listener) {
+        if (!response.lasting().listeners().remove(listener)) {
+            throw new IllegalStateException("listener is " + listener + ": it is not in this engine");
+        }
+    }
+
+    /**
+     * The contacts that last at the end of the last step: what rests or lies on one another, and with which force. Bodies
+     * that bounce are not among them; {@link CollisionListener}s are told of these.
+     *
+     * @return a new list, each contact once
+     * @throws IllegalStateException within a step
+     */
+    public List<LastingContact> contacts() {
+        requireBetweenSteps("contacts were asked for");
+        return response.lasting().all();
+    }
+
+    /**
+     * The contacts of one body that last at the end of the last step: what a bumper or a foot feels.
+     *
+     * @param body a body of this engine
+     * @return a new list, empty if it touches nothing for long
+     * @throws IllegalStateException if the body is not in this engine, or within a step
+     */
+    public List<LastingContact> contacts(Body body) {
+        requireMine(body);
+        requireBetweenSteps("contacts were asked for");
+        return response.lasting().of(body.index());
     }
 
     /**

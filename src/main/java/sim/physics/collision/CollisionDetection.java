@@ -38,10 +38,10 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     private final Enclosures enclosures;
     private final CollisionFilter filter = new CollisionFilter();
 
-    private final EventQueue queue = new EventQueue();
+    private final PathEnds pathEnds = new PathEnds();
+    private final EventQueue queue = new EventQueue(pairs, pathEnds);
     private final Watch watch;
 
-    private final PathEnds pathEnds = new PathEnds();
     private final BodyNotes notes;
     private double pathEnd;
 
@@ -346,14 +346,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
      * @return true if there is an impact or the end of a path
      */
     public boolean hasEvent() {
-        while (!queue.isEmpty()) {
-            int item = queue.firstItem();
-            if (queue.firstTime() == (item >= 0 ? pairs.time(item) : pathEnds.end(~item))) {
-                return true;
-            }
-            queue.removeFirst(); // planned before a later change of course
-        }
-        return false;
+        return queue.hasNext();
     }
 
     /**

@@ -24,6 +24,9 @@ public final class PairMarks implements Serializable {
     /** Pairs in a heap; empty while there is none. */
     private boolean[] lasting = {};
 
+    /** Pairs that stick; empty while none ever did. */
+    private boolean[] sticky = {};
+
     PairMarks(Pairs pairs) {
         this.pairs = pairs;
     }
@@ -35,6 +38,9 @@ public final class PairMarks implements Serializable {
         }
         if (pair < lasting.length) {
             lasting[pair] = false;
+        }
+        if (pair < sticky.length) {
+            sticky[pair] = false;
         }
     }
 
@@ -143,5 +149,31 @@ public final class PairMarks implements Serializable {
      */
     public boolean isLasting(int pair) {
         return pair < lasting.length && lasting[pair];
+    }
+
+    /**
+     * Says whether the bodies of a pair stick to one another where they touch.
+     *
+     * @param pair its number
+     * @param yes as its last collision was decided; not any more when the pair begins anew
+     */
+    public void setSticky(int pair, boolean yes) {
+        if (pair >= sticky.length) {
+            if (!yes) {
+                return;
+            }
+            sticky = Arrays.copyOf(sticky, Math.max(2 * sticky.length, pair + 1));
+        }
+        sticky[pair] = yes;
+    }
+
+    /**
+     * Whether the bodies of a pair stick to one another where they touch.
+     *
+     * @param pair its number
+     * @return false for most
+     */
+    public boolean isSticky(int pair) {
+        return pair < sticky.length && sticky[pair];
     }
 }

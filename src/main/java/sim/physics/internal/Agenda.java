@@ -10,7 +10,9 @@ import java.util.Arrays;
  * earlier date. Both operations take constant time, and an item that is not due costs nothing.
  *
  * <p>The buckets share one array of chunks, which a bucket takes and gives back, because each of them is full at a time of
- * its own: an item takes 8 bytes, and 4 for each bucket in which it waits, or waited before it was scheduled again.
+ * its own: an item takes 8 bytes, and 4 for each bucket in which it waits, or waited before it was scheduled again. What
+ * does not wait any more is dropped before the array would grow, so that the memory does not depend on how often items are
+ * scheduled.
  */
 public final class Agenda implements Serializable {
     private static final long serialVersionUID = 3L;
@@ -88,7 +90,12 @@ public final class Agenda implements Serializable {
     }
 
     private void append(int bucket, int item) {
-        int place = count[bucket]++ % (CHUNK - 1);
+        int place = count[bucket] % (CHUNK - 1);
+        if (place == 0 && free == 0 && used + CHUNK > chunks.length) {
+            makeRoom();
+            place = count[bucket] % (CHUNK - 1);
+        }
+        count[bucket]++;
         if (place == 0) {
             int chunk = take();
             if (count[bucket] == 1) {
@@ -109,10 +116,67 @@ public final class Agenda implements Serializable {
         }
         int chunk = used;
         used += CHUNK;
-        if (used > chunks.length) {
-            chunks = Arrays.copyOf(chunks, Growth.length(chunks.length, used));
-        }
         return chunk;
+    }
+
+    private void giveBack(int chunk) {
+        chunks[chunk + CHUNK - 1] = free;
+        free = chunk + 1;
+    }
+
+    /** Number of places in buckets that there is room for. */
+    int places() {
+        return chunks.length;
+    }
+
+    /** Drops what does not wait any more; makes the array longer if that is less than a third of it. */
+    private void makeRoom() {
+        int dropped = 0;
+        for (int bucket = 0; bucket < BUCKETS; bucket++) {
+            if (count[bucket] > 0) {
+                dropped += compact(bucket);
+            }
+        }
+        if (3 * dropped * CHUNK <= used) {
+            chunks = Arrays.copyOf(chunks, Growth.length(chunks.length, used + CHUNK));
+        }
+    }
+
+    /** Keeps what waits in a bucket, each item once; returns how many chunks are given back. */
+    private int compact(int bucket) {
+        int waiting = count[bucket];
+        int from = first[bucket];
+        int to = from;
+        int kept = 0;
+        for (int k = 0; k < waiting; k++) {
+            if (k > 0 && k % (CHUNK - 1) == 0) {
+                from = chunks[from + CHUNK - 1];
+            }
+            int item = chunks[from + k % (CHUNK - 1)];
+            if (((int) words[item] & 2 * BUCKETS - 1) == bucket) {
+                words[item] ^= BUCKETS; // another one does not wait
+                if (kept > 0 && kept % (CHUNK - 1) == 0) {
+                    to = chunks[to + CHUNK - 1];
+                }
+                chunks[to + kept++ % (CHUNK - 1)] = item;
+            }
+        }
+        count[bucket] = kept;
+        last[bucket] = to;
+        for (int k = 0, chunk = first[bucket]; k < kept; k++) {
+            if (k > 0 && k % (CHUNK - 1) == 0) {
+                chunk = chunks[chunk + CHUNK - 1];
+            }
+            words[chunks[chunk + k % (CHUNK - 1)]] ^= BUCKETS;
+        }
+        int spare = kept == 0 ? first[bucket] : chunks[to + CHUNK - 1];
+        int left = (waiting + CHUNK - 2) / (CHUNK - 1) - (kept + CHUNK - 2) / (CHUNK - 1);
+        for (int k = 0; k < left; k++) {
+            int next = chunks[spare + CHUNK - 1];
+            giveBack(spare);
+            spare = next;
+        }
+        return left;
     }
 
     /**
@@ -142,8 +206,7 @@ public final class Agenda implements Serializable {
             look(chunks[chunk + place], bucket, step);
             if (++place == CHUNK - 1 || k == waiting - 1) {
                 int next = chunks[chunk + CHUNK - 1];
-                chunks[chunk + CHUNK - 1] = free;
-                free = chunk + 1;
+                giveBack(chunk);
                 chunk = next;
                 place = 0;
             }

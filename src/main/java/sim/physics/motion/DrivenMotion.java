@@ -63,6 +63,8 @@ final class DrivenMotion implements Serializable {
     /** The step in which a body was struck last, and how often until then in a row of steps. */
     private double[] struckIn = {};
 
+    private double[] struckAt = {};
+
     private int[] strikes = {};
 
     private boolean isCoarse;
@@ -468,7 +470,13 @@ final class DrivenMotion implements Serializable {
             endAt[body] = Double.NaN;
             strikes[body] = trajectories.step() - struckIn[body] <= 1 ? strikes[body] + 1 : 1;
             struckIn[body] = trajectories.step();
+            struckAt[body] = trajectories.offset(body);
         }
+    }
+
+    /** The offset of a body's last change of course in this step, 0 if there was none. */
+    double smoothSince(int body) {
+        return body < struckAt.length && struckIn[body] == trajectories.step() ? struckAt[body] : 0;
     }
 
     private void ensure() {
@@ -482,6 +490,7 @@ final class DrivenMotion implements Serializable {
             fineLength = Arrays.copyOf(fineLength, n / State.BLOCK);
             pace = Arrays.copyOf(pace, n / State.BLOCK);
             struckIn = Arrays.copyOf(struckIn, n / State.BLOCK);
+            struckAt = Arrays.copyOf(struckAt, n / State.BLOCK);
             strikes = Arrays.copyOf(strikes, n / State.BLOCK);
             Arrays.fill(struckIn, bodies, endAt.length, Double.NaN);
         }

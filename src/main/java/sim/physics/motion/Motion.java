@@ -234,16 +234,13 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     private void setDriven(int body, boolean yes) {
         boolean was = trajectories.isDriven(body);
+        trajectories.setDriven(body, yes);
         if (yes) {
             state.f(); // makes room for forces
         }
-        trajectories.setDriven(body, yes);
-        if (was == yes) {
-            return;
-        }
-        if (yes) {
+        if (yes && !was) {
             driven.insert(body);
-        } else {
+        } else if (was && !yes) {
             driven.takeOut(body);
         }
     }
@@ -288,21 +285,30 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      * Advances a driven body, and those that move with it, from their anchors on, and sets their paths.
      *
      * @param body index
-     * @param neighbours says whether others are near, so that paths must be near the motion; null: done again, they are
-     * @return offset up to which the path holds: h, or less if the body stops, must be looked at again before, or the
-     *     integrator chooses its steps itself
+     * @param neighbours says whether others are near, so that paths must be near the motion; null: they are
+     * @return offset up to which the path holds: h, or less if the body stops or must be looked at again before
      */
     public double advance(int body, Neighbours neighbours) {
         return drivenMotion.advance(companions(body), neighbours);
     }
 
     /**
-     * Whether the paths that the last call of {@link #advance} set may be too far from the motion for what is near others.
+     * Whether the paths that were set last may be farther from the motion than what is near others may be.
      *
      * @return false after a step of fixed length
      */
     public boolean isCoarse() {
         return drivenMotion.isCoarse();
+    }
+
+    /**
+     * From when on the motion of a body has been smooth, in a scene in which something is driven.
+     *
+     * @param body index
+     * @return offset in the present step of the last change of its velocity; 0 if there was none
+     */
+    public double smoothSince(int body) {
+        return drivenMotion.smoothSince(body);
     }
 
     /**
@@ -316,8 +322,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     /**
-     * Brings a body, and those that move with it, to an instant: driven ones by the integrator from their anchors, so
-     * that an impact does not cost the order of the method.
+     * Brings a body, and those that move with it, to an instant: driven ones by the integrator from their anchors.
      *
      * @param body index
      * @param tau offset in the present step
@@ -404,8 +409,8 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     public void fall(int body, double[] a, int at) {
         int b = State.BLOCK * body;
         double[] w = state.w().values();
-        Body view = state.body(body);
         boolean held = support.holds(body);
+        Body view = state.body(body);
         a[at] = held ? 0 : generators.gravityX + w[b] * view.appliedX();
         a[at + 1] = held ? 0 : generators.gravityY + w[b] * view.appliedY();
         a[at + 2] = held ? 0 : w[b + State.THETA] * view.appliedTorque();
@@ -431,7 +436,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      * @return whether it is at rest until something happens to it
      */
     public boolean hold(int body) {
-        if (!rests(body)) {
+        if (trajectories.isMoving(body) || isTied(body) || !generators.holds(state.body(body))) {
             return false;
         }
         setDriven(body, false);
@@ -450,13 +455,8 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         return pushed.size == 0 && !generators.drive() && !support.pushesDriven ? generators : null;
     }
 
-    /** Length of the present step. */
     double step() {
         return trajectories.h();
-    }
-
-    private boolean rests(int body) {
-        return !trajectories.isMoving(body) && !isTied(body) && generators.holds(state.body(body));
     }
 
     @Override
@@ -471,10 +471,10 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     public void load(IntList bodies, double t, double[] a) {
         if (fields() != null) {
             generators.fall(bodies, a);
-            return;
+        } else {
+            generators.accelerate(state, bodies, t, forces, a);
+            support.add(bodies, a);
         }
-        generators.accelerate(state, bodies, t, forces, a);
-        support.add(bodies, a);
     }
 
     @Override

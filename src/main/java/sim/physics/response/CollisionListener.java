@@ -16,7 +16,10 @@ public interface CollisionListener extends Serializable {
     enum Decision {
         /** The bodies bounce, as their coefficients have it. */
         BOUNCE,
-        /** The collision points have the same velocity afterwards: perfectly inelastic. */
+        /**
+         * The collision points have the same velocity afterwards: perfectly inelastic. They do not slide as long as the
+         * bodies are pressed together, at rest or in a heap, until these part or collide anew; but they can be pulled apart.
+         */
         STICK,
         /** The bodies go on as if there was nothing; they may pass through one another until they are apart again. */
         IGNORE

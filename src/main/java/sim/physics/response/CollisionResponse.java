@@ -3,7 +3,6 @@
 package sim.physics.response;
 
 import java.io.Serializable;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.collision.CollisionDetection;
@@ -11,7 +10,6 @@ import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Tolerances;
-import sim.physics.motion.Body;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
@@ -34,7 +32,7 @@ public final class CollisionResponse implements Serializable {
 
     private ImpulseSolver solver = new TwoBodyImpulse();
     private final ContactLoader loader;
-    private final List<CollisionListener> listeners = new ArrayList<>();
+    private final Listeners listeners;
 
     private final Impact impact = new Impact();
     private final SimultaneousImpact simultaneous;
@@ -45,11 +43,9 @@ public final class CollisionResponse implements Serializable {
     private final Bounces bounces;
     private final RestingContacts resting;
     private final Heaps heaps;
+    private final LastingContacts lasting;
     private final Wedged wedged;
-    private final Strikes strikes;
     private transient Manifold manifold;
-    private double now;
-
     /** From when on the courses of the two hold that are brought to the instant of their impact. */
     private double since;
 
@@ -71,13 +67,15 @@ public final class CollisionResponse implements Serializable {
         this.trajectories = trajectories;
         this.detection = detection;
         this.pairs = detection.pairs();
+        this.listeners = new Listeners(state, trajectories);
         this.loader = new ContactLoader(state, trajectories);
         this.simultaneous = new SimultaneousImpact(state);
         this.bounces = new Bounces(trajectories, motion);
-        this.resting = new RestingContacts(state, trajectories, motion, detection, this);
-        this.heaps = new Heaps(state, trajectories, motion, detection, this);
+        ContactLedger ledger = new ContactLedger(trajectories);
+        this.resting = new RestingContacts(state, trajectories, motion, detection, this, ledger);
+        this.heaps = new Heaps(state, trajectories, motion, detection, this, ledger);
+        this.lasting = new LastingContacts(state, detection, resting, heaps, ledger);
         this.wedged = new Wedged(trajectories, detection);
-        this.strikes = new Strikes(trajectories);
     }
 
     /** Begins a step. */
@@ -98,25 +96,23 @@ public final class CollisionResponse implements Serializable {
     public IntList respond(IntList touching, double tau, double time) {
         manifold = manifold == null ? new Manifold() : manifold;
         changed.clear();
-        now = time;
+        listeners.setTime(time);
         if (touching.size == 1) {
             int pair = touching.values[0];
             since = trajectories.areStraight() ? 0 : Math.max(since(pairs.first(pair)), since(pairs.second(pair)));
             locate(pair, tau);
             if (manifold.count == 1 && (jointed == null || !jointed.has(pairs.first(pair), pairs.second(pair)))) {
                 respondToOne(pair, tau);
-                strikes.note(changed);
                 return changed;
             }
         }
         respondToSeveral(touching, tau);
-        strikes.note(changed);
         return changed;
     }
 
     /** From which offset in the step on a body's motion has been smooth. */
     private double since(int body) {
-        return heaps.has(body) ? trajectories.offset(body) : strikes.last(body);
+        return heaps.has(body) ? trajectories.offset(body) : motion.smoothSince(body);
     }
 
     /**
@@ -139,13 +135,13 @@ public final class CollisionResponse implements Serializable {
     private void respondToOne(int pair, double tau) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
+        impact.sticky = false;
         load(a, b, 0);
         if (isWedged(pair, a, b, tau)) {
             goOn(a, b);
             return;
         }
         bounces.attend(a, b, tau);
-        impact.sticky = false;
         if (heaps.lasts(pair) && closes(pair)) {
             return;
         }
@@ -153,7 +149,7 @@ public final class CollisionResponse implements Serializable {
             goOn(a, b);
             return;
         }
-        if (!listeners.isEmpty() && !ask(a, b)) {
+        if (!listeners.isEmpty() && !ask(pair, a, b)) {
             letPass(pair, a, b);
             return;
         }
@@ -167,6 +163,7 @@ public final class CollisionResponse implements Serializable {
             if (!canRest && startsToLie(pair, a, b)) {
                 impact.restitution = 0;
             } else if (bounces.limit(pair, a, b, impact, canRest)) {
+                unstick(pair);
                 resting.add(pair);
                 bounces.rest(pair);
             }
@@ -177,7 +174,7 @@ public final class CollisionResponse implements Serializable {
         impact.apply();
         store(a, b);
         if (!listeners.isEmpty()) {
-            tell(a, b);
+            listeners.tell(a, b, impact, approach);
         }
     }
 
@@ -191,10 +188,12 @@ public final class CollisionResponse implements Serializable {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
         boolean bounds = false;
+        impact.sticky = detection.marks().isSticky(pair);
         for (int point = manifold.count - 1; point >= 0; point--) {
             load(a, b, point);
             bounds |= bounces.bounds(pair, impact, heaps.pull(a, b), heaps.size(a, b));
         }
+        impact.sticky = false;
         if (bounds) {
             heaps.end(pair);
         }
@@ -206,6 +205,7 @@ public final class CollisionResponse implements Serializable {
         if (!heaps.mayLie(a, b) || !bounces.jams(pair, a, b, impact, heaps.has(a) || heaps.has(b))) {
             return false;
         }
+        unstick(pair);
         heaps.add(pair);
         return true;
     }
@@ -238,6 +238,15 @@ public final class CollisionResponse implements Serializable {
      */
     public Heaps heaps() {
         return heaps;
+    }
+
+    /**
+     * What rests and lies on one another, with its forces.
+     *
+     * @return live
+     */
+    public LastingContacts lasting() {
+        return lasting;
     }
 
     /** The listeners want the pair to pass: both go on as they came. */
@@ -321,7 +330,7 @@ public final class CollisionResponse implements Serializable {
      * @return live
      */
     public List<CollisionListener> listeners() {
-        return listeners;
+        return listeners.all();
     }
 
     /**
@@ -343,12 +352,16 @@ public final class CollisionResponse implements Serializable {
     }
 
     private void load(int a, int b, int point) {
-        load(manifold, a, b, point, impact);
+        loader.load(manifold, a, b, point, impact);
+        impact.restitution = impact.sticky ? 0 : impact.restitution;
     }
 
-    /** Loads one point of a manifold. */
-    void load(Manifold m, int a, int b, int point, Impact c) {
-        loader.load(m, a, b, point, c);
+    /** Loads one point of a pair that rests or lies on one another: what sticks is held by friction without bounds. */
+    void load(Manifold m, int pair, int point, Impact c) {
+        loader.load(m, pairs.first(pair), pairs.second(pair), point, c);
+        if (detection.marks().isSticky(pair)) {
+            c.friction = PlasticImpact.STICKS;
+        }
     }
 
     private void store(int a, int b) {
@@ -396,13 +409,13 @@ public final class CollisionResponse implements Serializable {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
         locate(pair, tau);
+        impact.sticky = false;
         load(a, b, 0);
         if (isWedged(pair, a, b, tau)) {
             goOn(a, b);
             return;
         }
         bounces.attend(a, b, tau);
-        impact.sticky = false;
         if (heaps.lasts(pair) && closes(pair)) {
             return;
         }
@@ -412,7 +425,7 @@ public final class CollisionResponse implements Serializable {
         if (jointed != null) {
             jointed.prepare(a, b);
         }
-        if (!listeners.isEmpty() && !ask(a, b)) {
+        if (!listeners.isEmpty() && !ask(pair, a, b)) {
             letPass(pair, a, b);
             return;
         }
@@ -438,8 +451,16 @@ public final class CollisionResponse implements Serializable {
             bounces.part(pair, a, impact);
         }
         if (restsNow) {
+            unstick(pair);
             resting.add(pair);
             bounces.rest(pair);
+        }
+    }
+
+    /** What lies down sticks only if the listeners of now say so. */
+    private void unstick(int pair) {
+        if (!impact.sticky) {
+            detection.marks().setSticky(pair, false);
         }
     }
 
@@ -456,43 +477,16 @@ public final class CollisionResponse implements Serializable {
             if (two) {
                 impact.jn += simultaneous.normalImpulse(++k);
             }
-            tell(a, b);
+            listeners.tell(a, b, impact, approach);
         }
     }
 
-    /** Asks the listeners what to do about the loaded impact; false to let it be. */
-    private boolean ask(int a, int b) {
-        trajectories.publish(a, trajectories.data()[a * Trajectories.STRIDE + Trajectories.OFFSET], state);
-        trajectories.publish(b, trajectories.data()[b * Trajectories.STRIDE + Trajectories.OFFSET], state);
-        Contact contact = contact(a, b, 0);
-        for (int k = 0; k < listeners.size(); k++) {
-            CollisionListener.Decision decision = listeners.get(k).colliding(contact);
-            if (decision == CollisionListener.Decision.IGNORE) {
-                return false;
-            }
-            if (decision == CollisionListener.Decision.STICK) {
-                impact.sticky = true;
-                return true;
-            }
-        }
-        return true;
-    }
-
-    private void tell(int a, int b) {
-        trajectories.publish(a, trajectories.data()[a * Trajectories.STRIDE + Trajectories.OFFSET], state);
-        trajectories.publish(b, trajectories.data()[b * Trajectories.STRIDE + Trajectories.OFFSET], state);
-        Contact contact = contact(a, b, Math.sqrt(impact.jn * impact.jn + impact.jt * impact.jt));
-        for (int k = 0; k < listeners.size(); k++) {
-            listeners.get(k).collided(contact);
-        }
-    }
-
-    private Contact contact(int a, int b, double impulse) {
-        int o = a * Trajectories.STRIDE;
-        double x = trajectories.data()[o] + impact.rAx;
-        double y = trajectories.data()[o + 1] + impact.rAy;
-        double speed = impulse == 0 ? -impact.normalVelocity() : approach;
-        approach = speed;
-        return new Contact(state.body(a), state.body(b), now, x, y, impact.nx, impact.ny, speed, impulse);
+    /** Asks the listeners what to do about the loaded impact of a pair; false to let it be. */
+    private boolean ask(int pair, int a, int b) {
+        boolean yes = listeners.ask(a, b, impact);
+        detection.marks().setSticky(pair, impact.sticky);
+        impact.restitution = impact.sticky ? 0 : impact.restitution;
+        approach = -impact.normalVelocity();
+        return yes;
     }
 }

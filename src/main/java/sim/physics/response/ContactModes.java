@@ -216,6 +216,7 @@ final class ContactModes implements Serializable {
         restore(s.u);
         for (int p = 0; p < s.size(); p++) {
             s.push(p, forceN(p), forceT(s, p));
+            s.setForces(p, forceN(p), forceT(s, p));
         }
     }
 

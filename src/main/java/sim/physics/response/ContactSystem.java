@@ -341,6 +341,12 @@ final class ContactSystem implements Serializable {
         return data[STRIDE * p + MOBILITY_N];
     }
 
+    /** Takes note of a point's forces, which the values u know already. */
+    void setForces(int p, double normal, double tangential) {
+        data[STRIDE * p + FORCE_N] = normal;
+        data[STRIDE * p + FORCE_T] = tangential;
+    }
+
     double normalForce(int p) {
         return data[STRIDE * p + FORCE_N];
     }

@@ -25,12 +25,6 @@ final class Heap implements Serializable {
     /** Height of an edge's other end from which it is no contact, relative to the smaller body. */
     private static final double FLAT = 2e-2;
 
-    /** Gap that is kept, relative to the smaller body, beside what turning and sliding take of it. */
-    private static final double CUSHION = 1e-10;
-
-    /** The same where paths are not quite the motion. */
-    private static final double DRIVEN_CUSHION = 1e-7;
-
     /** Speed at which points hardly close, relative to the bodies'. */
     private static final double HARDLY = 1e-12;
 
@@ -41,9 +35,6 @@ final class Heap implements Serializable {
 
     /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
     private static final double MOST_SHARE = 100;
-
-    /** Part of a missing gap that a solution regains. */
-    private static final double REGAIN = 0.2;
 
     /** Speed that is none, relative to that which the forces give in the time of a solution. */
     private static final double STILL = 1e-7;
@@ -62,16 +53,12 @@ final class Heap implements Serializable {
     private final CollisionDetection detection;
     private final CollisionResponse response;
     private final HeapBodies by;
+    private final ContactLedger ledger;
     private final BodyScale scales;
     private final HeapSystem system = new HeapSystem();
 
-    /** The bodies of the heap, and where its points come from. */
     private final IntList heap = new IntList();
-
-    private final IntList origin = new IntList();
-
-    /** The forces of a pair's points at its last solution, four by pair. */
-    private double[] forces = {};
+    private final HeapNotes notes;
 
     private final double[] fall = new double[State.BLOCK];
     private final Impact point = new Impact();
@@ -88,7 +75,6 @@ final class Heap implements Serializable {
     /** Null while nothing ties bodies together. */
     private Ties ties;
 
-    private double[] velocities = {};
     private double[] alone = {};
     private boolean halts;
     private double scale;
@@ -99,13 +85,16 @@ final class Heap implements Serializable {
             Motion motion,
             CollisionDetection detection,
             CollisionResponse response,
-            HeapBodies by) {
+            HeapBodies by,
+            ContactLedger ledger) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
         this.detection = detection;
         this.response = response;
         this.by = by;
+        this.ledger = ledger;
+        this.notes = new HeapNotes(system, ledger);
         this.scales = new BodyScale(state, trajectories);
     }
 
@@ -119,16 +108,13 @@ final class Heap implements Serializable {
 
     /** Lets a pair last. */
     void begin(int pair) {
-        if (4 * pair >= forces.length) {
-            forces = Arrays.copyOf(forces, Math.max(2 * forces.length, 4 * pair + 4));
-        }
         if (!lasts(pair)) {
             double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
             boolean driven = trajectories.isDriven(detection.pairs().first(pair))
                     || trajectories.isDriven(detection.pairs().second(pair));
             detection.marks().setLasting(pair, true);
-            detection.marks().setDepth(pair, (driven ? DRIVEN_CUSHION : CUSHION) * size);
-            Arrays.fill(forces, 4 * pair, 4 * pair + 4, 0);
+            detection.marks().setDepth(pair, HeapGaps.depth(driven, size));
+            ledger.begin(pair);
         }
     }
 
@@ -188,7 +174,7 @@ final class Heap implements Serializable {
         }
         double h = trajectories.h();
         double length = spin * h > TURN ? TURN / spin : h;
-        length = Math.max(isDriven ? Math.min(length, by.pace(heap, h)) : length, h / SOLUTIONS);
+        length = Math.max(isDriven ? Math.min(length, by.pace(heap, h, h / SOLUTIONS)) : length, h / SOLUTIONS);
         isFresh = !struck;
         until = Math.min(isDriven ? h : paid, tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
@@ -247,6 +233,7 @@ final class Heap implements Serializable {
             return;
         }
         system.strike(Math.max(speed, scale));
+        notes.strike(1);
         for (int k = 0; k < heap.size; k++) {
             int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
             System.arraycopy(system.v, 3 * k, trajectories.data(), o, State.BLOCK);
@@ -257,8 +244,7 @@ final class Heap implements Serializable {
     private void drive(double tau) {
         double length = until - tau;
         for (int p = 0; p < system.size(); p++) {
-            int at = origin.values[p];
-            system.start(p, length * forces[at], length * forces[at + 1]);
+            notes.start(p, length);
         }
         probe(length);
         for (int k = 1; k < PROBES; k++) {
@@ -308,7 +294,7 @@ final class Heap implements Serializable {
     /** Takes in the bodies of the heap and their points. */
     private void gather(double tau) {
         manifold = manifold == null ? new Manifold() : manifold;
-        origin.clear();
+        notes.clear();
         system.clear();
         scale = 0;
         for (int k = 0; k < heap.size; k++) {
@@ -356,10 +342,15 @@ final class Heap implements Serializable {
             }
             return;
         }
+        ledger.open(pair, tau, manifold, !state.body(a).isFixed(), !isFresh);
         double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
+        if (isDriven) {
+            detection.marks().setDepth(pair, HeapGaps.depth(true, size));
+        }
+        double depth = detection.marks().depth(pair);
+        system.allow(HeapGaps.littleSpeed(depth, left));
         for (int k = 0; k < manifold.count; k++) {
-            response.load(manifold, a, b, k, point);
-            double room = detection.marks().depth(pair) + scales.bend(manifold, point, a, b, left);
+            response.load(manifold, pair, k, point);
             int p = system.size();
             system.add(number(a), number(b), point);
             if (isDriven) {
@@ -367,32 +358,21 @@ final class Heap implements Serializable {
                 reply(p, 1, b, 1, point.leverB, point.armB);
                 system.measure(p);
             }
-            origin.add(4 * pair + 2 * k);
-            double gap = manifold.gaps[k];
-            double least = isFresh ? room : 0.5 * room;
-            system.bound(p, gap < least ? REGAIN * (room - gap) / left : (least - gap) / left);
+            notes.add(pair, k);
+            double bend = scales.bend(manifold, point, a, b, left);
+            system.bound(p, HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isDriven));
             if (isFresh && !isDriven) {
-                double[] f = forces;
-                system.start(p, left * f[4 * pair + 2 * k], left * f[4 * pair + 2 * k + 1]);
+                notes.start(p, left);
             }
         }
     }
 
     /** Finds what a point's impulses do to a body that is tied to others. */
     private void reply(int p, int side, int body, double sign, double lever, double arm) {
-        if (!motion.isTied(body)) {
-            return;
+        if (motion.isTied(body)) {
+            int first = by.place[ties.island(body).values[0]] - 1;
+            system.replies().find(2 * p + side, first, ties, body, state.x().length, sign, point, lever, arm);
         }
-        if (velocities.length < state.x().length) {
-            velocities = new double[state.x().length];
-        }
-        IntList island = ties.island(body);
-        int first = by.place[island.values[0]] - 1;
-        HeapReplies replies = system.replies();
-        ties.reply(body, sign * point.nx, sign * point.ny, sign * lever, velocities);
-        replies.set(2 * p + side, first, island, velocities, false);
-        ties.reply(body, -sign * point.ny, sign * point.nx, sign * arm, velocities);
-        replies.set(2 * p + side, first, island, velocities, true);
     }
 
     private int number(int body) {
@@ -419,10 +399,7 @@ final class Heap implements Serializable {
             done = system.solve(scale, false); // regaining gaps must not add energy
             by.afford(heap, system.gained());
         }
-        for (int p = 0; p < system.size() && isFresh; p++) {
-            forces[origin.values[p]] = done ? system.normalImpulse(p) / (until - tau) : 0;
-            forces[origin.values[p] + 1] = done ? system.tangentImpulse(p) / (until - tau) : 0;
-        }
+        notes.note(isFresh ? until - tau : 0, done);
         halts = most > MOST && !isDriven;
         if (halts) {
             system.halt();
@@ -451,6 +428,23 @@ final class Heap implements Serializable {
         return alone;
     }
 
+    /** Finds what holds a heap that stands still from now on, when it has been stopped; nothing else depends on that. */
+    private void bear(double time, double none) {
+        for (int k = 0; k < heap.size; k++) {
+            motion.fall(heap.values[k], fall, 0);
+            for (int c = 0; c < State.BLOCK; c++) {
+                system.v[3 * k + c] = fall[c] * time;
+            }
+        }
+        notes.strike(1);
+        for (int p = 0; p < system.size(); p++) {
+            system.bound(p, system.bound(p) < -none ? system.bound(p) : 0);
+        }
+        system.solve(scale, true);
+        notes.press(time);
+        notes.strike(-1); // what has stopped it was more than what holds it
+    }
+
     private void publish(double tau, IntList changed) {
         double pull = 0;
         double most = 0;
@@ -461,6 +455,9 @@ final class Heap implements Serializable {
         boolean still = system.size() > 0 && !halts && isFresh && !isDriven && most <= STILL * pull * (until - tau);
         if (!still && until < trajectories.h()) {
             detection.plan(heap.values[0], until);
+        }
+        if (still) {
+            bear(until - tau, STILL * pull * (until - tau));
         }
         double[] d = trajectories.data();
         double[] pushes = pushes();

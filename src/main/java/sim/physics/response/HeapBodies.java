@@ -107,13 +107,14 @@ final class HeapBodies implements Serializable {
     }
 
     /** For how long forces are to hold on driven bodies: half as long where points have closed too early. */
-    double pace(IntList bodies, double h) {
+    double pace(IntList bodies, double h, double shortest) {
         double least = h;
         for (int k = 0; k < bodies.size; k++) {
             int body = bodies.values[k];
             double last = pace[body] == 0 ? h : pace[body];
             least = Math.min(least, hasClosed[body] ? 0.5 * last : LONGER * last);
         }
+        least = Math.max(least, shortest); // or it would take long to get longer again
         for (int k = 0; k < bodies.size; k++) {
             pace[bodies.values[k]] = least;
             hasClosed[bodies.values[k]] = false;

@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.IntList;
 import sim.physics.motion.State;
+import sim.physics.motion.Ties;
 
 /** What units of impulse at the points of a heap do to bodies that are tied to others, and so to those others. */
 final class HeapReplies implements Serializable {
@@ -21,6 +22,7 @@ final class HeapReplies implements Serializable {
     private double[] values = {};
 
     private int used;
+    private double[] velocities = {};
 
     HeapReplies() {
         // grows with the heaps
@@ -42,8 +44,25 @@ final class HeapReplies implements Serializable {
         count[2 * p + 1] = 0;
     }
 
+    /**
+     * Finds what units of impulse at a side of a point do to a tied body and its companions.
+     *
+     * @param side its number
+     * @param first number in the heap of the first one of the island
+     * @param length of the vector of all velocities
+     * @param sign of the impulse on this body
+     */
+    void find(int side, int first, Ties ties, int body, int length, double sign, Impact point, double lever, double arm) {
+        IntList island = ties.island(body);
+        velocities = velocities.length < length ? new double[length] : velocities;
+        ties.reply(body, sign * point.nx, sign * point.ny, sign * lever, velocities);
+        set(side, first, island, false);
+        ties.reply(body, -sign * point.ny, sign * point.nx, sign * arm, velocities);
+        set(side, first, island, true);
+    }
+
     /** Sets the replies of a side: of an island whose bodies have consecutive numbers in the heap. */
-    void set(int side, int place, IntList island, double[] velocities, boolean tangential) {
+    private void set(int side, int place, IntList island, boolean tangential) {
         int n = 3 * island.size;
         if (!tangential) {
             first[side] = place;

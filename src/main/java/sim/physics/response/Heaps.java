@@ -46,13 +46,19 @@ public final class Heaps implements Serializable {
 
     private final IntList changed = new IntList();
 
-    Heaps(State state, Trajectories trajectories, Motion motion, CollisionDetection detection, CollisionResponse response) {
+    Heaps(
+            State state,
+            Trajectories trajectories,
+            Motion motion,
+            CollisionDetection detection,
+            CollisionResponse response,
+            ContactLedger ledger) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
         this.detection = detection;
         this.response = response;
-        this.heap = new Heap(state, trajectories, motion, detection, response, by);
+        this.heap = new Heap(state, trajectories, motion, detection, response, by, ledger);
     }
 
     /**
@@ -72,6 +78,11 @@ public final class Heaps implements Serializable {
      */
     public boolean has(int body) {
         return by.has(body);
+    }
+
+    /** Bodies in heaps; some may not lie in one any more. */
+    IntList members() {
+        return members;
     }
 
     /** Sets what ties bodies together, null for nothing. */

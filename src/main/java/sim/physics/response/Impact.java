@@ -62,7 +62,7 @@ public final class Impact implements Serializable {
     /** Energy that the impact may add; 0 but for bounces that are kept from getting too short. */
     double allowance;
 
-    /** Whether the surfaces stick: no relative velocity of the collision points afterwards, in any direction. */
+    /** Whether the surfaces stick: no sliding of the collision points afterwards; the restitution is 0 then, too. */
     boolean sticky;
 
     /** The impulse on B along the normal and along the tangent n⊥, mass·length/time; R = −(jn n + jt n⊥) acts on A. */

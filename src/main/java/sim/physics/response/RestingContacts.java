@@ -47,6 +47,7 @@ public final class RestingContacts implements Serializable {
     private final Motion motion;
     private final CollisionDetection detection;
     private final CollisionResponse response;
+    private final ContactLedger ledger;
     private final ContactSystem system = new ContactSystem();
 
     /** Bodies that rest on something, with their clusters to be solved, and at a standstill; by body. */
@@ -64,6 +65,9 @@ public final class RestingContacts implements Serializable {
     private final IntList cluster = new IntList();
 
     private int[] place = new int[8];
+    /** Where the points come from: two numbers for each pair. */
+    private final IntList origin = new IntList();
+
     private final IntList changed = new IntList();
     private final Impact point = new Impact();
     private transient Manifold manifold;
@@ -73,12 +77,18 @@ public final class RestingContacts implements Serializable {
     private double pace;
 
     RestingContacts(
-            State state, Trajectories trajectories, Motion motion, CollisionDetection detection, CollisionResponse response) {
+            State state,
+            Trajectories trajectories,
+            Motion motion,
+            CollisionDetection detection,
+            CollisionResponse response,
+            ContactLedger ledger) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
         this.detection = detection;
         this.response = response;
+        this.ledger = ledger;
     }
 
     /**
@@ -100,9 +110,15 @@ public final class RestingContacts implements Serializable {
         return body < rests.length && rests[body];
     }
 
+    /** Bodies that rest; some may not any more. */
+    IntList members() {
+        return resting;
+    }
+
     /** Lets the bodies of a pair rest on one another. */
     void add(int pair) {
         detection.hold(pair, true);
+        ledger.begin(pair);
         fresh.add(pair);
         note(detection.pairs().first(pair));
         note(detection.pairs().second(pair));
@@ -290,6 +306,9 @@ public final class RestingContacts implements Serializable {
         loadVelocities();
         double[] d = trajectories.data();
         system.stop(none);
+        for (int p = 0; p < system.size(); p++) {
+            ledger.strike(origin.values[p] / 2, origin.values[p] % 2, system.normalForce(p), system.tangentForce(p));
+        }
         boolean still = speed() <= none;
         for (int k = 0; k < cluster.size; k++) {
             System.arraycopy(system.u, 3 * k, d, cluster.values[k] * Trajectories.STRIDE + Trajectories.VX, 3);
@@ -300,6 +319,9 @@ public final class RestingContacts implements Serializable {
             motion.fall(cluster.values[k], system.u, 3 * k);
         }
         system.press();
+        for (int p = 0; p < system.size(); p++) {
+            ledger.press(origin.values[p] / 2, origin.values[p] % 2, system.normalForce(p), system.tangentForce(p));
+        }
         still &= speed() <= BORNE * scale;
         publish(still, tau);
     }
@@ -386,6 +408,7 @@ public final class RestingContacts implements Serializable {
     /** Finds the points at which the bodies of the cluster touch, and lets go of pairs that have parted. */
     private void collect(double tau) {
         system.clear(cluster.size);
+        origin.clear();
         scale = 0;
         worstGap = 0;
         size = Double.POSITIVE_INFINITY;
@@ -428,7 +451,7 @@ public final class RestingContacts implements Serializable {
             }
         }
         for (int k = manifold.count; near && k < manifold.count + manifold.near; k++) {
-            response.load(manifold, a, b, k, point);
+            response.load(manifold, pair, k, point);
             int first = state.body(a).isFixed() ? -1 : place[a] - 1;
             int second = state.body(b).isFixed() ? -1 : place[b] - 1;
             system.addNear(first, second, point, manifold.gaps[k]);
@@ -440,8 +463,10 @@ public final class RestingContacts implements Serializable {
             detection.hold(pair, false);
             return;
         }
+        ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
         for (int k = 0; k < manifold.count; k++) {
-            response.load(manifold, a, b, k, point);
+            response.load(manifold, pair, k, point);
+            origin.add(2 * pair + k);
             worstGap = Math.max(worstGap, Math.abs(manifold.gaps[k]));
             system.add(
                     state.body(a).isFixed() ? -1 : place[a] - 1,

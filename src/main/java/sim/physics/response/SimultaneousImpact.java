@@ -57,6 +57,9 @@ final class SimultaneousImpact implements Serializable {
     private boolean tied;
     private BorderedJoints bordered;
 
+    /** Null until something does not bounce. */
+    private PlasticImpact plastic;
+
     /** What a unit of each point's impulse does to the velocities of all bodies: by points, then by bodies. */
     private final Replies replies = new Replies();
 
@@ -188,16 +191,20 @@ final class SimultaneousImpact implements Serializable {
             return;
         }
         assemble();
+        if (PlasticImpact.isPlastic(impacts, points)) {
+            solvePlastic();
+            return;
+        }
         activeSet();
-        double least = impacts[0].sticky ? 0 : impacts[0].restitution;
+        double least = impacts[0].restitution;
         boolean uniform = true;
         for (int k = 0; k < points; k++) {
-            double e = impacts[k].sticky ? 0 : impacts[k].restitution;
+            double e = impacts[k].restitution;
             uniform &= e == least;
             least = Math.min(least, e);
         }
         for (int k = 0; k < points; k++) {
-            double e = impacts[k].sticky ? 0 : impacts[k].restitution;
+            double e = impacts[k].restitution;
             impacts[k].jn = (1 + e) * lambda[k];
             impacts[k].jt = 0;
         }
@@ -208,6 +215,20 @@ final class SimultaneousImpact implements Serializable {
         }
         apply();
         rub();
+    }
+
+    private void solvePlastic() {
+        plastic = plastic == null ? new PlasticImpact() : plastic;
+        int[] placeA = new int[points];
+        int[] placeB = new int[points];
+        for (int k = 0; k < points; k++) {
+            placeA[k] = place(bodyA[k]);
+            placeB[k] = place(bodyB[k]);
+            if (tied) {
+                replies.find(points + k, bodyA[k], bodyB[k], impacts[k], true);
+            }
+        }
+        plastic.solve(impacts, points, placeA, placeB, velocity, bodies, tied ? replies : null);
     }
 
     /** A = J W Jᵀ over the points, b = J v. */

@@ -40,7 +40,7 @@ public final class TwoBodyImpulse implements ImpulseSolver {
         double kn = c.normalMobility();
         double kt = c.tangentMobility();
         double knt = c.iA * c.leverA * c.armA + c.iB * c.leverB * c.armB;
-        double wanted = -(c.sticky ? 1 : 1 + c.restitution) * approach;
+        double wanted = -(1 + c.restitution) * approach;
         double det = kn * kt - knt * knt;
         c.jn = (kt * wanted + knt * slide) / det;
         c.jt = -(kn * slide + knt * wanted) / det;

@@ -42,4 +42,28 @@ class AgendaTest {
         }
         assertThat(seen).isGreaterThan(10_000);
     }
+
+    @Test
+    void itemsThatAreScheduledAgainInOneStepTakeNoMemory() {
+        SplittableRandom random = new SplittableRandom(6);
+        Agenda agenda = new Agenda();
+        agenda.ensure(ITEMS);
+        long[] dates = new long[ITEMS];
+        Arrays.fill(dates, Agenda.NEVER);
+        agenda.advance(1);
+        for (int k = 0; k < 200_000; k++) {
+            int item = random.nextInt(ITEMS);
+            dates[item] = random.nextInt(3) == 0 ? Agenda.NEVER : 2 + random.nextInt(80);
+            agenda.schedule(item, dates[item]);
+        }
+        assertThat(agenda.places()).isLessThanOrEqualTo(12 * ITEMS);
+        for (long step = 2; step < 90; step++) {
+            long now = step;
+            IntList due = agenda.advance(step);
+            int[] found = Arrays.copyOf(due.values, due.size);
+            Arrays.sort(found);
+            int[] expected = IntStream.range(0, ITEMS).filter(k -> dates[k] == now).toArray();
+            assertThat(found).as("step %d", step).isEqualTo(expected);
+        }
+    }
 }

@@ -10,6 +10,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -216,5 +217,34 @@ class DrivenContactTest {
         }
         assertThat(engine.getDeepestPenetration()).isLessThan(1e-6);
         assertThat(engine.kineticEnergy()).isLessThan(1e-3);
+    }
+
+    /** A car falls on a heap between walls: turning boxes do not close their contacts again and again. */
+    @Test
+    void aCarOnAHeapCostsABoundedNumberOfLooks() {
+        engine.add(new Gravity(0, -GRAVITY));
+        engine.bodies().get(0).setRestitution(0.3);
+        engine.bodies().get(0).setFriction(0.5);
+        engine.add(Body.fixed(new Rectangle(2, 40)).at(-6, 20));
+        engine.add(Body.fixed(new Rectangle(2, 40)).at(6, 20));
+        SplittableRandom random = new SplittableRandom(10);
+        for (int k = 0; k < 14; k++) {
+            Body body = new Body(k % 2 == 0 ? new Rectangle(1, 0.7) : new Circle(0.4));
+            engine.add(body.at(-4 + 8 * random.nextDouble(), 1 + 1.3 * k));
+            body.setAngle(random.nextDouble());
+            body.setRestitution(0.3);
+            body.setFriction(0.4);
+        }
+        Body cart = engine.add(new Body(new Rectangle(2, 0.5)).at(-4, 60));
+        for (double x : new double[] {-4.6, -3.4}) {
+            Body wheel = engine.add(new Body(new Circle(0.4)).at(x, 59.6));
+            engine.add(new PinJoint(cart, wheel, x, 59.6));
+        }
+        for (int k = 0; k < 225; k++) {
+            long before = engine.getNarrowPhaseEvaluations();
+            engine.step();
+            assertThat(engine.getNarrowPhaseEvaluations() - before).as("looks in step " + k).isLessThan(60_000);
+        }
+        assertThat(engine.getDeepestPenetration()).isLessThan(1e-7);
     }
 }

@@ -42,7 +42,6 @@ public final class ShapeTable implements Serializable {
     private double[] data = new double[64];
     private int used;
     private int[] baseOf = new int[8];
-    private int largestCount = 1;
     private final Map<Shape, Integer> known = new HashMap<>();
 
     /** Places of shapes that nobody has any more, by their number of vertices. */
@@ -95,11 +94,6 @@ public final class ShapeTable implements Serializable {
         return lowest;
     }
 
-    /** The largest number of vertices that a shape of the table has. */
-    int largestCount() {
-        return largestCount;
-    }
-
     /**
      * Notes the shape of a body.
      *
@@ -150,7 +144,6 @@ public final class ShapeTable implements Serializable {
     private int append(Shape shape) {
         int n = shape.vertexCount();
         int base = place(n);
-        largestCount = Math.max(largestCount, n);
         data[base + COUNT] = n;
         data[base + ROUNDING] = shape.radius();
         data[base + BOUNDING] = shape.boundingRadius();

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import sim.physics.collision.CollisionDetection;
+import sim.physics.collision.PairMarks;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Body;
+import sim.physics.motion.State;
+
+/** Says which bodies rest or lie on one another when a step is over, and tells those who want to know; else does nothing. */
+public final class LastingContacts implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final State state;
+    private final CollisionDetection detection;
+    private final RestingContacts resting;
+    private final Heaps heaps;
+    private final ContactLedger ledger;
+    private final List<ContactListener> listeners = new ArrayList<>();
+
+    /** Contacts at the end of the last step, and by pair its number in that list, plus 1; empty while nobody listens. */
+    private final List<Body> bodies = new ArrayList<>();
+
+    private int[] places = {};
+
+    LastingContacts(
+            State state, CollisionDetection detection, RestingContacts resting, Heaps heaps, ContactLedger ledger) {
+        this.state = state;
+        this.detection = detection;
+        this.resting = resting;
+        this.heaps = heaps;
+        this.ledger = ledger;
+    }
+
+    /**
+     * Those who are told of lasting contacts.
+     *
+     * @return live
+     */
+    public List<ContactListener> listeners() {
+        return listeners;
+    }
+
+    /**
+     * The contacts at the end of the last step.
+     *
+     * @return a new list, in the order of bodies
+     */
+    public List<LastingContact> all() {
+        IntList found = find();
+        List<LastingContact> all = new ArrayList<>(found.size);
+        for (int k = 0; k < found.size; k++) {
+            all.add(contact(found.values[k]));
+        }
+        return all;
+    }
+
+    /**
+     * The contacts of a body at the end of the last step.
+     *
+     * @param body index
+     * @return a new list
+     */
+    public List<LastingContact> of(int body) {
+        List<LastingContact> all = new ArrayList<>();
+        Pairs pairs = detection.pairs();
+        for (int k = 0; detection.knows(body) && k < pairs.countOf(body); k++) {
+            if (lasts(pairs.of(body, k))) {
+                all.add(contact(pairs.of(body, k)));
+            }
+        }
+        return all;
+    }
+
+    private boolean lasts(int pair) {
+        PairMarks marks = detection.marks();
+        return (marks.isHeld(pair) || marks.isLasting(pair)) && !marks.isIgnored(pair);
+    }
+
+    /** The pairs that last, each once: of the body with the smaller index, but for a fixed one. */
+    private IntList find() {
+        IntList members = new IntList();
+        for (IntList some : new IntList[] {resting.members(), heaps.members()}) {
+            for (int k = 0; k < some.size; k++) {
+                if (detection.knows(some.values[k])) {
+                    members.add(some.values[k]);
+                }
+            }
+        }
+        Arrays.sort(members.values, 0, members.size);
+        IntList found = new IntList();
+        Pairs pairs = detection.pairs();
+        for (int k = 0; k < members.size; k++) {
+            int body = members.values[k];
+            boolean isNew = k == 0 || body != members.values[k - 1];
+            for (int m = 0; isNew && m < pairs.countOf(body); m++) {
+                int other = pairs.other(pairs.of(body, m), body);
+                if (lasts(pairs.of(body, m)) && (other > body || state.body(other).isFixed())) {
+                    found.add(pairs.of(body, m));
+                }
+            }
+        }
+        return found;
+    }
+
+    private LastingContact contact(int pair) {
+        Body a = state.body(detection.pairs().first(pair));
+        Body b = state.body(detection.pairs().second(pair));
+        double first = ledger.meanForce(pair, 0, false);
+        double second = ledger.meanForce(pair, 1, false);
+        double share = first + second > 0 ? second / (first + second) : 0;
+        Body near = a.isFixed() ? b : a;
+        double x = (1 - share) * ledger.place(pair, 0, 0) + share * ledger.place(pair, 1, 0);
+        double y = (1 - share) * ledger.place(pair, 0, 1) + share * ledger.place(pair, 1, 1);
+        double friction = ledger.meanForce(pair, 0, true) + ledger.meanForce(pair, 1, true);
+        double nx = ledger.normal(pair, 0);
+        double ny = ledger.normal(pair, 1);
+        return new LastingContact(a, b, near.getX() + x, near.getY() + y, nx, ny, first + second, friction);
+    }
+
+    /** Tells the listeners, if there are any, what has begun, lasts, and has ended with the step that is over. */
+    public void tell() {
+        if (listeners.isEmpty()) {
+            bodies.clear();
+            return;
+        }
+        IntList found = find();
+        List<Body> before = new ArrayList<>(bodies);
+        int[] placesBefore = places.clone();
+        bodies.clear();
+        Arrays.fill(places, 0);
+        List<LastingContact> contacts = new ArrayList<>(found.size);
+        boolean[] lasted = new boolean[found.size];
+        boolean[] goesOn = new boolean[before.size() / 2];
+        for (int k = 0; k < found.size; k++) {
+            int pair = found.values[k];
+            LastingContact contact = contact(pair);
+            contacts.add(contact);
+            int place = pair < placesBefore.length ? placesBefore[pair] - 1 : -1;
+            lasted[k] = place >= 0
+                    && 2 * place < before.size()
+                    && before.get(2 * place) == contact.a()
+                    && before.get(2 * place + 1) == contact.b();
+            if (lasted[k]) {
+                goesOn[place] = true;
+            }
+            if (pair >= places.length) {
+                places = Arrays.copyOf(places, Math.max(2 * places.length, pair + 1));
+            }
+            places[pair] = k + 1;
+            bodies.add(contact.a());
+            bodies.add(contact.b());
+        }
+        for (ContactListener listener : new ArrayList<>(listeners)) {
+            for (int k = 0; k < goesOn.length; k++) {
+                if (!goesOn[k]) {
+                    listener.ended(before.get(2 * k), before.get(2 * k + 1));
+                }
+            }
+            for (int k = 0; k < contacts.size(); k++) {
+                if (lasted[k]) {
+                    listener.lasts(contacts.get(k));
+                } else {
+                    listener.began(contacts.get(k));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.List;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+
+/** Asks those who are told of collisions, and tells them. */
+final class Listeners implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final List<CollisionListener> all = new ArrayList<>();
+
+    /** Simulated time of the present instant. */
+    private double now;
+
+    Listeners(State state, Trajectories trajectories) {
+        this.state = state;
+        this.trajectories = trajectories;
+    }
+
+    List<CollisionListener> all() {
+        return all;
+    }
+
+    boolean isEmpty() {
+        return all.isEmpty();
+    }
+
+    void setTime(double time) {
+        now = time;
+    }
+
+    /** Asks what to do about an impact, which is sticky then if one of them wants it; false to let it be. */
+    boolean ask(int a, int b, Impact impact) {
+        publish(a, b);
+        Contact contact = contact(a, b, impact, -impact.normalVelocity(), 0);
+        for (int k = 0; k < all.size(); k++) {
+            CollisionListener.Decision decision = all.get(k).colliding(contact);
+            if (decision == CollisionListener.Decision.IGNORE) {
+                return false;
+            }
+            if (decision == CollisionListener.Decision.STICK) {
+                impact.sticky = true;
+                return true;
+            }
+        }
+        return true;
+    }
+
+    /** Tells of an impact, with the speed before it. */
+    void tell(int a, int b, Impact impact, double approach) {
+        publish(a, b);
+        Contact contact = contact(a, b, impact, approach, Math.sqrt(impact.jn * impact.jn + impact.jt * impact.jt));
+        for (int k = 0; k < all.size(); k++) {
+            all.get(k).collided(contact);
+        }
+    }
+
+    private void publish(int a, int b) {
+        trajectories.publish(a, trajectories.offset(a), state);
+        trajectories.publish(b, trajectories.offset(b), state);
+    }
+
+    private Contact contact(int a, int b, Impact impact, double speed, double impulse) {
+        int o = a * Trajectories.STRIDE;
+        double x = trajectories.data()[o] + impact.rAx;
+        double y = trajectories.data()[o + 1] + impact.rAy;
+        return new Contact(state.body(a), state.body(b), now, x, y, impact.nx, impact.ny, speed, impulse);
+    }
+}

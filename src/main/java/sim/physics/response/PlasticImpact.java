@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/**
+ * Impulses of an impact at several points from which nothing bounces, along normals and tangents together: Moreau's inelastic
+ * impact with Coulomb friction,
+ *
+ * <pre>
+ *   λₙ ≥ 0,  vₙ ≥ 0,  λₙ vₙ = 0,    |λₜ| ≤ μ λₙ,  λₜ opposes vₜ
+ * </pre>
+ *
+ * <p>with a μ without bounds at points that stick. Friction at one point of a flush edge turns the body into the other one, so that
+ * it would rock if normals came first. Solved by projected relaxation until nothing changes beyond rounding.
+ */
+final class PlasticImpact implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** A coefficient of friction that nothing overcomes. */
+    static final double STICKS = 1e9;
+
+    private static final int SWEEPS = 2000;
+    private static final int LEAST_SWEEPS = 50;
+    private static final int WORK = 20_000;
+
+    /** Change of velocity in a sweep, relative to the largest one of the first sweep, at which the impulses are right. */
+    private static final double RIGHT = 1e-16;
+
+    /** By rows: two for each point. */
+    private double[] mobility = {};
+
+    private double[] impulse = {};
+
+    /** The impact that is being solved. */
+    private transient Impact[] impacts;
+
+    private transient int points;
+    private transient int[] first;
+    private transient int[] second;
+    private transient double[][] velocity;
+    private transient Replies replies;
+
+    PlasticImpact() {
+        // grows with the impacts
+    }
+
+    /** Whether points are of this kind: none bounces, and some rub or stick. */
+    static boolean isPlastic(Impact[] impacts, int points) {
+        boolean rubs = false;
+        boolean sticks = false;
+        for (int k = 0; k < points; k++) {
+            if (impacts[k].restitution != 0) {
+                return false;
+            }
+            rubs |= impacts[k].friction > 0;
+            sticks |= impacts[k].sticky;
+        }
+        return sticks || rubs && points > 1;
+    }
+
+    /**
+     * Solves; the impacts get their impulses, the bodies their velocities.
+     *
+     * @param which the points, which are that many
+     * @param placeA the first body of each, −1 for what cannot move
+     * @param placeB the second one
+     * @param v velocities of that many bodies
+     * @param ties what they reply to the points' normal impulses, and behind them to the tangential ones; null without ties
+     */
+    void solve(Impact[] which, int count, int[] placeA, int[] placeB, double[][] v, int bodies, Replies ties) {
+        points = count;
+        impacts = which;
+        first = placeA;
+        second = placeB;
+        velocity = v;
+        replies = ties;
+        begin();
+        double[][] before = new double[bodies][];
+        for (int k = 0; k < bodies; k++) {
+            before[k] = velocity[k].clone();
+        }
+        relax();
+        for (int k = 0; k < bodies; k++) {
+            System.arraycopy(before[k], 0, velocity[k], 0, before[k].length); // the sweeps have added their rounding
+        }
+        for (int row = 0; row < 2 * points; row++) {
+            load(row / 2);
+            push(row, impulse[row]);
+        }
+        for (int k = 0; k < points; k++) {
+            impacts[k].jn = impulse[2 * k];
+            impacts[k].jt = impulse[2 * k + 1];
+        }
+    }
+
+    private void begin() {
+        if (impulse.length < 2 * points) {
+            impulse = new double[2 * points];
+            mobility = new double[2 * points];
+        }
+        Arrays.fill(impulse, 0, 2 * points, 0);
+        for (int k = 0; k < points; k++) {
+            Impact c = impacts[k];
+            boolean alone = replies == null;
+            mobility[2 * k] = alone ? c.normalMobility() : replies.normal(first[k], second[k], c, k);
+            mobility[2 * k + 1] = alone ? c.tangentMobility() : replies.tangent(first[k], second[k], c, points + k);
+        }
+    }
+
+    private void relax() {
+        double largest = 0;
+        int sweeps = Math.max(LEAST_SWEEPS, Math.min(SWEEPS, WORK / points));
+        for (int sweep = 0; sweep < sweeps; sweep++) {
+            double most = 0;
+            for (int row = 0; row < 2 * points; row++) {
+                load(row / 2);
+                double change = change(row);
+                push(row, change);
+                most = Math.max(most, Math.abs(change) * mobility[row]);
+            }
+            largest = Math.max(largest, most);
+            if (most <= RIGHT * largest) {
+                return;
+            }
+        }
+    }
+
+    private void load(int k) {
+        impacts[k].setVelocities(first[k] < 0 ? null : velocity[first[k]], second[k] < 0 ? null : velocity[second[k]]);
+    }
+
+    /** What makes a row right, even ones along normals, the next ones along tangents: a change of its impulse. */
+    private double change(int row) {
+        if (!(mobility[row] > 0)) {
+            return 0; // ties hold the point where it is
+        }
+        Impact c = impacts[row / 2];
+        boolean tangential = (row & 1) != 0;
+        double old = impulse[row];
+        double wanted = old - (tangential ? c.tangentVelocity() : c.normalVelocity()) / mobility[row];
+        double most = tangential ? (c.sticky ? STICKS : c.friction) * impulse[row - 1] : 0;
+        impulse[row] = tangential ? Math.max(-most, Math.min(most, wanted)) : Math.max(0, wanted);
+        return impulse[row] - old;
+    }
+
+    private void push(int row, double change) {
+        int k = row / 2;
+        boolean tangential = (row & 1) != 0;
+        if (replies != null) {
+            replies.apply(tangential ? points + k : k, change, velocity);
+            return;
+        }
+        impacts[k].jn = tangential ? 0 : change;
+        impacts[k].jt = tangential ? change : 0;
+        impacts[k].apply();
+        impacts[k].getVelocities(first[k] < 0 ? null : velocity[first[k]], second[k] < 0 ? null : velocity[second[k]]);
+    }
+}
