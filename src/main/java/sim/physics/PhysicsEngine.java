@@ -185,7 +185,7 @@ public final class PhysicsEngine implements Steppable {
                     continue;
                 }
                 if (isShared && sharedMotion.isDone(body)) {
-                    advance(body, false, Entry.TOGETHER);
+                    publish(body, motion.advance(body, detection), Entry.TOGETHER);
                     detection.endPath(body);
                 } else {
                     enter(); // it may depend on where the others before it go
@@ -209,15 +209,16 @@ public final class PhysicsEngine implements Steppable {
 
     /** Gives a driven body, and those that move with it, new paths from their anchors on. */
     private void follow(int body, Entry entry) {
-        advance(body, detection.hasNeighbours(motion.companions(body)), entry);
+        publish(body, motion.advance(body, detection), entry);
         if (motion.isCoarse() && detection.hasNeighbours(motion.companions(body))) {
-            advance(body, true, entry); // on its way it comes near others
+            publish(body, motion.advance(body, null), entry); // on its way it comes near others
         }
         detection.endPath(body);
     }
 
-    private void advance(int body, boolean fine, Entry entry) {
-        double until = Math.min(motion.advance(body, fine), response.heaps().until(body));
+    /** Tells of the new paths of a driven body, and of those that move with it. */
+    private void publish(int body, double end, Entry entry) {
+        double until = Math.min(end, response.heaps().until(body));
         IntList group = motion.companions(body);
         double tau = trajectories.offset(body);
         for (int k = 0; k < group.size; k++) {
@@ -352,7 +353,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     private void finish() {
-        trajectories.publish(timeStep, state);
+        if (motion.driven().size < state.bodyCount()) {
+            trajectories.publish(timeStep, state);
+        }
         motion.finish();
         if (audit != null) {
             audit.close();

@@ -12,6 +12,7 @@ import sim.physics.internal.IntList;
 import sim.physics.internal.Team;
 import sim.physics.internal.Tolerances;
 import sim.physics.motion.Body;
+import sim.physics.motion.Neighbours;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
@@ -23,7 +24,7 @@ import sim.physics.motion.Trajectories;
  * looked at again in that step, or when one of the two changes its course. So the cost of a step grows with what
  * happens in it and not with the number of bodies.
  */
-public final class CollisionDetection implements Pairs.Listener, Serializable {
+public final class CollisionDetection implements Pairs.Listener, Neighbours, Serializable {
     private static final long serialVersionUID = 1L;
 
     private final State state;
@@ -334,12 +335,7 @@ public final class CollisionDetection implements Pairs.Listener, Serializable {
         return trajectories.isDriven(body) ? Math.min(h, pathEnds.holdsUntil(body)) : h;
     }
 
-    /**
-     * Whether some body may meet one of its neighbours.
-     *
-     * @param bodies indices
-     * @return true if a pair of one of them is looked at
-     */
+    @Override
     public boolean hasNeighbours(IntList bodies) {
         return marks.hasNeighbours(bodies);
     }

@@ -4,7 +4,10 @@ package sim.physics.constraint;
 
 import java.util.Arrays;
 
-/** Finds out whether the pins of an island form a chain, and lays it out from one end to the other. */
+/**
+ * Finds out whether the pins of an island form a chain between two places that do not move, and lays it out from one to the
+ * other. Chains with a free end are trees.
+ */
 final class ChainLayout {
     /** Pins from which the many short loops of a {@link PinChain} take less time than the general code. */
     private static final int FEWEST = 4;
@@ -32,7 +35,7 @@ final class ChainLayout {
      *
      * @param island its constraints are all pins
      * @param arms by node: the arms of both bodies; places in the world for what does not move
-     * @return null if the pins do not form a chain, or one too short to be worth it
+     * @return null if the pins do not form such a chain, or one too short to be worth it
      */
     static PinChain find(Island island, double[] arms) {
         if (island.nodes < FEWEST) {
@@ -43,19 +46,16 @@ final class ChainLayout {
         return end < 0 ? null : layout.follow(end);
     }
 
-    /** A node at an end; −1 if there is none, or a body has more than two. */
+    /** A node that holds a body in the world; −1 if there is none, or a body has more than two nodes. */
     private int end() {
+        int end = -1;
         for (int p = 0; p < island.nodes; p++) {
             if (!note(island.a[p], p) || !note(island.b[p], p)) {
                 return -1;
             }
+            end = end < 0 && (island.a[p] < 0 || island.b[p] < 0) ? p : end;
         }
-        for (int p = 0; p < island.nodes; p++) {
-            if (other(island.a[p], p) < 0 || other(island.b[p], p) < 0) {
-                return p;
-            }
-        }
-        return -1;
+        return end;
     }
 
     private boolean note(int body, int p) {
@@ -68,29 +68,25 @@ final class ChainLayout {
         return room;
     }
 
-    /** The other node of a body; −1 if there is none. */
+    /** The other node of a body. */
     private int other(int body, int p) {
-        if (body < 0) {
-            return -1;
-        }
         return around[2 * body] == p ? around[2 * body + 1] : around[2 * body];
     }
 
     private PinChain follow(int end) {
         int p = end;
-        boolean forward = other(island.a[p], p) < 0;
+        boolean forward = island.a[p] < 0;
+        block[0] = -1;
         for (int k = 0; p >= 0; k++) {
-            int near = forward ? island.a[p] : island.b[p];
             int far = forward ? island.b[p] : island.a[p];
             int at = 4 * p + (forward ? 0 : 2);
-            block[k] = near < 0 ? -1 : forward ? island.blockA[p] : island.blockB[p];
-            block[k + 1] = far < 0 ? -1 : forward ? island.blockB[p] : island.blockA[p];
+            block[k + 1] = forward ? island.blockB[p] : island.blockA[p]; // −1 for what cannot move
             laid[4 * k] = arms[at];
             laid[4 * k + 1] = arms[at + 1];
             at = 4 * p + (forward ? 2 : 0);
             laid[4 * k + 6] = arms[at];
             laid[4 * k + 7] = arms[at + 1];
-            p = other(far, p);
+            p = far < 0 ? -1 : other(far, p);
             forward = p >= 0 && island.a[p] == far;
         }
         return new PinChain(block, laid);

@@ -11,6 +11,7 @@ import java.util.Objects;
 import sim.physics.internal.IntList;
 import sim.physics.matrix.BlockSparseMatrix;
 import sim.physics.motion.Body;
+import sim.physics.motion.Loads;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
 
@@ -284,12 +285,23 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean advance(IntList bodies, double gx, double gy, double h) {
-        Island one = islandOf(bodies.values[0]);
-        boolean isOne = one != null && one.bodies == bodies && !stabilization.isFeedback();
-        if (isOne && one.tree != null) {
-            return one.tree.advance(state, solver, gx, gy, h);
+        Island one = projected(bodies);
+        if (one == null || one.tree == null) {
+            return one != null && one.chain != null && one.chain.advance(state, solver, gx, gy, h);
         }
-        return isOne && one.chain != null && one.chain.advance(state, solver, gx, gy, h);
+        return one.tree.advance(state, solver, gx, gy, h);
+    }
+
+    @Override
+    public boolean advance(IntList bodies, Loads loads, double[] a, double t, double h) {
+        Island one = projected(bodies);
+        return one != null && one.tree != null && one.tree.advance(state, solver, loads, a, t, h);
+    }
+
+    /** The island that a group is and that projection keeps closed, or null. */
+    private Island projected(IntList bodies) {
+        Island one = islandOf(bodies.values[0]);
+        return one != null && one.bodies == bodies && !stabilization.isFeedback() ? one : null;
     }
 
     @Override
@@ -390,11 +402,7 @@ public final class Constraints implements Ties, Serializable {
      * @return as the last solves found them
      */
     public int redundant() {
-        int sum = 0;
-        for (Island island : islands) {
-            sum += island.redundantRows;
-        }
-        return sum;
+        return islands.stream().mapToInt(island -> island.redundantRows).sum();
     }
 
     /**

@@ -9,7 +9,7 @@ import sim.physics.motion.State;
 
 /**
  * The equations A λ = b, (41), of an island whose pins form a chain: pin k holds body k to body k + 1, so A is block
- * tridiagonal. What does not move, and the nothing behind a free end, are bodies of no inverse mass.
+ * tridiagonal. Its ends are held: what does not move are bodies of no inverse mass.
  *
  * <p>Each quantity has an array of its own, by body or by pin, so that all but the elimination are {@link Lanes}.
  */

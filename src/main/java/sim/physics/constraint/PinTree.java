@@ -60,8 +60,8 @@ final class PinTree implements Serializable {
 
     static final int COS = 15;
     static final int SIN = 16;
-    private static final int RX = 17;
-    private static final int RY = 18;
+    static final int RX = 17;
+    static final int RY = 18;
     private static final int SX = 19;
     private static final int SY = 20;
     private static final int T = 21;
@@ -84,13 +84,16 @@ final class PinTree implements Serializable {
 
     private static final int INERTIA = 30;
 
+    /** Part of the mass of all links. */
+    static final int SHARE = 31;
+
     /** Values of the first link of a run: own e; e, M and p at a stage; A; place and velocity. */
     static final int SIDE = 16;
 
     private static final int SIDE_E = 2;
     private static final int SIDE_M = 4;
     private static final int SIDE_P = 7;
-    private static final int SIDE_A = 9;
+    static final int SIDE_A = 9;
     static final int SIDE_X = 11;
 
     final int links;
@@ -123,7 +126,7 @@ final class PinTree implements Serializable {
 
     private final double[] sum = new double[9];
 
-    /** By link: accelerations x″, y″, θ″ of it as if it were alone; null if a uniform field is all. */
+    /** By block: accelerations x″, y″, θ″ as if each link were alone; null but while they are used. */
     private double[] alone;
 
     private double gap;
@@ -215,9 +218,30 @@ final class PinTree implements Serializable {
 
     /** The pass from the tips to the root, run by run, under a uniform field. */
     void eliminate(double gx, double gy) {
+        eliminate();
+        hang(gx, gy);
+    }
+
+    /**
+     * The same under any forces.
+     *
+     * @param loads accelerations x″, y″, θ″ of each link as if it were alone, by block
+     */
+    void eliminate(double[] loads) {
+        alone = loads;
+        eliminate();
+        alone = null;
+        hang(0, 0);
+    }
+
+    private void eliminate() {
         for (int r = runCount - 1; r >= 0; r--) {
             eliminate(runs[r], runs[r + 1] - 1);
         }
+    }
+
+    /** The acceleration of the root. */
+    private void hang(double gx, double gy) {
         double x = -gx;
         double y = -gy;
         if (isFree) { // what hangs at the root takes part in the fall
@@ -258,8 +282,13 @@ final class PinTree implements Serializable {
             double hub = l[o + HUB] + fe;
             double s0 = f0 - mdy;
             double s1 = f1 + mdx;
-            if (alone != null || child[k] >= 0) {
-                addOthers(k, mdx, mdy, square);
+            if (alone != null) {
+                p0 -= pull(k, State.X);
+                p1 -= pull(k, State.Y);
+                tau += mdx * alone[block[k] + 1] - mdy * alone[block[k]] + l[o + INERTIA] * alone[block[k] + State.THETA];
+            }
+            if (child[k] >= 0) {
+                addOthers(k, square);
                 hub += sum[0];
                 s0 += sum[1];
                 s1 += sum[2];
@@ -271,13 +300,11 @@ final class PinTree implements Serializable {
                 m11 += sum[8];
             }
             double per = 1 / hub;
-            l[o + RX] = ex;
-            l[o + RY] = ey;
+            keep(o, ex, ey, s0 * per, s1 * per, tau * per);
             m00 += l[o + MASS];
             m11 += l[o + MASS];
-            int n = Math.max(0, o - STRIDE); // the parent, if the run goes on
-            ex = turnedX(n);
-            ey = turnedY(n);
+            ex = turnedX(Math.max(0, o - STRIDE)); // of the parent, if the run goes on
+            ey = turnedY(Math.max(0, o - STRIDE));
             double g0 = m01 * ex - m00 * ey;
             double g1 = m11 * ex - m01 * ey;
             double se = s1 * ex - s0 * ey;
@@ -286,9 +313,6 @@ final class PinTree implements Serializable {
             f0 = g0 - se * u0;
             f1 = g1 - se * u1;
             fe = ex * g1 - ey * g0 - se * se * per;
-            l[o + SX] = u0;
-            l[o + SY] = u1;
-            l[o + T] = tau * per;
             m00 -= u0 * s0;
             m01 -= u0 * s1;
             m11 -= u1 * s1;
@@ -296,6 +320,18 @@ final class PinTree implements Serializable {
             p1 = p1 - square * mdy + u1 * tau;
         }
         leave(SIDE * from, m00, m01, m11, p0, p1);
+    }
+
+    private double pull(int k, int coordinate) {
+        return link[STRIDE * k + MASS] * alone[block[k] + coordinate];
+    }
+
+    private void keep(int o, double rx, double ry, double sx, double sy, double t) {
+        link[o + RX] = rx;
+        link[o + RY] = ry;
+        link[o + SX] = sx;
+        link[o + SY] = sy;
+        link[o + T] = t;
     }
 
     private double turnedX(int o) {
@@ -315,10 +351,8 @@ final class PinTree implements Serializable {
         side[at + SIDE_P + 1] = p1;
     }
 
-    /**
-     * Sums over the children that are not right behind a link: e⊥·M' e⊥, M' e⊥, p' − ω² M' e, τ, M'; and what acts on the link.
-     */
-    private void addOthers(int k, double mdx, double mdy, double square) {
+    /** Sums over the children that are not right behind a link: e⊥·M' e⊥, M' e⊥, p' − ω² M' e, τ, M'. */
+    private void addOthers(int k, double square) {
         double[] b = side;
         double cos = link[STRIDE * k + COS];
         double sin = link[STRIDE * k + SIN];
@@ -346,13 +380,6 @@ final class PinTree implements Serializable {
             sum[7] += m01;
             sum[8] += m11;
         }
-        if (alone != null) {
-            double ax = alone[State.BLOCK * k];
-            double ay = alone[State.BLOCK * k + 1];
-            sum[3] -= link[STRIDE * k + MASS] * ax;
-            sum[4] -= link[STRIDE * k + MASS] * ay;
-            sum[5] += mdx * ay - mdy * ax + link[STRIDE * k + INERTIA] * alone[State.BLOCK * k + 2];
-        }
     }
 
     /**
@@ -372,7 +399,7 @@ final class PinTree implements Serializable {
         double x = side[SIDE * from + SIDE_A];
         double y = side[SIDE * from + SIDE_A + 1];
         for (int k = from, o = STRIDE * from; k < to; k++, o += STRIDE) {
-            double alpha = l[o + T] - (l[o + SX] * x + l[o + SY] * y);
+            double alpha = angular(o, x, y);
             double omega = l[o + TURNING];
             double square = omega * omega;
             if (child[k] >= 0) {
@@ -401,8 +428,13 @@ final class PinTree implements Serializable {
         }
     }
 
+    /** The angular acceleration of a link whose near pin has an acceleration. */
+    double angular(int o, double x, double y) {
+        return link[o + T] - (link[o + SX] * x + link[o + SY] * y);
+    }
+
     /** The accelerations of the pins of children that are not right behind a link. */
-    private void carry(int k, double x, double y, double alpha, double square) {
+    void carry(int k, double x, double y, double alpha, double square) {
         for (int c = child[k]; c >= 0; c = sister[c]) {
             int at = SIDE * c;
             double ex = side[at + SIDE_E];
@@ -431,7 +463,7 @@ final class PinTree implements Serializable {
         double sixth = h / 6;
         double most = gap;
         for (int k = from, o = STRIDE * from; k < to; k++, o += STRIDE) {
-            double alpha = l[o + T] - (l[o + SX] * x + l[o + SY] * y);
+            double alpha = angular(o, x, y);
             double square = l[o + TURNING] * l[o + TURNING];
             if (child[k] >= 0) {
                 carry(k, x, y, alpha, square);
@@ -451,7 +483,10 @@ final class PinTree implements Serializable {
             double gapY = l[o + FIRSTY] + h * (before * l[o + FIRSTX] - sixth * l[o + BENDY]);
             gapX -= l[o + COS] * l[o + EX] - l[o + SIN] * l[o + EY];
             gapY -= l[o + SIN] * l[o + EX] + l[o + COS] * l[o + EY];
-            most = Math.max(most, Math.abs(gapX) + Math.abs(gapY)); // NaN stays
+            double open = Math.abs(gapX) + Math.abs(gapY);
+            if (!(open <= most)) { // seldom; a maximum would make each wait for the last
+                most = open >= 0 ? open : Double.POSITIVE_INFINITY; // NaN stays
+            }
         }
         gap = most;
     }

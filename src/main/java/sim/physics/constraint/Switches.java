@@ -136,32 +136,6 @@ final class Switches implements Serializable {
         return false;
     }
 
-    static void confirm(List<Island> islands, State state, boolean hold) {
-        for (Island one : islands) {
-            if (hold) {
-                one.switches.hold(state);
-            } else {
-                one.switches.settle();
-            }
-        }
-    }
-
-    static double watch(List<Island> islands, State state) {
-        double least = Double.POSITIVE_INFINITY;
-        for (Island one : islands) {
-            least = Math.min(least, one.switches.watch(state));
-        }
-        return least;
-    }
-
-    static double push(List<Island> islands, State state, double[] a) {
-        double least = Double.POSITIVE_INFINITY;
-        for (Island one : islands) {
-            least = Math.min(least, one.switches.push(state, a));
-        }
-        return least;
-    }
-
     private static boolean limit(Switched s, double force) {
         if (force >= s.least() && force <= s.greatest()) {
             return false;
@@ -203,6 +177,35 @@ final class Switches implements Serializable {
             }
         }
         return values;
+    }
+
+    /** Turns rows of some islands on that are where they may be held, or settles which act. */
+    static void confirm(List<Island> islands, State state, boolean hold) {
+        for (Island island : islands) {
+            if (hold) {
+                island.switches.hold(state);
+            } else {
+                island.switches.settle();
+            }
+        }
+    }
+
+    /** The least of what is watched in some islands. */
+    static double watch(List<Island> islands, State state) {
+        double least = Double.POSITIVE_INFINITY;
+        for (Island island : islands) {
+            least = Math.min(least, island.switches.watch(state));
+        }
+        return least;
+    }
+
+    /** The least time in which a motor of some islands reaches its speed. */
+    static double push(List<Island> islands, State state, double[] a) {
+        double least = Double.POSITIVE_INFINITY;
+        for (Island island : islands) {
+            least = Math.min(least, island.switches.push(state, a));
+        }
+        return least;
     }
 
     /** Decides which rows act; returns whether some row asks for another speed than there is. */

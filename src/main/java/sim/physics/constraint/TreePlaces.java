@@ -27,7 +27,13 @@ final class TreePlaces implements Serializable {
     private double centreU;
     private double centreV;
 
-    private double total;
+    /** The same at the start. */
+    private double startX;
+
+    private double startY;
+    private double startU;
+    private double startV;
+
 
     /**
      * Makes the places of a tree.
@@ -44,9 +50,12 @@ final class TreePlaces implements Serializable {
 
     /** Takes over the masses of the links. */
     void weigh() {
-        total = 0;
+        double total = 0;
         for (int o = 0; o < tree.link.length; o += PinTree.STRIDE) {
             total += tree.link[o + PinTree.MASS];
+        }
+        for (int o = 0; o < tree.link.length; o += PinTree.STRIDE) {
+            tree.link[o + PinTree.SHARE] = tree.link[o + PinTree.MASS] / total;
         }
     }
 
@@ -57,6 +66,10 @@ final class TreePlaces implements Serializable {
         rootU = tree.link[PinTree.U];
         rootV = tree.link[PinTree.V];
         centre();
+        startX = centreX;
+        startY = centreY;
+        startU = centreU;
+        startV = centreV;
     }
 
     private void centre() {
@@ -65,7 +78,7 @@ final class TreePlaces implements Serializable {
         centreU = 0;
         centreV = 0;
         for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
-            double m = tree.link[o + PinTree.MASS] / total;
+            double m = tree.link[o + PinTree.SHARE];
             centreX += m * (tree.link[o + PinTree.X] - tree.link[PinTree.X]);
             centreY += m * (tree.link[o + PinTree.Y] - tree.link[PinTree.Y]);
             centreU += m * (tree.link[o + PinTree.U] - tree.link[PinTree.U]);
@@ -118,12 +131,26 @@ final class TreePlaces implements Serializable {
         }
     }
 
-    /** Puts the centre of mass of a free tree, which was {@link #place placed} anywhere, where it moves to in a time. */
+    /** Velocity of the centre of mass at the start. */
+    double velocityX() {
+        return rootU + startU;
+    }
+
+    double velocityY() {
+        return rootV + startV;
+    }
+
+    /** Puts the centre of mass of a free tree, which was {@link #place placed} anywhere, where it falls to in a time. */
     void shift(double gx, double gy, double h) {
-        double x = centreX + h * (rootU + centreU + 0.5 * h * gx);
-        double y = centreY + h * (rootV + centreV + 0.5 * h * gy);
-        double u = centreU + h * gx;
-        double v = centreV + h * gy;
+        shift(h * (velocityX() + 0.5 * h * gx), h * (velocityY() + 0.5 * h * gy), h * gx, h * gy);
+    }
+
+    /** The same, given its way since the start, and the change of its velocity. */
+    void shift(double wayX, double wayY, double changeX, double changeY) {
+        double x = startX + wayX;
+        double y = startY + wayY;
+        double u = startU + changeX;
+        double v = startV + changeY;
         centre();
         x = rootX + (x - centreX);
         y = rootY + (y - centreY);

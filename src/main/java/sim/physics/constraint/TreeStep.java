@@ -3,10 +3,11 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import sim.physics.motion.Loads;
 import sim.physics.motion.State;
 
 /**
- * A step of a tree of pins under a uniform field: RK4, (13), on its angles. Its joints close of themselves, so there is no
+ * A step of a tree of pins: RK4, (13), on its angles. Its joints close of themselves, so there is no
  * projection. What is out of the ordinary it leaves to the general code: then it has changed nothing.
  */
 final class TreeStep implements Serializable {
@@ -33,6 +34,9 @@ final class TreeStep implements Serializable {
     private final double[] open = new double[2];
     private boolean isWeighed;
 
+    /** Null until other forces than uniform fields act. */
+    private TreeLoads loaded;
+
     /** Parts in which the next step is made at first, as the last one was enough for; and the largest gap of the last. */
     private int parts = 1;
 
@@ -48,7 +52,7 @@ final class TreeStep implements Serializable {
     }
 
     /**
-     * Advances the tree.
+     * Advances the tree under a uniform field.
      *
      * @param state its vectors are changed, if all is well
      * @param solver one whose results these are
@@ -58,31 +62,15 @@ final class TreeStep implements Serializable {
      * @return false if the general code must make this step
      */
     boolean advance(State state, ConstraintSolver solver, double gx, double gy, double h) {
-        if (!solver.isPlain(island, state.w().values())) {
+        if (!begin(state, solver)) {
             return false;
         }
-        if (!isWeighed) {
-            tree.weigh(state.w().values());
-            isWeighed = true;
-        }
-        if (!gather(state)) {
-            tree.begin();
-            if (!isClosed()) {
-                tree.forget();
-                return false;
-            }
-        }
         while (!isDone(gx, gy, h)) {
-            if (parts == MOST_PARTS) {
-                parts = 1;
-                tree.forget();
+            if (!divide(state)) {
                 return false;
             }
-            parts *= 2;
-            gather(state);
-            tree.begin();
         }
-        parts = worst < FINER * ROUGH ? Math.max(1, parts / 2) : parts;
+        unite();
         boolean isUnforced = gx == 0 && gy == 0;
         if (isUnforced) {
             island.invariants.begin(state, true);
@@ -97,6 +85,73 @@ final class TreeStep implements Serializable {
             }
         }
         return true;
+    }
+
+    /**
+     * Advances the tree under any forces that act on each link by itself.
+     *
+     * @param state its vectors are changed, if all is well
+     * @param solver one whose results these are
+     * @param loads the forces
+     * @param a gets the accelerations at the start, with what the pins do, [x″, y″, θ″] per body of the state
+     * @param t time of the start
+     * @param h step
+     * @return false if the general code must make this step
+     */
+    boolean advance(State state, ConstraintSolver solver, Loads loads, double[] a, double t, double h) {
+        if (!begin(state, solver)) {
+            return false;
+        }
+        if (loaded == null) {
+            loaded = new TreeLoads(tree);
+        }
+        loaded.keep(state);
+        while (!isDone(state, loads, a, t, h)) {
+            loaded.restore(state);
+            if (!divide(state)) {
+                return false;
+            }
+        }
+        unite();
+        loaded.tellFirst(a);
+        island.redundantRows = 0;
+        return true;
+    }
+
+    /** Takes the state over; false if it is not one for the tree. */
+    private boolean begin(State state, ConstraintSolver solver) {
+        if (!solver.isPlain(island, state.w().values())) {
+            return false;
+        }
+        if (!isWeighed) {
+            tree.weigh(state.w().values());
+            isWeighed = true;
+        }
+        if (!gather(state)) {
+            tree.begin();
+            if (!isClosed()) {
+                tree.forget();
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Begins again, with parts half as long; false if they are short enough as they are. */
+    private boolean divide(State state) {
+        if (parts == MOST_PARTS) {
+            parts = 1;
+            tree.forget();
+            return false;
+        }
+        parts *= 2;
+        gather(state);
+        tree.begin();
+        return true;
+    }
+
+    private void unite() {
+        parts = worst < FINER * ROUGH ? Math.max(1, parts / 2) : parts;
     }
 
     /** Makes the step in its parts; false if they are too long to follow the links. */
@@ -115,17 +170,33 @@ final class TreeStep implements Serializable {
             tree.accelerate(2, part);
             tree.eliminate(gx, gy);
             tree.finish(part);
-            double gap = tree.gap() / island.leastSize;
-            if (!(gap <= ROUGH)) {
+            if (!isSmooth()) {
                 return false;
             }
-            worst = Math.max(worst, gap);
         }
         tree.places.place();
         if (tree.isFree) {
             tree.places.shift(gx, gy, h);
         }
         return true;
+    }
+
+    private boolean isDone(State state, Loads loads, double[] a, double t, double h) {
+        double part = h / parts;
+        worst = 0;
+        for (int k = 0; k < parts; k++) {
+            loaded.step(state, island.bodies, loads, a, t + k * part, part, k == 0);
+            if (!isSmooth()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean isSmooth() {
+        double gap = tree.gap() / island.leastSize;
+        worst = Math.max(worst, gap); // NaN stays
+        return gap <= ROUGH;
     }
 
     /** Takes the state over; true if it is that of the end of the last step. */

@@ -32,6 +32,8 @@ final class DrivenMotion implements Serializable {
 
     private static final double GROWTH = 4;
 
+    private static final Neighbours NOBODY = bodies -> false;
+
     private final Motion motion;
     private final State state;
     private final Trajectories trajectories;
@@ -101,30 +103,36 @@ final class DrivenMotion implements Serializable {
         return isCoarse;
     }
 
-    /** Advances a group; returns the offset up to which its paths hold. */
-    double advance(IntList group, boolean fine) {
+    /**
+     * Advances a group.
+     *
+     * @param group the bodies
+     * @param neighbours asked whether others are near only if it matters; null if they are, and this is done again for that
+     * @return the offset up to which its paths hold
+     */
+    double advance(IntList group, Neighbours neighbours) {
         ensure();
         int first = group.values[0];
         int done = ahead == null ? Ahead.NOTHING : ahead.take(first);
         if (done == Ahead.REFUSAL) {
             tied.setRefused(true);
-        } else if (done != Ahead.NOTHING && (!fine || !ahead.isCoarse(first))) {
+        } else if (done != Ahead.NOTHING && (!ahead.isCoarse(first) || !areNear(group, neighbours))) {
             fineLength[first] = done == Ahead.STRIDE ? ahead.fineLength(first) : fineLength[first];
             isCoarse = ahead.isCoarse(first);
             return ahead.length(first);
         }
-        if (done == Ahead.NOTHING && tied != null && leaps(group, first, fine)) {
+        if (done == Ahead.NOTHING && tied != null && leaps(group, first, neighbours)) {
             return trajectories.h();
         }
         double tau = trajectories.offset(first);
         double rest = trajectories.h() - tau;
         boolean chooses = motion.getIntegrator().isAdaptive();
-        double known = fine ? fineLength[first] : 0;
-        double length =
-                done == Ahead.STRIDE ? ahead.length(first) : stride(group, tau, known > 0 ? Math.min(known, rest) : rest);
+        double known = fineLength[first];
+        boolean isKnown = known > 0 && known < rest && done != Ahead.STRIDE && areNear(group, neighbours);
+        double length = done == Ahead.STRIDE ? ahead.length(first) : stride(group, tau, isKnown ? known : rest);
         double error = done == Ahead.STRIDE ? ahead.error(first) : pathError(group, length);
         double shortest = chooses ? 0 : LEAST * trajectories.h();
-        while (fine && error > 1 && length > shortest) {
+        while (error > 1 && length > shortest && areNear(group, neighbours)) {
             length = stride(group, tau, length * root(error));
             error = pathError(group, length);
         }
@@ -165,7 +173,7 @@ final class DrivenMotion implements Serializable {
     void advanceAhead(IntList group, Ahead notes) {
         int first = group.values[0];
         double h = trajectories.h();
-        if (tied != null && leaps(group, first, false)) {
+        if (tied != null && leaps(group, first, NOBODY)) {
             notes.leap(first, h, isCoarse);
             return;
         }
@@ -208,19 +216,19 @@ final class DrivenMotion implements Serializable {
         return stride(group, trajectories.offset(group.values[0]), length);
     }
 
+    private static boolean areNear(IntList group, Neighbours neighbours) {
+        return neighbours == null || neighbours.hasNeighbours(group);
+    }
+
     /** Makes the whole step of a group at once, from the state vectors, if nothing has happened in it so far. */
-    private boolean leaps(IntList group, int first, boolean fine) {
+    private boolean leaps(IntList group, int first, Neighbours neighbours) {
         double h = trajectories.h();
         boolean isFresh = !areEndsKept && trajectories.offset(first) == 0 && motion.isTiedGroup(group);
-        if (fine && isFresh) {
+        if (neighbours == null && isFresh) {
             restore(group); // the vectors may hold the ends of paths that were not fine enough
         }
-        if (!isFresh || !tied.leap(motion, group, h)) {
-            return false;
-        }
         path.knowsFirst = false;
-        isCoarse = pathError(group, h) > 1;
-        if (isCoarse && fine) {
+        if (!isFresh || !tied.leap(motion, group, motion.time(0), h, path)) {
             return false;
         }
         double per = 1 / h;
@@ -230,7 +238,8 @@ final class DrivenMotion implements Serializable {
             endAt[body] = h;
             pace[body] = h;
         }
-        return true;
+        isCoarse = path.knowsFirst ? pathError(group, trajectories.bends(), Trajectories.STRIDE, h) > 1 : turnsCoarsely(group, h);
+        return !isCoarse || !areNear(group, neighbours);
     }
 
     /** The step that the integrator makes of itself with a body, at most that of the engine. */
@@ -263,21 +272,53 @@ final class DrivenMotion implements Serializable {
      * constant is off by c s²(h − s)², so its second derivative at the start by 2 c h².
      */
     private double pathError(IntList group, double length) {
-        double near = isPressed(group) || motion.getIntegrator().isAdaptive() ? FINE : COARSE;
+        if (!path.knowsFirst) {
+            return turnError(group, length);
+        }
+        return pathError(group, path.a, State.BLOCK, length);
+    }
+
+    /** The same, given where half the second derivatives at the start are. */
+    private double pathError(IntList group, double[] half, int stride, double length) {
         double most = 0;
         for (int k = 0; k < group.size; k++) {
             int b = State.BLOCK * group.values[k];
-            if (!path.knowsFirst) {
-                double turn = length * Math.abs(trajectories.data()[Trajectories.STRIDE * group.values[k] + Trajectories.OMEGA]);
-                most = Math.max(most, turn * turn * turn * turn / (384 * near));
-                continue;
-            }
+            int o = stride * group.values[k];
             double radius = trajectories.radius(group.values[k]);
-            double way = Math.abs(path.first[b] - 2 * path.a[b]) + Math.abs(path.first[b + 1] - 2 * path.a[b + 1]);
-            double turn = Math.abs(path.first[b + 2] - 2 * path.a[b + 2]);
+            double way = Math.abs(path.first[b] - 2 * half[o]) + Math.abs(path.first[b + 1] - 2 * half[o + 1]);
+            double turn = Math.abs(path.first[b + 2] - 2 * half[o + 2]);
             most = Math.max(most, Math.max(way / radius, turn));
         }
-        return path.knowsFirst ? most * length * length / (32 * near) : most;
+        return most * length * length / (32 * near(group));
+    }
+
+    /** The same by how far bodies turn, where nothing is known of accelerations. */
+    private double turnError(IntList group, double length) {
+        return fourthTurn(group, length) / (384 * near(group));
+    }
+
+    /** Whether that is too much. */
+    private boolean turnsCoarsely(IntList group, double length) {
+        double fourth = fourthTurn(group, length);
+        return fourth > 384 * FINE && fourth / (384 * near(group)) > 1;
+    }
+
+    private double fourthTurn(IntList group, double length) {
+        double[] m = trajectories.data();
+        double most = 0;
+        for (int k = 0; k < group.size; k++) {
+            double omega = Math.abs(m[Trajectories.STRIDE * group.values[k] + Trajectories.OMEGA]);
+            if (!(omega <= most)) { // seldom; a maximum would make each wait for the last
+                most = omega;
+            }
+        }
+        double turn = length * most;
+        return turn * turn * turn * turn;
+    }
+
+    /** How far from the motion is near enough. */
+    private double near(IntList group) {
+        return isPressed(group) || motion.getIntegrator().isAdaptive() ? FINE : COARSE;
     }
 
     /** Whether a body of the group has been struck often of late: then it is pressed against something. */

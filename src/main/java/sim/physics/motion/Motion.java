@@ -14,7 +14,7 @@ import sim.physics.internal.IntList;
  * to it for one step, follows its parabola and is not touched at all. Only bodies on which other generators act are
  * <i>driven</i> by the integrator: each alone, or all together if a force couples them.
  */
-public final class Motion implements EquationsOfMotion, Serializable {
+public final class Motion implements EquationsOfMotion, Loads, Serializable {
     private static final long serialVersionUID = 1L;
 
     private final State state;
@@ -29,11 +29,8 @@ public final class Motion implements EquationsOfMotion, Serializable {
     private final IntList pushed;
     private final IntList alone = new IntList();
     final DrivenMotion drivenMotion;
-
-    /** Null while nothing ties bodies together. */
+    /** Null while nothing ties bodies together; what bears bodies at rest. */
     Ties ties;
-
-    /** What bears bodies at rest. */
     final Support support;
 
     /**
@@ -288,11 +285,11 @@ public final class Motion implements EquationsOfMotion, Serializable {
      * Advances a driven body, and those that move with it, from their anchors on, and sets their paths.
      *
      * @param body index
-     * @param fine whether the paths must be near the motion, because others are near
+     * @param neighbours says whether others are near, so that paths must be near the motion; null: they are
      * @return offset up to which the path holds: h, or less if the body stops or must be looked at again before
      */
-    public double advance(int body, boolean fine) {
-        return drivenMotion.advance(companions(body), fine);
+    public double advance(int body, Neighbours neighbours) {
+        return drivenMotion.advance(companions(body), neighbours);
     }
 
     /**
@@ -458,21 +455,25 @@ public final class Motion implements EquationsOfMotion, Serializable {
         return pushed.size == 0 && !generators.drive() && !support.pushesDriven ? generators : null;
     }
 
-    /** Length of the present step. */
     double step() {
         return trajectories.h();
     }
 
     @Override
     public void acceleration(IntList bodies, double t, double[] a) {
+        load(bodies, t, a);
+        if (isTiedGroup(bodies)) {
+            ties.accelerate(bodies, a); // (34)–(41)
+        }
+    }
+
+    @Override
+    public void load(IntList bodies, double t, double[] a) {
         if (fields() != null) {
             generators.fall(bodies, a);
         } else {
             generators.accelerate(state, bodies, t, forces, a);
             support.add(bodies, a);
-        }
-        if (isTiedGroup(bodies)) {
-            ties.accelerate(bodies, a); // (34)–(41)
         }
     }
 

@@ -43,6 +43,12 @@ final class Support implements Serializable {
         return k < accelerations.length ? accelerations[k] : 0;
     }
 
+    /** Whether contacts give an acceleration to a driven body. */
+    boolean pushes(int body) {
+        return pushesDriven
+                && (acceleration(body, 0) != 0 || acceleration(body, 1) != 0 || acceleration(body, 2) != 0);
+    }
+
     /** Adds the accelerations that contacts give to driven bodies. */
     void add(IntList bodies, double[] a) {
         for (int k = 0; pushesDriven && k < bodies.size; k++) {

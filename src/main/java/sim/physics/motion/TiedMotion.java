@@ -324,18 +324,36 @@ final class TiedMotion implements Serializable {
         }
     }
 
-    /** Advances a group over a time, if there is a quick way; else nothing is changed, and the path never. */
-    boolean leap(Motion motion, IntList group, double length) {
-        Generators fields = motion.fields();
-        isRefused = fields == null
-                || !(motion.getIntegrator() instanceof RungeKutta4)
-                || !ties.advance(group, fields.gravityX, fields.gravityY, length);
+    /** Advances a group over a time, if there is a quick way; else nothing is changed, and of the path only its workspace. */
+    boolean leap(Motion motion, IntList group, double t, double length, Path path) {
+        Generators fields = motion.generators;
+        isRefused = !(motion.getIntegrator() instanceof RungeKutta4);
+        if (!isRefused && fallsFreely(motion, group)) {
+            isRefused = !ties.advance(group, fields.gravityX, fields.gravityY, length);
+        } else if (!isRefused) {
+            path.ensure(state.x().length);
+            isRefused = !ties.advance(group, motion, path.stage, t, length);
+            if (!isRefused) {
+                path.takeFirst(group);
+            }
+        }
         return !isRefused;
+    }
+
+    /** Whether nothing but uniform fields acts on any body of a group, beside its ties. */
+    private boolean fallsFreely(Motion motion, IntList group) {
+        boolean yes = true;
+        for (int k = 0; motion.fields() == null && yes && k < group.size; k++) {
+            int body = group.values[k];
+            Body view = state.body(body);
+            yes = !view.isPushed() && !motion.generators.drive(view) && !motion.support.pushes(body);
+        }
+        return yes;
     }
 
     private boolean advance(Motion motion, IntList group, double t, double length, int parts, Path path) {
         if (parts == 1 && !isRefused && Math.abs(length) >= SHORT * trajectories.h()) {
-            if (leap(motion, group, length)) {
+            if (leap(motion, group, t, length, path)) {
                 return true;
             }
             isRefused = false;

@@ -85,6 +85,18 @@ public interface Ties extends Serializable {
     boolean advance(IntList bodies, double gx, double gy, double h);
 
     /**
+     * The same under any forces that act on each body by itself.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @param loads the forces, evaluated at the stages; what it throws leaves the state vectors at one of them
+     * @param a gets the accelerations at the start, with those of the ties, [x″, y″, θ″] per body of the state
+     * @param t simulated time of the start
+     * @param h step, of either sign
+     * @return false if there is no such way; then nothing has changed
+     */
+    boolean advance(IntList bodies, Loads loads, double[] a, double t, double h);
+
+    /**
      * Moves some bodies of the state vectors by the least amount, and changes their velocities by the least amount, that
      * the ties ask for.
      *

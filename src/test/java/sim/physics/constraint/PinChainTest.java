@@ -19,13 +19,18 @@ import sim.physics.shape.Rectangle;
 
 /** The quick steps of chains of pins are those of the general code, whichever way the chain is laid out. */
 class PinChainTest {
-    /** A force of nothing, which keeps the engine from the quick way. */
+    /** A force of nothing, which may couple any bodies and so keeps the engine from the quick way. */
     static final class Nothing implements ForceGenerator {
         private static final long serialVersionUID = 1L;
 
         @Override
         public void addForce(Body body, double time, Forces forces) {
             // none
+        }
+
+        @Override
+        public boolean isCoupled() {
+            return true;
         }
     }
 

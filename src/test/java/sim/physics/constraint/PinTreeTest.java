@@ -11,9 +11,13 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
+import sim.physics.motion.Forces;
 import sim.physics.motion.Gravity;
+import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
 /** Trees of pins, whose steps are made in their angles: against the general code, and the laws of motion. */
@@ -67,9 +71,25 @@ class PinTreeTest {
         return places;
     }
 
-    private static double[] run(int links, boolean isHeld, double step, boolean isQuick) {
+    /** A force and a torque that change with time, place, turn and velocity. */
+    private static final class Wind implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            double pull = 5 - 3 * body.getX() + 2 * time * time;
+            double lift = 4 * Math.sin(body.getAngle()) - body.getVelocityY();
+            forces.addAt(body, pull, lift, body.getX() + 0.1, body.getY() - 0.05);
+            forces.addTorque(body, -0.2 * body.getAngularVelocity());
+        }
+    }
+
+    private static double[] run(int links, boolean isHeld, double step, boolean isQuick, boolean isWindy) {
         PhysicsEngine engine = engine(step, 9.81);
         List<Body> rods = tree(engine, links, isHeld, 1);
+        if (isWindy) {
+            engine.add(new Wind());
+        }
         if (!isQuick) {
             engine.add(new PinChainTest.Nothing());
         }
@@ -85,11 +105,122 @@ class PinTreeTest {
     @ParameterizedTest
     @CsvSource({"1, true", "2, true", "3, true", "3, false", "9, true", "9, false", "30, true", "30, false"})
     void goToWhereTheGeneralCodeGoes(int links, boolean isHeld) {
-        double[] coarse = run(links, isHeld, 1 / 512.0, true);
-        double[] fine = run(links, isHeld, 1 / 1024.0, true);
-        double[] general = run(links, isHeld, 1 / 2048.0, false);
+        goToWhereTheGeneralCodeGoes(links, isHeld, false);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, true", "2, true", "3, true", "3, false", "9, true", "9, false", "30, true", "30, false"})
+    void goThereUnderAnyForces(int links, boolean isHeld) {
+        goToWhereTheGeneralCodeGoes(links, isHeld, true);
+    }
+
+    private static void goToWhereTheGeneralCodeGoes(int links, boolean isHeld, boolean isWindy) {
+        double[] coarse = run(links, isHeld, 1 / 512.0, true, isWindy);
+        double[] fine = run(links, isHeld, 1 / 1024.0, true, isWindy);
+        double[] general = run(links, isHeld, 1 / 2048.0, false, isWindy);
         assertThat(fine).containsExactly(general, within(1e-6));
         assertThat(most(fine, general)).isLessThan(most(coarse, general) / 8 + 1e-11); // order 4
+    }
+
+    /** A weight of an author's own is as good as a field: the tree may not feel the difference. */
+    private static final class Weight implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            forces.add(body, 0.5 * body.getMass(), -9.81 * body.getMass());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void aWeightIsAsGoodAsAField(boolean isHeld) {
+        PhysicsEngine field = engine(1 / 240.0, 9.81);
+        PhysicsEngine weight = engine(1 / 240.0, 0);
+        List<Body> fall = tree(field, 12, isHeld, 4);
+        List<Body> hang = tree(weight, 12, isHeld, 4);
+        weight.add(new Weight());
+        for (int k = 0; k < 240; k++) {
+            field.step();
+            weight.step();
+        }
+        assertThat(places(hang)).containsExactly(places(fall), within(1e-9));
+    }
+
+    /** A wind that blows on circles only. */
+    private static final class Draught implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public boolean actsOn(Body body) {
+            return body.getShape() instanceof Circle;
+        }
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            forces.add(body, 1, 0);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void whatActsElsewhereDoesNotChangeABit(boolean isHeld) {
+        PhysicsEngine calm = engine(1 / 240.0, 9.81);
+        PhysicsEngine busy = engine(1 / 240.0, 9.81);
+        List<Body> rods = tree(calm, 9, isHeld, 5);
+        List<Body> others = tree(busy, 9, isHeld, 5);
+        Body ball = busy.add(new Body(new Circle(1)).at(1000, 0));
+        busy.add(new Draught());
+        for (int k = 0; k < 240; k++) {
+            ball.addForce(0, k % 2);
+            calm.step();
+            busy.step();
+        }
+        assertThat(ball.getVelocityX()).isGreaterThan(0.1);
+        assertThat(places(others)).isEqualTo(places(rods));
+    }
+
+    /** Turns rods by 0.3 rad to and fro within a step of 0.1. */
+    private static final class Shaker implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public boolean actsOn(Body body) {
+            return body.getShape() instanceof Rectangle;
+        }
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            double inertia = body.getInertia() + 0.25 * body.getMass();
+            forces.addTorque(body, inertia * 592 * Math.cos(2 * Math.PI * time / 0.1));
+        }
+    }
+
+    /** The ends of the step tell nothing of it. */
+    @Test
+    void aLinkThatSwingsOutAndBackMeetsWhatIsThere() {
+        PhysicsEngine engine = engine(0.1, 0);
+        Body rod = engine.add(new Body(new Rectangle(1, 0.02)).at(0.5, 0));
+        engine.add(new PinJoint(rod, 0, 0));
+        engine.add(Body.fixed(new Circle(0.05)).at(0.8 * Math.cos(0.25), 0.8 * Math.sin(0.25)));
+        engine.add(new Shaker());
+        engine.step();
+        assertThat(engine.getImpacts()).isPositive();
+    }
+
+    @Test
+    void aFreeTreeGoesWhereItsForcesPushIt() {
+        PhysicsEngine engine = engine(1 / 240.0, 0);
+        List<Body> rods = tree(engine, 12, false, 2);
+        engine.add(new Weight());
+        engine.step();
+        double[] start = centre(rods);
+        for (int k = 0; k < 480; k++) {
+            engine.step();
+        }
+        double[] end = centre(rods);
+        assertThat(end[0]).isCloseTo(start[0] + 2 * start[2] + 0.5 * 0.5 * 4, within(1e-11));
+        assertThat(end[1]).isCloseTo(start[1] + 2 * start[3] - 0.5 * 9.81 * 4, within(1e-11));
     }
 
     private static double most(double[] a, double[] b) {
