@@ -27,6 +27,9 @@ final class Sliding implements Serializable {
     /** Time to rest, relative to the step, from which the deceleration is taken as constant. */
     private static final double LAST = 1e-7;
 
+    /** Time to rest, relative to the step, that rounding does not tell from none. */
+    private static final double NOTHING = 1e-15;
+
     /** Parts of a way until they get longer. */
     private static final int PATIENCE = 500;
 
@@ -55,6 +58,10 @@ final class Sliding implements Serializable {
         }
         if (body.kineticEnergy() == 0) {
             setOff(group, b, t, LAST * LAST * length);
+        }
+        if (timeToRest(body, group, t) <= NOTHING * motion.step() && stop(body, surface, group, 0, t)) {
+            standStill(b); // so slow that the instant of its rest is this one, where it would never arrive
+            return length;
         }
         double done = 0;
         double share = motion.getIntegrator().isAdaptive() ? CHOSEN_SHARE : SHARE;
