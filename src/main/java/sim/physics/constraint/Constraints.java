@@ -346,10 +346,7 @@ public final class Constraints implements Ties, Serializable {
     private void assemble(Island one) {
         one.invariants.end();
         if (!projection.project(one, state, solver, false)) {
-            throw new ConstraintException(
-                    "constraints " + one.inOrder + " cannot be satisfied",
-                    projection.corrections(),
-                    projection.error());
+            throw projection.failure(one);
         }
     }
 

@@ -60,8 +60,12 @@ final class Creep implements Serializable {
      *
      * @param state where the accelerations that were noted last are those without constraints
      * @param h time, of either sign
+     * @throws ConstraintException if it has just begun, and the pose is not within sight of a singular one
      */
     void advance(State state, ConstraintSolver solver, Projection projection, double h) {
+        if (left == 0 && !island.factor.isWeak()) {
+            throw projection.failure(island);
+        }
         if (left == 0) {
             failures = Math.min(failures + 1, MOST_PATIENCE);
             left = 1 << failures;

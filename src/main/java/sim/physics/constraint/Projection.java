@@ -56,6 +56,11 @@ final class Projection implements Serializable {
         return error;
     }
 
+    /** What there is to say when the last call failed for good. */
+    ConstraintException failure(Island island) {
+        return new ConstraintException("constraints " + island.inOrder + " cannot be satisfied", corrections, error);
+    }
+
     /**
      * Projects positions and velocities.
      *

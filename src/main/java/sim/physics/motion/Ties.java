@@ -111,7 +111,7 @@ public interface Ties extends Serializable {
      * @param bodies all bodies of an island, or of all islands
      * @return false if it is not possible from there or gives the bodies more energy than they can have; then it is left to
      *     {@link #creep}, from the start of the step
-     * @throws IllegalStateException if there is no way at all
+     * @throws IllegalStateException if there is no way at all, and the pose is none that would explain it
      */
     boolean force(IntList bodies);
 
@@ -129,7 +129,7 @@ public interface Ties extends Serializable {
      *
      * @param bodies all bodies of an island, at the start of the step; for several islands this is {@link #assemble}
      * @param h time, of either sign
-     * @throws IllegalStateException if there is no way at all
+     * @throws IllegalStateException if there is no way at all, and the pose is none that would explain it
      */
     void creep(IntList bodies, double h);
 
