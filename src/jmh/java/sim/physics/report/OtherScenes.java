@@ -254,7 +254,7 @@ final class OtherScenes {
         scene.reference = String.format(java.util.Locale.ROOT,
                 "Lagrange's equations in length and angle, Dormand–Prince 8(5,3) at 10⁻¹³; Gragg–Bulirsch–Stoer differs by %.1e m",
                 Math.hypot(a[0] - b[0], a[1] - b[1]));
-        scene.note = "At errors above 1e-3 the soft springs of the game engines take less time than any of our methods, as the left"
+        scene.note = "At errors above 1e-2 the soft springs of the game engines take less time than any of our methods, as the left"
                 + " of the plot shows.";
         scene.expected = () -> {
             double[][] rows = new double[6][];

@@ -410,7 +410,7 @@ public final class Constraints implements Ties, Serializable {
      * @return as the last solves found them
      */
     public int redundant() {
-        return islands.stream().mapToInt(k -> k.redundantRows).sum();
+        return islands.stream().mapToInt(island -> island.redundantRows).sum();
     }
 
     /**
@@ -437,19 +437,14 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean isSwitched(IntList bodies) {
-        List<Island> those = of(bodies);
-        boolean found = false;
-        for (int k = 0; k < those.size(); k++) {
-            found |= !those.get(k).switches.isEmpty();
-        }
-        return found;
+        return Switches.any(of(bodies));
     }
 
     @Override
-    public boolean decide(IntList bodies) {
+    public boolean decide(IntList bodies, double time) {
         boolean hits = false;
         for (Island island : of(bodies)) {
-            if (island.switches.decide(state)) {
+            if (island.switches.decide(state, time)) {
                 hits = true;
                 island.evaluate(state);
                 solver.prepare(island, state.w().values());
@@ -472,6 +467,16 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public double push(IntList bodies, double[] a) {
         return Switches.push(of(bodies), state, a);
+    }
+
+    @Override
+    public boolean limit(IntList bodies, boolean yes) {
+        return Switches.limit(of(bodies), yes);
+    }
+
+    @Override
+    public double spare(IntList bodies) {
+        return Switches.spare(of(bodies));
     }
 
     @Override

@@ -90,7 +90,7 @@ public final class Limit extends Switched {
     }
 
     @Override
-    double decide(double q, double now) {
+    double decide(double q, double now, double time) {
         side = 0;
         if (q - lower <= reach(lower)) {
             side = -1;
@@ -99,8 +99,9 @@ public final class Limit extends Switched {
         }
         force = 0;
         double into = now * side; // positive: into the bound
-        isOn = side != 0 && into >= 0;
-        if (!isOn || into == 0) {
+        // a speed that does not take it from there is rounding, and whether it leaves, the forces say
+        isOn = side != 0 && into * time >= -reach(side < 0 ? lower : upper);
+        if (!isOn || into <= 0) {
             return Double.NaN;
         }
         isOn = restitution == 0;

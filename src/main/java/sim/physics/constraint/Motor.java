@@ -99,7 +99,7 @@ public final class Motor extends Switched {
     }
 
     @Override
-    double decide(double q, double now) {
+    double decide(double q, double now, double time) {
         double missing = speed - now;
         isOn = Math.abs(missing) <= REACHED * Math.max(scale, Math.abs(speed));
         force = isOn ? 0 : missing > 0 ? limit : -limit;

@@ -15,6 +15,9 @@ abstract class Switched implements Constraint {
     /** Number of values of {@link #keep}. */
     static final int MEMORY = 12;
 
+    /** Part of a bound within which a force has reached it. */
+    private static final double BEARS = 1e-11;
+
     private final Constraint coordinate;
 
     /** Whether the row acts; and if it does not, the force along the coordinate. */
@@ -26,6 +29,9 @@ abstract class Switched implements Constraint {
     boolean isOnNow;
 
     double forceNow;
+
+    /** The greatest force that it has been seen to need. */
+    private double strongest;
 
     private double value;
     private final double[] row = new double[6];
@@ -136,6 +142,14 @@ abstract class Switched implements Constraint {
 
     abstract void remember(double what);
 
+    /** By how much a force is within its bounds, in units of what counts as reached: of a bound, or of the greatest force. */
+    final double spare(double f) {
+        strongest = Math.max(strongest, Math.abs(f));
+        double bound = Math.max(Double.isInfinite(least()) ? 0 : -least(), Double.isInfinite(greatest()) ? 0 : greatest());
+        double unit = BEARS * (bound > 0 ? bound : strongest);
+        return unit > 0 ? Math.min(f - least(), greatest() - f) / unit : Double.POSITIVE_INFINITY;
+    }
+
     /** The value that the row keeps at 0 when it is on; 0 if it keeps a speed only. */
     abstract double gap(double q);
 
@@ -144,9 +158,10 @@ abstract class Switched implements Constraint {
      *
      * @param q the coordinate
      * @param speed its rate
+     * @param time the engine's step
      * @return the speed that it must have at once, or NaN if it may have any
      */
-    abstract double decide(double q, double speed);
+    abstract double decide(double q, double speed, double time);
 
     /** The least and the greatest force that the row can have when it is on. */
     abstract double least();

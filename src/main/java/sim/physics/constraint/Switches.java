@@ -17,6 +17,11 @@ final class Switches implements Serializable {
     private final int[] nodes;
     private double[] free = {};
 
+    /** Whether forces are kept within their bounds, and whether one that acts has been out of them. */
+    private boolean isLimited = true;
+
+    private boolean isOverloaded;
+
     /** −(the speed that a row keeps), 2 per node of the island. */
     private final double[] bias;
 
@@ -89,10 +94,46 @@ final class Switches implements Serializable {
                 }
             }
             solver.accelerate(island, state, a);
-            for (int k = 0; k < rows.length; k++) {
+            for (int k = 0; k < rows.length && isLimited; k++) {
                 changed |= rows[k].isOnNow && limit(rows[k], island.lambda[2 * nodes[k]]);
             }
+            isOverloaded |= changed;
         }
+    }
+
+    /** Sets whether forces are kept within their bounds; returns whether one has been out of them since this was last set. */
+    static boolean limit(List<Island> islands, boolean yes) {
+        boolean was = false;
+        for (int k = 0; k < islands.size(); k++) {
+            Switches one = islands.get(k).switches;
+            was |= one.isOverloaded;
+            one.isLimited = yes;
+            one.isOverloaded = false;
+        }
+        return was;
+    }
+
+    /** By how much the forces that the last accelerations need are within their bounds, in units of what counts as reached. */
+    static double spare(List<Island> islands) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < islands.size(); k++) {
+            Switches one = islands.get(k).switches;
+            for (int m = 0; m < one.rows.length; m++) {
+                if (one.rows[m].isOnNow) {
+                    least = Math.min(least, one.rows[m].spare(one.island.lambda[2 * one.nodes[m]]));
+                }
+            }
+        }
+        return least;
+    }
+
+    static boolean any(List<Island> islands) {
+        for (int k = 0; k < islands.size(); k++) {
+            if (!islands.get(k).switches.isEmpty()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static boolean limit(Switched s, double force) {
@@ -168,11 +209,11 @@ final class Switches implements Serializable {
     }
 
     /** Decides which rows act; returns whether some row asks for another speed than there is. */
-    boolean decide(State state) {
+    boolean decide(State state, double time) {
         island.evaluate(state);
         boolean hits = false;
         for (int k = 0; k < rows.length; k++) {
-            double must = rows[k].decide(rows[k].value(), speed(k, state));
+            double must = rows[k].decide(rows[k].value(), speed(k, state), time);
             rows[k].isOnNow = rows[k].isOn || !Double.isNaN(must);
             bias[2 * nodes[k]] = Double.isNaN(must) ? rows[k].isOn ? -rows[k].target() : 0 : -must;
             hits |= rows[k].isOnNow;

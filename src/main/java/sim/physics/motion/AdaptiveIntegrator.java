@@ -20,13 +20,19 @@ public abstract class AdaptiveIntegrator implements Integrator {
     private static final double SUDDEN = 1.0 / 8;
 
     /** What an estimate may be too small by where forces jump. */
-    private static final double CAUTION = 4;
+    private static final double CAUTION = 12;
 
     /** How long the steps before count, in their lengths. */
     private static final double MEMORY = 2;
 
     /** Number of short steps after which it is not a jump that makes them short, but forces that are rough throughout. */
     private static final int MOST_HASTY = 100;
+
+    /** Part of what the greatest speed and acceleration were that is forgotten in the time that they tell. */
+    private static final double FORGET = 0.2;
+
+    /** The most steps for which an error of a velocity counts. */
+    private static final double LONGEST = 200;
 
     private static final double SMALLEST = 0x1p-50;
 
@@ -67,11 +73,13 @@ public abstract class AdaptiveIntegrator implements Integrator {
         int first = bodies.values[0];
         double wanted = path.next[first];
         double length = wanted > 0 && wanted < Math.abs(h) ? fit(wanted, Math.abs(h)) : Math.abs(h);
+        double time = time(stages, path, first, length);
         int rejections = 0;
         while (true) {
             stages.isRetry = rejections > 0;
             stages.most = Math.max(1, Math.abs(h) / length);
             stages.haste = haste(path, first, t, length);
+            stages.time = Math.max(length, time);
             boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
             double proposal = length * stages.factor;
             if (done) {
@@ -88,6 +96,21 @@ public abstract class AdaptiveIntegrator implements Integrator {
                         + " cannot meet it at time " + t + ", where the forces are not smooth or not finite");
             }
         }
+    }
+
+    /** The time in which velocities change as much as they are: their greatest of late over that of the accelerations. */
+    private static double time(Stages stages, Path path, int first, double length) {
+        double speed = 0;
+        double push = 0;
+        for (int m = 0; m < stages.size; m++) {
+            speed = Math.max(speed, stages.weight[m] * Math.abs(stages.v0[m]));
+            push = Math.max(push, stages.weight[m] * Math.abs(stages.a0[m]));
+        }
+        double before = path.speed[first] / path.push[first];
+        double kept = before > 0 ? before / (before + FORGET * length) : 0;
+        path.speed[first] = Math.max(speed, kept * path.speed[first]);
+        path.push[first] = Math.max(push, kept * path.push[first]);
+        return path.push[first] > 0 ? Math.min(path.speed[first] / path.push[first], LONGEST * length) : length;
     }
 
     /**

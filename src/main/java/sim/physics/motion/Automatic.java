@@ -38,7 +38,7 @@ public final class Automatic extends AdaptiveIntegrator {
         if (stiffness.isStiff(bodies)) {
             boolean done = implicit.attempt(equations, state, bodies, t, h, path);
             if (done) {
-                stiffness.look(bodies, path.stages.implicit().stiffness(h));
+                stiffness.look(bodies, path.stages.implicit(bodies).stiffness(h));
             }
             return done;
         }

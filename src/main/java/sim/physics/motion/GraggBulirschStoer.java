@@ -17,13 +17,26 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
 
     private static final int MOST_ROWS = 9;
     private static final int LEAST_ROWS = 3;
+
+    /** Where the middle of the first row is kept, behind the rows and what they come from. */
+    private static final int MIDDLE = 2 * MOST_ROWS + 2;
+
     private static final int ROWS_AT_FIRST = 5;
 
     private static final double SAFETY = 0.9;
-    private static final double AIM = 0.65;
-    /** Steps are longer than those of other methods, and what their errors grow to is not seen: they are held smaller. */
-    private static final double CAUTION = 4;
 
+    /**
+     * The step times the rate of the fastest change, over the number of rows: from here on the rows' errors are not what
+     * they are where they are small, but what stability lets grow. Smooth motions stay below a third of it.
+     */
+    private static final double STABLE = 1;
+
+    private static final double AIM = 0.3;
+
+    /** What errors are, over the estimate, in the mean of our scenes. */
+    private static final double CAUTION = 1.2;
+
+    private static final double LEAST_STABLE = 0.3;
     private static final double LEAST = 0.02;
     private static final double MOST = 5;
 
@@ -45,15 +58,20 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     @Override
     boolean attempt(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
         Stages s = path.stages;
-        s.ensureWork(2 * MOST_ROWS + 4);
+        s.ensureWork(MIDDLE + 3);
         s.ensureRows(bodies.values[0], MOST_ROWS);
         int aim = s.rows[bodies.values[0]] == 0 ? ROWS_AT_FIRST : s.rows[bodies.values[0]];
         for (int row = 0; ; row++) {
             midpoint(equations, state, bodies, t, h, path, row);
             extrapolate(s, row);
             int count = row + 1;
-            double error = row == 0 ? Double.POSITIVE_INFINITY : error(s, h);
+            double fast = row == 0 ? 0 : h * h * s.rate;
+            double error = row == 0 ? Double.POSITIVE_INFINITY : error(s);
             propose(s, count, error);
+            if (fast > STABLE * aim) {
+                s.factor = Math.max(LEAST_STABLE, SAFETY * STABLE * aim / fast);
+                return false;
+            }
             if (count >= aim - 1 && error <= 1) {
                 s.rows[bodies.values[0]] = next(s, count, Math.min(count, aim));
                 finish(state, bodies, s);
@@ -119,6 +137,11 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         for (int l = 1; l < n; l++) {
             place(state, bodies, s, x, v);
             equations.acceleration(bodies, t + l * small, path.stage);
+            if (row == 0) {
+                keepMiddle(s, path, bodies, x, v);
+            } else if (row == 1 && l == 2) {
+                s.rate = rate(s, path, bodies, x, v, h);
+            }
             for (int k = 0, m = 0; k < bodies.size; k++) {
                 int b = State.BLOCK * bodies.values[k];
                 for (int end = b + State.BLOCK; b < end; b++, m++) {
@@ -131,6 +154,33 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
                 }
             }
         }
+    }
+
+    /** Keeps the middle of the first row, after which the second one passes at the same time. */
+    private static void keepMiddle(Stages s, Path path, IntList bodies, int x, int v) {
+        int at = MIDDLE * s.size;
+        System.arraycopy(s.work, x, s.work, at, s.size);
+        System.arraycopy(s.work, v, s.work, at + s.size, s.size);
+        for (int k = 0, m = at + 2 * s.size; k < bodies.size; k++, m += State.BLOCK) {
+            System.arraycopy(path.stage, State.BLOCK * bodies.values[k], s.work, m, State.BLOCK);
+        }
+    }
+
+    /** How fast the accelerations change from one row's middle to the other's: the square of a frequency, at least. */
+    private static double rate(Stages s, Path path, IntList bodies, int x, int v, double h) {
+        int at = MIDDLE * s.size;
+        double way = 0;
+        double push = 0;
+        for (int k = 0, m = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int end = b + State.BLOCK; b < end; b++, m++) {
+                double off = Math.abs(s.work[x + m] - s.work[at + m]);
+                double fast = Math.abs(h * (s.work[v + m] - s.work[at + s.size + m]));
+                way = Math.max(way, s.weight[m] * Math.max(off, fast));
+                push = Math.max(push, s.weight[m] * Math.abs(path.stage[b] - s.work[at + 2 * s.size + m]));
+            }
+        }
+        return way > 0 ? push / way : 0;
     }
 
     private static void place(State state, IntList bodies, Stages s, int x, int v) {
@@ -157,14 +207,14 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         }
     }
 
-    /** The last two extrapolations' difference in units of what is allowed: of positions, and of velocities times h. */
-    private static double error(Stages s, double h) {
+    /** The last two extrapolations' difference in units of what is allowed: of positions, and of velocities. */
+    private static double error(Stages s) {
         double[] y = s.work;
         int n = s.size;
         double most = 0;
         for (int m = 0; m < n; m++) {
             double x = Math.abs(y[m] - y[2 * n + m]);
-            double v = Math.abs(h * (y[n + m] - y[3 * n + m]));
+            double v = Math.abs(s.time * (y[n + m] - y[3 * n + m]));
             most = Math.max(most, s.weight[m] * Math.max(x, v));
         }
         return CAUTION * most;

@@ -26,11 +26,20 @@ final class Implicit implements Serializable {
     double[] errorX = {};
     double[] errorV = {};
 
-    /** Corrections of the stages so far, the size of the last one, and of what is left. */
-    int iterations;
+    /** The last step over the time in which the motion changes, at most 1: for that, velocities matter. */
+    double turn = 1;
 
-    double change;
-    double left;
+    /** The length of the last step that was solved with the derivatives of its start; 0: none was. */
+    double plain;
+
+    /** Steps to come whose derivatives are found at each stage, as they change too much from one to the other. */
+    int turning;
+
+    /** Null until that is needed. */
+    private StageNewton newton;
+
+    /** The last step. */
+    final Collocation last = new Collocation();
 
     private int n;
     private double[] byX = {};
@@ -42,6 +51,11 @@ final class Implicit implements Serializable {
     private int[] complexPivots = {};
     private double[] re = {};
     private double[] im = {};
+
+    StageNewton newton() {
+        newton = newton == null ? new StageNewton() : newton;
+        return newton;
+    }
 
     /** Makes room for a number of coordinates. */
     void ensure(int size) {
@@ -72,55 +86,56 @@ final class Implicit implements Serializable {
         im = new double[n];
     }
 
-    /** The stages start where the step does. */
-    void clear() {
-        iterations = 0;
-        left = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < 3; i++) {
-            for (int m = 0; m < n; m++) {
-                stageX[i][m] = 0;
-                stageV[i][m] = 0;
-                partX[i][m] = 0;
-                partV[i][m] = 0;
-            }
-        }
-    }
-
     /** The derivatives of the accelerations by positions and velocities, at the start of the step. */
     void differentiate(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
         Stages s = path.stages;
+        differentiate(equations, state, bodies, t, h, path, s.x0, s.v0, s.a0, byX, byV);
+    }
+
+    /** The same at a place where the accelerations are known; the derivatives are put row by row. */
+    void differentiate(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path,
+            double[] x, double[] v, double[] a, double[] toX, double[] toV) {
         for (int k = 0, m = 0; k < bodies.size; k++) {
             double radius = state.body(bodies.values[k]).getShape().boundingRadius();
             for (int c = 0; c < State.BLOCK; c++, m++) {
                 int b = State.BLOCK * bodies.values[k] + c;
                 double size = c == State.THETA ? 1 : radius;
-                double dx = SMALL * Math.max(Math.abs(s.x0[m]), size);
-                reset(state, bodies, s);
+                double dx = SMALL * Math.max(Math.abs(x[m]), size);
+                put(state, bodies, x, v);
                 state.x()[b] += dx;
-                column(equations, state, bodies, t, path, state.x()[b] - s.x0[m], byX, m);
-                double dv = SMALL * Math.max(Math.abs(s.v0[m]), size / Math.abs(h));
-                reset(state, bodies, s);
+                column(equations, bodies, t, path, state.x()[b] - x[m], a, toX, m);
+                double dv = SMALL * Math.max(Math.abs(v[m]), size / Math.abs(h));
+                put(state, bodies, x, v);
                 state.v()[b] += dv;
-                column(equations, state, bodies, t, path, state.v()[b] - s.v0[m], byV, m);
+                column(equations, bodies, t, path, state.v()[b] - v[m], a, toV, m);
             }
         }
     }
 
-    private static void reset(State state, IntList bodies, Stages s) {
+    /** Takes a group's block of accelerations. */
+    static void take(IntList bodies, double[] a, double[] to) {
+        for (int k = 0; k < bodies.size; k++) {
+            System.arraycopy(a, State.BLOCK * bodies.values[k], to, State.BLOCK * k, State.BLOCK);
+        }
+    }
+
+    /** Writes a group's places and velocities into the state vectors. */
+    static void put(State state, IntList bodies, double[] x, double[] v) {
         for (int k = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
-            System.arraycopy(s.x0, State.BLOCK * k, state.x(), b, State.BLOCK);
-            System.arraycopy(s.v0, State.BLOCK * k, state.v(), b, State.BLOCK);
+            System.arraycopy(x, State.BLOCK * k, state.x(), b, State.BLOCK);
+            System.arraycopy(v, State.BLOCK * k, state.v(), b, State.BLOCK);
         }
     }
 
     private void column(
-            EquationsOfMotion equations, State state, IntList bodies, double t, Path path, double d, double[] to, int m) {
+            EquationsOfMotion equations, IntList bodies, double t, Path path, double d, double[] a, double[] to, int m) {
         equations.acceleration(bodies, t, path.stage);
         for (int k = 0, row = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
             for (int end = b + State.BLOCK; b < end; b++, row++) {
-                to[row * n + m] = (path.stage[b] - path.stages.a0[row]) / d;
+                to[row * n + m] = (path.stage[b] - a[row]) / d;
             }
         }
     }

@@ -45,11 +45,13 @@ public final class Path implements Serializable {
 
     double[] paceTime = {};
 
+    /** The greatest speed and acceleration of late, in tolerances. */
+    double[] speed = {};
+
+    double[] push = {};
+
     /** Number of steps since then that were much shorter. */
     int[] hasty = {};
-
-    /** Number of steps to come that an implicit method takes for shorter than they should be. */
-    private int[] shortSteps = {};
 
     /** Null unless a method that chooses by stiffness is used. */
     Stiffness stiffness;
@@ -74,7 +76,8 @@ public final class Path implements Serializable {
             first = Arrays.copyOf(first, length);
             next = Arrays.copyOf(next, length / State.BLOCK);
             pace = Arrays.copyOf(pace, next.length);
-            shortSteps = Arrays.copyOf(shortSteps, next.length);
+            speed = Arrays.copyOf(speed, next.length);
+            push = Arrays.copyOf(push, next.length);
             hasty = Arrays.copyOf(hasty, next.length);
             paceTime = Arrays.copyOf(paceTime, next.length);
         }
@@ -99,14 +102,6 @@ public final class Path implements Serializable {
             System.arraycopy(stage, State.BLOCK * bodies.values[k], first, State.BLOCK * bodies.values[k], State.BLOCK);
         }
         knowsFirst = true;
-    }
-
-    void shorten(int first, int steps) {
-        shortSteps[first] = steps;
-    }
-
-    boolean isShort(int first) {
-        return shortSteps[first] > 0 && shortSteps[first]-- > 0;
     }
 
     /** Keeps where the bodies are at the start. */

@@ -44,18 +44,51 @@ public final class RadauIIA extends AdaptiveIntegrator {
     private static final double BETA = 3.0504301992474105694;
     // spotless:on
 
+    /** Its matrix itself. */
+    private static final double[][] MATRIX = {
+        {(88 - 7 * ROOT6) / 360, (296 - 169 * ROOT6) / 1800, (-2 + 3 * ROOT6) / 225},
+        {(296 + 169 * ROOT6) / 1800, (88 + 7 * ROOT6) / 360, (-2 - 3 * ROOT6) / 225},
+        {(16 - ROOT6) / 36, (16 + ROOT6) / 36, 1.0 / 9}
+    };
+
+    /** The stages' difference to a formula of third order; and their third divided difference, which has an order less. */
     private static final double[] ERROR = {-(13 + 7 * ROOT6) / 3, (-13 + 7 * ROOT6) / 3, -1.0 / 3};
+
+    private static final double[] DIFFERENCE = new double[3];
+
+    static {
+        for (int i = 0; i < 3; i++) {
+            DIFFERENCE[i] = 1 / NODE[i];
+            for (int k = 0; k < 3; k++) {
+                DIFFERENCE[i] /= k == i ? 1 : NODE[i] - NODE[k];
+            }
+        }
+    }
 
     private static final int MOST_ITERATIONS = 10;
 
-    /** Part of the tolerance to which the stages are solved. */
-    private static final double SOLVED = 1e-3;
+    /** Part of the tolerance to which the stages are solved, over the time in which the motion changes. */
+    private static final double SOLVED = 3e-4;
 
-    /** The same where steps are as short as Newton's method wants them: there are many, and what each leaves adds up. */
-    private static final double WELL_SOLVED = 1e-6;
+    /** The same where rounding does not let it be less. */
+    static final double LOOSE = 1e-3;
 
-    /** Steps for which that counts, from one on for which it did not converge. */
-    private static final int SHORT = 200;
+    /** The time step over the time in which a vibration changes, over the root of the estimates' ratio. */
+    private static final double SMOOTH = 3;
+
+    private static final double LEAST_TURN = 1e-3;
+
+    /** The error that steps leave, over the estimate, in the mean of our scenes. */
+    private static final double CALIBRATION = 0.17;
+
+    /**
+     * The square of a step times the fastest frequency, over that of the number of coordinates, from which derivatives at
+     * each stage are cheaper than shorter steps.
+     */
+    private static final double STIFF = 10;
+
+    /** Steps for which derivatives are found at each stage, from one on for which those of its start were not enough. */
+    private static final int TURNING = 50;
 
     private static final double SAFETY = 0.9;
     private static final double LEAST = 0.02;
@@ -77,58 +110,89 @@ public final class RadauIIA extends AdaptiveIntegrator {
     @Override
     boolean attempt(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
         Stages s = path.stages;
-        Implicit w = s.implicit();
-        w.ensure(s.size);
+        Implicit w = s.implicit(bodies);
         if (!s.isRetry) {
             w.differentiate(equations, state, bodies, t, h, path);
         }
-        w.clear();
-        int first = bodies.values[0];
-        double solved = path.isShort(first) ? WELL_SOLVED : SOLVED;
-        if (!w.factor(GAMMA / h, ALPHA / h, BETA / h) || !solve(equations, state, bodies, t, h, path, w, solved)) {
-            if (!s.isRetry && path.next[first] > 0) {
-                path.shorten(first, SHORT);
-            }
+        w.last.predict(s, bodies, t, h, w.stageX, w.stageV);
+        if (!w.factor(GAMMA / h, ALPHA / h, BETA / h) || !solve(equations, state, bodies, t, h, path, w)) {
             s.factor = 0.25;
             return false;
         }
         double error = estimate(equations, state, bodies, t, h, path, w);
-        double root = Math.sqrt(Math.sqrt(error));
+        double root = StrictMath.pow(error, 0.2);
         s.factor = error == 0 ? MOST : Math.max(LEAST, Math.min(MOST, SAFETY / root));
         s.factor = s.factor >= 1 && s.factor < STAY ? 1 : s.factor;
         if (!(error <= 1)) {
             s.factor = error < Double.POSITIVE_INFINITY ? s.factor : LEAST;
             return false;
         }
-        place(state, bodies, s, w.stageX[2], w.stageV[2], 1);
+        w.last.keep(s, bodies, t, h, w.stageX, w.stageV);
+        place(state, bodies, s, w.stageX[2], w.stageV[2]);
         return true;
     }
 
-    /** Newton's method for the stages, from where it is to a part of the tolerance; false if it does not converge. */
+    /** The stages, with the derivatives of the start or, where the forces turn too much for these, with their own. */
     private static boolean solve(
-            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, Implicit w,
-            double solved) {
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, Implicit w) {
         Stages s = path.stages;
-        for (int end = w.iterations + MOST_ITERATIONS; w.left > solved && w.iterations < end; w.iterations++) {
+        if (w.turning == 0) {
+            transform(s, w);
+            if (iterate(equations, state, bodies, t, h, path, w)) {
+                w.plain = Math.abs(h);
+                return true;
+            }
+            boolean isWorthIt = w.plain > 0 && Math.abs(h) > longer(s.size) * w.plain;
+            if (!isWorthIt || w.stiffness(h) < STIFF * s.size * s.size) {
+                return false;
+            }
+            w.turning = TURNING;
+            w.last.predict(s, bodies, t, h, w.stageX, w.stageV);
+        }
+        w.turning--;
+        return w.newton().solve(equations, state, bodies, t, h, path, w, SOLVED * w.turn);
+    }
+
+    /** How much longer a step with derivatives at each stage must be: some three times six per coordinate, in place of two. */
+    private static double longer(int n) {
+        return 30.0 * n / (2 * n + 21);
+    }
+
+    private static void transform(Stages s, Implicit w) {
+        for (int m = 0; m < s.size; m++) {
+            for (int i = 0; i < 3; i++) {
+                w.partX[i][m] = dot(INVERSE[i], w.stageX, m);
+                w.partV[i][m] = dot(INVERSE[i], w.stageV, m);
+            }
+        }
+    }
+
+    /** Newton's method with the derivatives of the start, to a part of the tolerance; false if it does not converge. */
+    private static boolean iterate(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, Implicit w) {
+        Stages s = path.stages;
+        double before = Double.POSITIVE_INFINITY;
+        double solved = SOLVED * w.turn;
+        for (int k = 0; k < MOST_ITERATIONS; k++) {
             for (int i = 0; i < NODE.length; i++) {
-                place(state, bodies, s, w.stageX[i], w.stageV[i], 1);
+                place(state, bodies, s, w.stageX[i], w.stageV[i]);
                 equations.acceleration(bodies, t + NODE[i] * h, path.stage);
-                take(bodies, s, path.stage, w.slopeV[i]);
+                Implicit.take(bodies, path.stage, w.slopeV[i]);
                 for (int m = 0; m < s.size; m++) {
                     w.slopeX[i][m] = s.v0[m] + w.stageV[i][m];
                 }
             }
             double change = correct(s, w, h);
-            double rate = w.iterations == 0 ? 0.5 : change / w.change;
-            if (!(change < Double.POSITIVE_INFINITY) || w.iterations > 1 && rate > 1) {
-                return w.left <= SOLVED; // then this is rounding
+            double rate = k == 0 ? 0.5 : change / before;
+            if (!(change < Double.POSITIVE_INFINITY) || k > 1 && rate >= 1 && change > LOOSE) {
+                return false;
             }
-            if (w.iterations > 0 && rate < 1 || change == 0) {
-                w.left = rate / (1 - rate) * change;
+            if (rate >= 1 && change <= LOOSE || rate < 1 && rate / (1 - rate) * change <= solved) {
+                return true; // the former is rounding
             }
-            w.change = change;
+            before = change;
         }
-        return w.left <= SOLVED;
+        return false;
     }
 
     /** One correction of the stages; returns its size in units of the tolerance. */
@@ -151,12 +215,13 @@ public final class RadauIIA extends AdaptiveIntegrator {
         }
         w.solveReal(gamma, w.rightX[0], w.rightV[0]);
         w.solveComplex(alpha, beta);
+        double time = h / w.turn;
         double most = 0;
         for (int m = 0; m < n; m++) {
             for (int i = 0; i < 3; i++) {
                 w.partX[i][m] += w.rightX[i][m];
                 w.partV[i][m] += w.rightV[i][m];
-                double change = Math.max(Math.abs(w.rightX[i][m]), Math.abs(h * w.rightV[i][m]));
+                double change = Math.max(Math.abs(w.rightX[i][m]), Math.abs(time * w.rightV[i][m]));
                 most = Math.max(most, s.weight[m] * change);
             }
             for (int i = 0; i < 3; i++) {
@@ -171,10 +236,20 @@ public final class RadauIIA extends AdaptiveIntegrator {
         return row[0] * columns[0][m] + row[1] * columns[1][m] + row[2] * columns[2][m];
     }
 
-    /** The difference to a formula of third order, damped where the motion is stiff. */
+    /**
+     * The difference to a formula of third order, damped where the motion is stiff, and its ratio to the third differences,
+     * which says how smooth the motion is: the product falls with the fifth power of the step, as what the steps of a unit
+     * of time leave does. Where forces jump the ratio is 1.
+     */
     private static double estimate(
             EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, Implicit w) {
         Stages s = path.stages;
+        for (int m = 0; m < s.size; m++) {
+            w.rightX[0][m] = dot(DIFFERENCE, w.stageX, m) / h;
+            w.rightV[0][m] = dot(DIFFERENCE, w.stageV, m) / h;
+        }
+        w.solveReal(GAMMA / h, w.rightX[0], w.rightV[0]);
+        double third = norm(s, w.rightX[0]) * norm(s, w.rightV[0]);
         for (int m = 0; m < s.size; m++) {
             w.errorX[m] = dot(ERROR, w.stageX, m) / h;
             w.errorV[m] = dot(ERROR, w.stageV, m) / h;
@@ -182,47 +257,61 @@ public final class RadauIIA extends AdaptiveIntegrator {
             w.rightV[0][m] = w.errorV[m] + s.a0[m];
         }
         w.solveReal(GAMMA / h, w.rightX[0], w.rightV[0]);
-        double error = norm(s, w, h);
+        double error = smooth(s, w, h, third);
         if (error < 1) {
             return error;
         }
-        place(state, bodies, s, w.rightX[0], w.rightV[0], 1);
-        equations.acceleration(bodies, t, path.stage);
-        take(bodies, s, path.stage, w.slopeV[0]);
         for (int m = 0; m < s.size; m++) {
-            w.rightX[0][m] = w.errorX[m] + s.v0[m] + w.rightV[0][m];
+            w.partX[0][m] = w.rightX[0][m];
+            w.partV[0][m] = w.rightV[0][m];
+        }
+        place(state, bodies, s, w.partX[0], w.partV[0]);
+        equations.acceleration(bodies, t, path.stage);
+        Implicit.take(bodies, path.stage, w.slopeV[0]);
+        for (int m = 0; m < s.size; m++) {
+            w.rightX[0][m] = w.errorX[m] + s.v0[m] + w.partV[0][m];
             w.rightV[0][m] = w.errorV[m] + w.slopeV[0][m];
         }
         w.solveReal(GAMMA / h, w.rightX[0], w.rightV[0]);
-        return norm(s, w, h);
+        return smooth(s, w, h, third);
     }
 
-    private static double norm(Stages s, Implicit w, double h) {
+    /**
+     * The estimate. A vibration's differences of positions and of velocities vanish at different times, so that their
+     * products tell the step times its frequency; and what a velocity is off counts for one over that, not for the step.
+     */
+    private static double smooth(Stages s, Implicit w, double h, double third) {
+        double x = norm(s, w.rightX[0]);
+        double v = norm(s, w.rightV[0]);
+        double turn = x * v < third ? Math.max(LEAST_TURN, Math.min(1, SMOOTH * Math.sqrt(x * v / third))) : 1;
+        w.turn = turn;
+        return CALIBRATION * turn * Math.max(x, Math.abs(h) * v / turn);
+    }
+
+    private static double norm(Stages s, double[] values) {
         double most = 0;
         for (int m = 0; m < s.size; m++) {
-            double size = Math.max(Math.abs(w.rightX[0][m]), Math.abs(h * w.rightV[0][m]));
-            most = Math.max(most, s.weight[m] * size);
+            most = Math.max(most, s.weight[m] * Math.abs(values[m]));
         }
         return most;
     }
 
-    private static void place(State state, IntList bodies, Stages s, double[] x, double[] v, double part) {
-        for (int k = 0, m = 0; k < bodies.size; k++) {
+    private static void place(State state, IntList bodies, Stages s, double[] x, double[] v) {
+        for (int k = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                state.x()[b] = s.x0[m] + part * x[m];
-                state.v()[b] = s.v0[m] + part * v[m];
+            for (int c = 0, m = State.BLOCK * k; c < State.BLOCK; c++, m++) {
+                state.x()[b + c] = s.x0[m] + x[m];
+                state.v()[b + c] = s.v0[m] + v[m];
             }
         }
     }
 
-    private static void take(IntList bodies, Stages s, double[] a, double[] to) {
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                to[m] = a[b];
-            }
-        }
+    static double node(int i) {
+        return NODE[i];
+    }
+
+    static double matrix(int i, int j) {
+        return MATRIX[i][j];
     }
 
     @Override

@@ -18,6 +18,12 @@ final class Sliding implements Serializable {
     /** Part of the time to rest that is integrated at once; smaller: more accurate near the stop, and slower. */
     private static final double SHARE = 1.0 / 16;
 
+    /** The same for methods that choose their steps. */
+    private static final double CHOSEN_SHARE = 0.5;
+
+    /** Way to rest, in tolerances, from which the deceleration is taken as constant. */
+    private static final double NEGLIGIBLE = 1;
+
     /** Time to rest, relative to the step, from which the deceleration is taken as constant. */
     private static final double LAST = 1e-7;
 
@@ -51,16 +57,17 @@ final class Sliding implements Serializable {
             setOff(group, b, t, LAST * LAST * length);
         }
         double done = 0;
-        double least = SHARE * LAST * motion.step();
+        double share = motion.getIntegrator().isAdaptive() ? CHOSEN_SHARE : SHARE;
+        double least = share * LAST * motion.step();
         for (int parts = 0; done < length; parts++) {
             least *= parts < PATIENCE ? 1 : 2; // it creeps: neither held, nor set in motion
             double rest = timeToRest(body, group, t + done);
-            if (rest <= LAST * motion.step() && stop(body, surface, group, Math.min(rest, length - done), t + done)) {
+            if ((rest <= LAST * motion.step() || isNegligible(body, rest)) && stop(body, surface, group, Math.min(rest, length - done), t + done)) {
                 done += Math.min(rest, length - done);
                 break;
             }
             double left = length - done;
-            double part = Math.min(left, Math.max(SHARE * rest, least));
+            double part = Math.min(left, Math.max(share * rest, least));
             DrivenMotion.cover(motion, state, group, t + done, part, path);
             done = part == left ? length : done + part;
         }
@@ -103,6 +110,16 @@ final class Sliding implements Serializable {
         double power = body.getMass() * (path.stage[b] * v[b] + path.stage[b + 1] * v[b + 1])
                 + body.getInertia() * path.stage[b + 2] * v[b + 2];
         return power >= 0 ? Double.POSITIVE_INFINITY : -2 * energy / power;
+    }
+
+    /** Whether the way that is left is less than the error that the integrator makes. */
+    private boolean isNegligible(Body body, double rest) {
+        int b = State.BLOCK * body.index();
+        double[] v = state.v();
+        double fastest = Math.max(Math.max(Math.abs(v[b]), Math.abs(v[b + 1])),
+                body.getShape().boundingRadius() * Math.abs(v[b + 2]));
+        return motion.getIntegrator() instanceof AdaptiveIntegrator chosen
+                && 0.5 * rest * fastest <= NEGLIGIBLE * chosen.getTolerance();
     }
 
     /** Brings the body to rest in a time, if static friction can hold it then. */

@@ -33,6 +33,12 @@ final class Stages implements Serializable {
     /** Whether the step was tried before, longer. */
     boolean isRetry;
 
+    /** The time in which velocities change as much as they are: for so long an error of a velocity counts. */
+    double time;
+
+    /** How fast the accelerations change from one place to another, over their distance. */
+    double rate;
+
     /** How much longer than this one steps were before, if much; else 1. */
     double haste;
 
@@ -47,8 +53,8 @@ final class Stages implements Serializable {
     /** Rows that an extrapolation aims at, by the first body of a group; 0: not known. */
     int[] rows = {};
 
-    /** Null until an implicit method is used. */
-    private Implicit implicit;
+    /** What an implicit method keeps, by the first body of a group. */
+    private Implicit[] implicit = {};
 
     Stages() {
         // grows with the groups
@@ -77,10 +83,15 @@ final class Stages implements Serializable {
         }
     }
 
-    /** The workspace of an implicit method. */
-    Implicit implicit() {
-        implicit = implicit == null ? new Implicit() : implicit;
-        return implicit;
+    /** The workspace of an implicit method for a group. */
+    Implicit implicit(IntList bodies) {
+        int first = bodies.values[0];
+        if (implicit.length <= first) {
+            implicit = Arrays.copyOf(implicit, first + first / 2 + 1);
+        }
+        implicit[first] = implicit[first] == null ? new Implicit() : implicit[first];
+        implicit[first].ensure(size);
+        return implicit[first];
     }
 
     /** Makes room for some values per coordinate. */

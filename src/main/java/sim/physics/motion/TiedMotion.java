@@ -39,6 +39,11 @@ final class TiedMotion implements Serializable {
     private double[] strideX = {};
     private double[] strideV = {};
 
+    /** What motors and stops remember at the start of a stride, and at its end. */
+    private double[] decided = {};
+
+    private double[] kept = {};
+
     /** Whether the step at hand was found to have no quick way. */
     private boolean isRefused;
 
@@ -84,7 +89,7 @@ final class TiedMotion implements Serializable {
     }
 
     private double advanceSwitched(Motion motion, IntList group, double t, double tau, double limit, Path path) {
-        if (ties.decide(group)) {
+        if (ties.decide(group, trajectories.h())) {
             for (int k = 0; k < group.size; k++) {
                 trajectories.anchor(group.values[k], tau, state);
             }
@@ -96,7 +101,7 @@ final class TiedMotion implements Serializable {
         double first = ties.watch(group);
         double push = ties.push(group, path.stage);
         double most = push < STRONG * limit ? AMPLE * push : limit;
-        double length = stride(motion, group, t, most, path);
+        double length = strideUntilYield(motion, group, t, most, path);
         double last = ties.watch(group);
         if (last > -HALF) {
             return length;
@@ -108,7 +113,8 @@ final class TiedMotion implements Serializable {
                 again(group);
                 ties.confirm(group, true); // it is pressed against its stop
                 tell(group);
-                return stride(motion, group, t, most, path);
+                motion.acceleration(group, t, path.stage);
+                return strideUntilYield(motion, group, t, most, path);
             }
             first = 1;
         }
@@ -119,6 +125,72 @@ final class TiedMotion implements Serializable {
         if (observer != null) {
             observer.decided(group);
         }
+    }
+
+    /** A stride from where accelerations were just found, or to where a motor begins to yield or a stop lets go. */
+    private double strideUntilYield(Motion motion, IntList group, double t, double limit, Path path) {
+        double spare = ties.spare(group);
+        decided = ties.switches(group, decided, false);
+        ties.limit(group, true);
+        double length = stride(motion, group, t, limit, path);
+        if (motion.getIntegrator().isAdaptive() && spare < Double.POSITIVE_INFINITY) {
+            motion.acceleration(group, t + length, path.stage); // not all of them look at the end
+        }
+        return ties.limit(group, true) ? untilYield(motion, group, t, length, spare, path) : length;
+    }
+
+    /**
+     * Ends a stride in which a motor was overloaded, or a stop let go, where that begins: the forces that it would need are
+     * followed without their bounds until one reaches them. So the step is made of parts that are smooth.
+     */
+    private double untilYield(Motion motion, IntList group, double t, double length, double spare, Path path) {
+        kept = ties.switches(group, kept, false);
+        ties.switches(group, decided, true);
+        ties.limit(group, false);
+        double last = spare(motion, group, t + length, path);
+        double time = length;
+        if (last < 0 && spare > 0) {
+            time = findYield(motion, group, t, length, spare, last, path);
+        } else {
+            ties.switches(group, kept, true); // it has yielded for a while only, or from the start on
+        }
+        ties.limit(group, true);
+        return time;
+    }
+
+    private double spare(Motion motion, IntList group, double t, Path path) {
+        motion.acceleration(group, t, path.stage);
+        return ties.spare(group);
+    }
+
+    /** The time at which a force is beyond its bound by about what counts as reached, by the Illinois method. */
+    private double findYield(
+            Motion motion, IntList group, double t, double length, double first, double last, Path path) {
+        double a = 0;
+        double b = length;
+        double fa = first + HALF;
+        double fb = last + HALF;
+        double time = length;
+        for (int k = 0; k < 60 && b - a > 0x1p-50 * length; k++) {
+            time = k % 8 == 7 || Double.isInfinite(fa) || !(fb < 0) ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
+            again(group);
+            ties.switches(group, decided, true);
+            advance(motion, group, t, time, path);
+            double f = spare(motion, group, t + time, path) + HALF;
+            if (Math.abs(f) < HALF) {
+                break;
+            }
+            if (f > 0) {
+                a = time;
+                fa = f;
+                fb *= 0.5;
+            } else {
+                b = time;
+                fb = f;
+                fa *= 0.5;
+            }
+        }
+        return time;
     }
 
     /** A time at which the group has left its stop; 0 if there is none. */

@@ -203,9 +203,10 @@ public interface Ties extends Serializable {
      * ask for.
      *
      * @param bodies all bodies of an island, or of all islands
+     * @param time the engine's step: what does not leave a stop in it is at rest there
      * @return whether velocities may have changed
      */
-    boolean decide(IntList bodies);
+    boolean decide(IntList bodies, double time);
 
     /**
      * Lets ties that were overloaded in the last evaluation of accelerations act no longer, or lets those act that have
@@ -232,6 +233,23 @@ public interface Ties extends Serializable {
      * @return infinite if nothing pushes
      */
     double push(IntList bodies, double[] a);
+
+    /**
+     * Sets whether the forces of ties that act at some times only are kept within their bounds.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @param yes false to see what forces would be without
+     * @return whether one of those that act has been out of its bounds since this was last called
+     */
+    boolean limit(IntList bodies, boolean yes);
+
+    /**
+     * By how much the forces of such ties, as the last accelerations need them, are within their bounds.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @return the least, in units of what counts as reached; infinite if none acts, negative if one is beyond
+     */
+    double spare(IntList bodies);
 
     /**
      * Other ties of the same bodies by the same constraints, with a workspace of their own.
