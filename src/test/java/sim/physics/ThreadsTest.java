@@ -345,9 +345,9 @@ class ThreadsTest {
             PhysicsEngine engine = workshop();
             for (int k = 0; k < 3; k++) {
                 double x = 200 + 10 * k;
-                Body body = engine.add(new Body(new Circle(0.3)).at(x, 0).moving(3e5 * (k + 1), 0));
-                engine.add(new RodJoint(body, x, 0, null, x - 1, 0));
-                engine.add(new RodJoint(body, x, 0, null, x + 1, 1e-9));
+                double spin = 1e9 * (k + 1);
+                Body body = engine.add(new Body(new Circle(0.3)).at(x + 0.2, 0).moving(0, 0.2 * spin, spin));
+                engine.add(new PinJoint(body, x, 0));
             }
             return engine;
         };

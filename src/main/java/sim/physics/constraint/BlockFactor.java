@@ -18,6 +18,9 @@ final class BlockFactor implements Serializable {
     /** Pivots below this part of their diagonal are known to few digits only, if they are not redundant. */
     static final double NEAR = 1e-7;
 
+    /** Pivots below this part of their diagonal are those of a pose that is within sight of a singular one. */
+    private static final double WEAK = 1e-3;
+
     private final int n;
 
     /** Blocks below the diagonal by columns: those of column p are start[p] … start[p + 1] − 1, with their rows. */
@@ -47,6 +50,7 @@ final class BlockFactor implements Serializable {
 
     private int redundant;
     private int near;
+    private int weak;
     private int strays;
     private double noise;
     private double floor;
@@ -111,6 +115,11 @@ final class BlockFactor implements Serializable {
     /** Number of pivots that are redundant or nearly so. */
     int near() {
         return near;
+    }
+
+    /** Whether some pivot is redundant, or within sight of being so. */
+    boolean isWeak() {
+        return weak > 0;
     }
 
     /** Number of rows that are known to depend on others always. */
@@ -200,12 +209,13 @@ final class BlockFactor implements Serializable {
     /** Keeps the diagonal values, by which small pivots are known. */
     private void start(double least) {
         noise = least;
-        floor = Math.max(least, NEAR);
+        floor = Math.max(least, WEAK);
         if (redundant > 0) {
             Arrays.fill(isRedundant, false);
         }
         redundant = 0;
         near = 0;
+        weak = 0;
         strays = 0;
         double[] d = diagonal;
         for (int p = 0; p < n; p++) {
@@ -240,7 +250,10 @@ final class BlockFactor implements Serializable {
     }
 
     private double invertSmall(double pivot, int k) {
-        near++;
+        weak++;
+        if (!(pivot > Math.max(noise, NEAR) * size[k])) {
+            near++;
+        }
         if (pivot > noise * size[k]) {
             return 1 / pivot;
         }

@@ -15,7 +15,7 @@ final class ChainFactor implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Pivots below this part of their diagonal are left to the general solver, which damps their corrections. */
-    private static final double WEAK = 1e-7;
+    private static final double WEAK = 1e-5;
 
     /** By pin: the diagonal blocks of A, and b. */
     final double[] d00;

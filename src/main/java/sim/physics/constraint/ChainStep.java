@@ -83,7 +83,10 @@ final class ChainStep implements Serializable {
             chain.weigh(state.w().values());
             isWeighed = true;
         }
-        island.invariants.begin(state, gx == 0 && gy == 0);
+        island.invariants.end();
+        if (gx == 0 && gy == 0) {
+            island.invariants.begin(state, true);
+        }
         double place = gather(state, gx, gy);
         chain.settleAngles();
         accelerate(0);
@@ -102,7 +105,10 @@ final class ChainStep implements Serializable {
         }
         scatter(state);
         island.redundantRows = 0;
-        island.invariants.restore(state);
+        if (!island.invariants.restore(state, true)) {
+            putBack(state);
+            return false;
+        }
         return true;
     }
 
@@ -214,6 +220,22 @@ final class ChainStep implements Serializable {
     private void correctVelocities() {
         chain.solve(chain.u, chain.v, chain.u, chain.v, turn[0]);
         Lanes.add(chain.omega, turn[0], chain.omega);
+    }
+
+    private void putBack(State state) {
+        double[] x = state.x();
+        double[] v = state.v();
+        for (int k = 0; k < chain.block.length; k++) {
+            int b = chain.block[k];
+            if (b >= 0) {
+                x[b] = x0[k];
+                x[b + 1] = y0[k];
+                x[b + 2] = angle0[k];
+                v[b] = u0[k];
+                v[b + 1] = v0[k];
+                v[b + 2] = omega0[k];
+            }
+        }
     }
 
     private void scatter(State state) {

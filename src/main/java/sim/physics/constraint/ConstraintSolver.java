@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.motion.State;
 
 /** Solves J W Jᵀ λ = −J W F − J̇ ẋ, (41): {@link DirectSolver} or {@link GlobalSolver}. */
@@ -64,5 +65,18 @@ public abstract class ConstraintSolver implements Serializable {
      */
     void accelerate(Island island, State state, double[] a) {
         prepareAndCorrect(island, state.w().values(), a, island.rate);
+    }
+
+    /** What an impulse on one body does to the velocities of its island, which is prepared, (47)–(54). */
+    void reply(Island island, double[] w, int body, double px, double py, double turn, double[] velocities) {
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            Arrays.fill(velocities, s, s + State.BLOCK, 0);
+        }
+        int s = State.BLOCK * body;
+        velocities[s] = w[s] * px;
+        velocities[s + 1] = w[s + 1] * py;
+        velocities[s + 2] = w[s + 2] * turn;
+        correct(island, w, velocities, null);
     }
 }

@@ -322,13 +322,31 @@ public final class Constraints implements Ties, Serializable {
         of(bodies).forEach(this::assemble);
     }
 
+    @Override
+    public boolean force(IntList bodies) {
+        Island one = projected(bodies);
+        if (one == null || !one.passage.creep.isPossible()) {
+            assemble(bodies);
+            return true;
+        }
+        return projection.project(one, state, solver, false) && one.invariants.restore(state, true);
+    }
+
+    @Override
+    public boolean isCreeping(IntList bodies) {
+        Island one = projected(bodies);
+        return one != null && one.passage.creep.isOn();
+    }
+
+    @Override
+    public void creep(IntList bodies, double h) {
+        projected(bodies).passage.creep.advance(state, solver, projection, h);
+    }
+
     private void assemble(Island one) {
         one.invariants.end();
         if (!projection.project(one, state, solver, false)) {
-            throw new ConstraintException(
-                    "constraints " + one.inOrder + " cannot be satisfied",
-                    projection.corrections(),
-                    projection.error());
+            throw projection.failure(one);
         }
     }
 
@@ -347,17 +365,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void reply(int body, double px, double py, double turn, double[] velocities) {
-        Island one = of[body];
-        double[] w = state.w().values();
-        for (int k = 0; k < one.bodies.size; k++) {
-            int s = State.BLOCK * one.bodies.values[k];
-            Arrays.fill(velocities, s, s + State.BLOCK, 0);
-        }
-        int s = State.BLOCK * body;
-        velocities[s] = w[s] * px;
-        velocities[s + 1] = w[s + 1] * py;
-        velocities[s + 2] = w[s + 2] * turn;
-        solver.correct(one, w, velocities, null);
+        solver.reply(of[body], state.w().values(), body, px, py, turn, velocities);
     }
 
     @Override
@@ -411,13 +419,7 @@ public final class Constraints implements Ties, Serializable {
      * @return their bodies
      */
     public List<IntList> breakable() {
-        List<IntList> found = new ArrayList<>();
-        for (Island island : islands) {
-            if (island.isBreakable) {
-                found.add(island.bodies);
-            }
-        }
-        return found;
+        return islands.stream().filter(k -> k.isBreakable).map(k -> k.bodies).toList();
     }
 
     /**
@@ -426,12 +428,11 @@ public final class Constraints implements Ties, Serializable {
      * @return false if all bear any load
      */
     public boolean isBreakable() {
+        boolean found = false;
         for (int k = 0; k < islands.size(); k++) {
-            if (islands.get(k).isBreakable) {
-                return true;
-            }
+            found |= islands.get(k).isBreakable;
         }
-        return false;
+        return found;
     }
 
     @Override

@@ -3,11 +3,16 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.motion.State;
 
 /**
  * What an island keeps as long as no force but that of its own constraints acts on it: kinetic energy, and momentum and
  * angular momentum if nothing holds it in the world. They are known, so a step need not lose them.
+ *
+ * <p>Under other forces the work of these is all that kinetic energy can grow by, since constraints do none: a step that
+ * says otherwise was too long for the pose, as those of a chain that is all but taut. That is asked within sight of singular
+ * poses only: elsewhere the error of a step is the method's own, and that of a symplectic one is to go up and down.
  *
  * <p>In the metric of the masses the velocities are a sum of a motion of the whole and an internal one, which are
  * orthogonal and both satisfy the constraints. The first gets the momenta back, the second the energy that is left.
@@ -23,6 +28,30 @@ final class Invariants implements Serializable {
     private double[] slip = {};
     private boolean isFree;
 
+    /** Growth of the energy beyond what is known, relative to it, that a step may have; and what is left to it. */
+    private static final double WRONG = 3;
+
+    private static final double WRONG_IF_STEADY = 0.1;
+    private static final double LEFT = 1e-3;
+
+    /** Rounding of the work, relative to that of the forces along the coordinates. */
+    private static final double ROUNDING = 1e-13;
+
+    /** Whether other forces act whose work is watched; positions at the start, accelerations there and the largest ones. */
+    private boolean isWatched;
+
+    private boolean isSteady;
+    private boolean isNoted;
+    private double[] x0 = {};
+    private double[] pull = {};
+    private double[] most = {};
+
+    /** Work of the forces, as far as they are those of the start, and what it may have been at most. */
+    private double work;
+
+    private double mostWork;
+    private double roundingOfWork;
+
     Invariants(Island island) {
         this.island = island;
         boolean floating = true;
@@ -35,14 +64,45 @@ final class Invariants implements Serializable {
     /** Notes the values at the start of a step. */
     void begin(State state, boolean free) {
         isFree = free && island.switches.isEmpty();
-        if (isFree) {
+        isWatched = !free && island.switches.isEmpty() && island.isOwn;
+        isNoted = false;
+        if (isFree || isWatched) {
             measure(state, before);
         }
+        if (isWatched) {
+            ensure();
+            for (int k = 0; k < x0.length; k++) {
+                x0[k] = state.x()[slot(k)];
+            }
+        }
+    }
+
+    private void ensure() {
+        if (x0.length == 0) {
+            x0 = new double[State.BLOCK * island.bodies.size];
+            pull = new double[x0.length];
+            most = new double[x0.length];
+        }
+    }
+
+    /** Where the island's k-th coordinate is in the state vectors. */
+    private int slot(int k) {
+        return State.BLOCK * island.bodies.values[k / State.BLOCK] + k % State.BLOCK;
+    }
+
+    /** The accelerations without those of the constraints that were noted last at the start of a step, by coordinate. */
+    double[] pull() {
+        ensure();
+        if (!isNoted) {
+            Arrays.fill(pull, 0);
+        }
+        return pull;
     }
 
     /** There is no step whose values are to be kept. */
     void end() {
         isFree = false;
+        isWatched = false;
     }
 
     /** Takes note of the accelerations at a stage, without those of the constraints. */
@@ -51,6 +111,21 @@ final class Invariants implements Serializable {
             int s = State.BLOCK * island.bodies.values[k];
             isFree = a[s] == 0 && a[s + 1] == 0 && a[s + 2] == 0;
         }
+        if (!isWatched) {
+            return;
+        }
+        isSteady |= !isNoted;
+        for (int k = 0; k < pull.length; k++) {
+            double one = a[slot(k)];
+            if (isNoted) {
+                isSteady &= one == pull[k];
+                most[k] = Math.max(most[k], Math.abs(one));
+            } else {
+                pull[k] = one;
+                most[k] = Math.abs(one);
+            }
+        }
+        isNoted = true;
     }
 
     /** [energy, momentum x, y, angular momentum about the origin]. */
@@ -74,11 +149,53 @@ final class Invariants implements Serializable {
         }
     }
 
-    /** Gives the velocities at the end of a step the values back that they had at its start. */
-    void restore(State state) {
-        if (!isFree || before[0] == 0) {
-            return;
+    /**
+     * Gives the velocities at the end of a step the values back that they had at its start.
+     *
+     * @param isEnd whether this is the end of the step, and not a place on the way
+     * @return false if the energy has grown so much that the step was wrong
+     */
+    boolean restore(State state, boolean isEnd) {
+        if (isEnd && isWatched && isNoted && island.factor.isWeak()) {
+            return isWithinWork(state);
         }
+        if (isFree && before[0] != 0) {
+            restoreAll(state);
+            return after[0] <= (1 + WRONG) * before[0];
+        }
+        return true;
+    }
+
+    /** Whether the energy has grown by no more than the work of the forces. What is a little more is taken away. */
+    private boolean isWithinWork(State state) {
+        measure(state, after);
+        double[] w = state.w().values();
+        work = 0;
+        mostWork = 0;
+        roundingOfWork = 0;
+        for (int k = 0; k < x0.length; k++) {
+            int s = slot(k);
+            double way = state.x()[s] - x0[k];
+            work += pull[k] * way / w[s];
+            mostWork += most[k] * Math.abs(way) / w[s];
+            roundingOfWork += most[k] * Math.max(Math.abs(x0[k]), island.mostSize) / w[s];
+        }
+        double known = before[0] + mostWork;
+        double room = ROUNDING * roundingOfWork;
+        if (!isSteady) {
+            return after[0] <= (1 + WRONG) * known + room;
+        }
+        double excess = after[0] - before[0] - work - room;
+        if (excess > LEFT * known && excess < WRONG_IF_STEADY * known) {
+            double scale = Math.sqrt(Math.max(0, 1 - excess / after[0]));
+            for (int k = 0; k < x0.length; k++) {
+                state.v()[slot(k)] *= scale;
+            }
+        }
+        return excess < WRONG_IF_STEADY * known || excess <= 0;
+    }
+
+    private void restoreAll(State state) {
         measure(state, after);
         double keep = 0;
         double internal = after[0];

@@ -50,6 +50,9 @@ final class Passage implements Serializable {
     /** Whether the island is found to be a structure that can move to first order only. */
     private boolean stands;
 
+    /** What the island does if it can go no other way. */
+    final Creep creep;
+
     private double[] place = {};
     private int examinations;
 
@@ -64,6 +67,7 @@ final class Passage implements Serializable {
 
     Passage(Island island) {
         this.island = island;
+        creep = new Creep(island);
     }
 
     /** Whether the matrix that was just factored says that the pose is near a singular one. */
@@ -194,6 +198,7 @@ final class Passage implements Serializable {
     void forget() {
         stands = false;
         examinations = 0;
+        creep.forget();
     }
 
     /** Goes a time along the velocities, and back onto the constraints; false if that fails. */

@@ -28,12 +28,19 @@ final class Projection implements Serializable {
     /** Correction of a step, relative to the size of the bodies or in rad, from which the step was too long. */
     static final double ROUGH = 5e-3;
 
+    /** Error of C, in units of its rounding, up to which joints count as closed: 100 ε of the size. */
+    private static final double CLOSED = 25;
+
+    /** The same, from which what damping left is taken away without it. */
+    private static final double OPEN = 100;
+
     /** Size of a correction whose square is less than rounding. */
     static final double SMOOTH = 1e-9;
 
     private double[] move = {};
     private int corrections;
     private double error;
+    private boolean isPatient;
 
     Projection() {
         // grows with the state
@@ -47,6 +54,11 @@ final class Projection implements Serializable {
     /** The largest value of C that the last call left. */
     double error() {
         return error;
+    }
+
+    /** What there is to say when the last call failed for good. */
+    ConstraintException failure(Island island) {
+        return new ConstraintException("constraints " + island.inOrder + " cannot be satisfied", corrections, error);
     }
 
     /**
@@ -64,9 +76,22 @@ final class Projection implements Serializable {
         }
         island.isProjected = gentle;
         note(state); // also if it fails half-way
-        boolean done = close(island, state, solver, gentle);
+        boolean done = close(island, state, solver, gentle) && (island.invariants.restore(state, gentle) || !gentle);
         note(state);
         island.isProjected = false;
+        return done;
+    }
+
+    /**
+     * Brings an island onto its constraints from a place near a pose where Newton's method halves the way at most each
+     * time, as that pose is a double root.
+     *
+     * @return false if the constraints are not closed afterwards
+     */
+    boolean projectPatiently(Island island, State state, ConstraintSolver solver) {
+        isPatient = true;
+        boolean done = project(island, state, solver, false);
+        isPatient = false;
         return done;
     }
 
@@ -90,21 +115,32 @@ final class Projection implements Serializable {
             solver.prepare(island, w); // the velocities need it
         }
         for (corrections = 0; error > 1; corrections++) {
-            boolean stalls = !(error < 0.5 * before) && error < 1e4;
-            if (stalls) {
+            boolean stalls = !(error < 0.5 * before) && error < (isPatient ? CLOSED : 1e4);
+            if (stalls && !(island.isProjected && error > OPEN)) {
+                if (gentle && error > (island.isProjected ? OPEN : CLOSED) && island.near() > 0) {
+                    return false;
+                }
                 break; // rounding
+            }
+            if (stalls) {
+                island.isProjected = false; // the damping of a pose near a singular one left more than rounding
             }
             if (!(error < Double.POSITIVE_INFINITY) || corrections == CORRECTIONS) {
                 return false;
             }
             double roughness = correct(island, state, solver, w);
-            if (gentle && corrections == 0 && roughness > ROUGH) {
+            if (gentle && (corrections == 0 || !island.isProjected) && roughness > ROUGH) {
                 return false;
             }
             if (roughness < SMOOTH) {
                 island.nudge(state, move);
+                if (island.isProjected && Slack.error(island, state, ROUNDING) > OPEN) {
+                    error = Slack.error(island, state, ROUNDING);
+                    island.isProjected = false;
+                    before = Double.POSITIVE_INFINITY;
+                    continue;
+                }
                 solver.correct(island, w, state.v(), island.switches.bias());
-                island.invariants.restore(state);
                 return true; // Newton's method squares what is left
             }
             island.evaluate(state);
@@ -112,7 +148,6 @@ final class Projection implements Serializable {
             error = Slack.error(island, state, ROUNDING);
         }
         settle(island, state, solver);
-        island.invariants.restore(state);
         return true;
     }
 

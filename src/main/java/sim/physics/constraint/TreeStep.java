@@ -79,7 +79,7 @@ final class TreeStep implements Serializable {
         island.redundantRows = 0;
         if (isUnforced) {
             island.evaluate(state);
-            island.invariants.restore(state);
+            island.invariants.restore(state, true);
             if (!gather(state)) {
                 tree.begin();
             }

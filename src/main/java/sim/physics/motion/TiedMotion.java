@@ -18,6 +18,9 @@ final class TiedMotion implements Serializable {
     private static final int MOST_HALVINGS = 14;
     private static final int MOST_PARTS = 1 << MOST_HALVINGS;
 
+    /** Parts of a step that are too long and yet gone; with more the pose is one that lets nothing pass. */
+    private static final int MOST_FORCED = 8;
+
     /** Part of a step in which a motor that reaches its speed is too strong to be followed over the whole step. */
     private static final double STRONG = 1.0 / 32;
 
@@ -262,6 +265,8 @@ final class TiedMotion implements Serializable {
                 double stride = chosenStride(motion, group, t + done, left, path);
                 done = stride == left ? length : done + stride;
             }
+        } else if (ties.isCreeping(group)) {
+            creep(motion, group, t, length, path);
         } else {
             int parts = 1;
             while (!advance(motion, group, t, length, parts, path)) {
@@ -307,6 +312,10 @@ final class TiedMotion implements Serializable {
     private double chosenStride(Motion motion, IntList group, double t, double length, Path path) {
         copy(group, state.x(), strideX);
         copy(group, state.v(), strideV);
+        if (ties.isCreeping(group)) {
+            creep(motion, group, t, length, path);
+            return length;
+        }
         double limit = length;
         for (int halvings = 0; ; halvings++) {
             ties.begin(group, !motion.hasForces());
@@ -314,14 +323,26 @@ final class TiedMotion implements Serializable {
             if (ties.project(group)) {
                 return done;
             }
-            if (halvings == MOST_HALVINGS) {
-                ties.assemble(group);
+            boolean isLast = halvings == MOST_HALVINGS;
+            if (isLast && ties.force(group)) {
                 return done;
             }
             copy(group, strideX, state.x());
             copy(group, strideV, state.v());
+            if (isLast) {
+                creep(motion, group, t, length, path);
+                return length;
+            }
             limit = HALF * done;
         }
+    }
+
+    /** Goes on where no step is short enough. */
+    private void creep(Motion motion, IntList group, double t, double length, Path path) {
+        ties.begin(group, false);
+        path.ensure(state.x().length);
+        motion.acceleration(group, t, path.stage);
+        ties.creep(group, length);
     }
 
     /** Advances a group over a time, if there is a quick way; else nothing is changed, and of the path only its workspace. */
@@ -358,6 +379,7 @@ final class TiedMotion implements Serializable {
             }
             isRefused = false;
         }
+        int forced = 0;
         for (int k = 0; k < parts; k++) {
             double from = length * k / parts;
             double to = length * (k + 1) / parts;
@@ -367,7 +389,13 @@ final class TiedMotion implements Serializable {
                 if (parts < MOST_PARTS) {
                     return false;
                 }
-                ties.assemble(group);
+                forced++;
+                if (forced <= MOST_FORCED && ties.force(group)) {
+                    continue;
+                }
+                again(group);
+                creep(motion, group, t, length, path);
+                return true;
             }
         }
         return true;

@@ -106,6 +106,34 @@ public interface Ties extends Serializable {
     boolean project(IntList bodies);
 
     /**
+     * The same, however much that is.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @return false if it is not possible from there or gives the bodies more energy than they can have; then it is left to
+     *     {@link #creep}, from the start of the step
+     * @throws IllegalStateException if there is no way at all, and the pose is none that would explain it
+     */
+    boolean force(IntList bodies);
+
+    /**
+     * Whether the last steps of an island were too long however short, so that the next one is left to {@link #creep}.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @return false as long as {@link #project} goes well
+     */
+    boolean isCreeping(IntList bodies);
+
+    /**
+     * Advances an island for which steps are too long however short they are: to the nearest place to where it would be
+     * without its ties.
+     *
+     * @param bodies all bodies of an island, at the start of the step; for several islands this is {@link #assemble}
+     * @param h time, of either sign
+     * @throws IllegalStateException if there is no way at all, and the pose is none that would explain it
+     */
+    void creep(IntList bodies, double h);
+
+    /**
      * Brings an island to positions and velocities that its ties allow, however far they are.
      *
      * @param island all bodies of an island, or of all islands

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import sim.physics.motion.State;
+
+/**
+ * What an island does where no step is short enough for its motion: in a pose that it can leave to first order and not to
+ * second, as a taut chain between two walls. The limit of a chain that is less and less slack swings faster and faster
+ * over less and less, so its place is that of one that stands, and what it has of energy is lost to any step.
+ *
+ * <pre>
+ *   v* = v₀ + h a,   x₁ = the nearest place to x₀ + h v* that satisfies C = 0,   v₁ = (x₁ − x₀) / h
+ * </pre>
+ *
+ * <p>with the nearest in the metric of the masses, which is how an impact without restitution would choose. A motion that
+ * the constraints allow goes on, to first order; one that they do not allow ends. Energy only falls: v₁ is made
+ * shorter where it is more than v* and the work of the forces give.
+ */
+final class Creep implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** The way of a part, in rad or relative to the size of the bodies. */
+    private static final double PART = 0.1;
+
+    private static final int MOST_PARTS = 1024;
+
+    /** Steps after which it is tried again to move as ever: 2 to the number of times that failed, and no more than this. */
+    private static final int MOST_PATIENCE = 10;
+
+    private final Island island;
+    private double[] x = {};
+    private double[] v = {};
+    private int failures;
+    private int left;
+
+    Creep(Island island) {
+        this.island = island;
+    }
+
+    /** Whether the last steps found no way, so that the next one need not look for it. */
+    boolean isOn() {
+        return left > 0;
+    }
+
+    /** Whether the island's constraints are such that it may. */
+    boolean isPossible() {
+        return island.isOwn && island.switches.isEmpty();
+    }
+
+    /** Forgets what was found: bodies were written. */
+    void forget() {
+        failures = 0;
+        left = 0;
+    }
+
+    /**
+     * Goes on for a time.
+     *
+     * @param state where the accelerations that were noted last are those without constraints
+     * @param h time, of either sign
+     * @throws ConstraintException if it has just begun, and the pose is not within sight of a singular one
+     */
+    void advance(State state, ConstraintSolver solver, Projection projection, double h) {
+        if (left == 0 && !island.factor.isWeak()) {
+            throw projection.failure(island);
+        }
+        if (left == 0) {
+            failures = Math.min(failures + 1, MOST_PATIENCE);
+            left = 1 << failures;
+        }
+        left--;
+        int n = State.BLOCK * island.bodies.size;
+        if (x.length == 0) {
+            x = new double[n];
+            v = new double[n];
+        }
+        double[] pull = island.invariants.pull();
+        island.invariants.end();
+        int parts = parts(state, pull, h);
+        for (int k = 0; k < parts; k++) {
+            if (!go(state, solver, projection, pull, h / parts)) {
+                stand(state);
+            }
+        }
+        island.redundantRows = island.redundant();
+    }
+
+    private int parts(State state, double[] pull, double h) {
+        double way = 0;
+        for (int k = 0; k < x.length; k++) {
+            double one = Math.abs(h * (Math.abs(state.v()[slot(k)]) + Math.abs(h * pull[k])));
+            way = Math.max(way, k % State.BLOCK == State.THETA ? one : one / island.leastSize);
+        }
+        return Math.max(1, (int) Math.min(MOST_PARTS, Math.ceil(way / PART)));
+    }
+
+    /** Goes on for a part; false if there is no place near, or only one that is higher than the energy is. */
+    private boolean go(State state, ConstraintSolver solver, Projection projection, double[] pull, double h) {
+        double before = 0;
+        double most = 0;
+        double[] w = state.w().values();
+        for (int k = 0; k < x.length; k++) {
+            int s = slot(k);
+            x[k] = state.x()[s];
+            before += 0.5 * state.v()[s] * state.v()[s] / w[s];
+            v[k] = state.v()[s] + h * pull[k];
+            most += 0.5 * v[k] * v[k] / w[s];
+            state.x()[s] = x[k] + h * v[k];
+            state.v()[s] = 0;
+        }
+        if (most == 0) {
+            return true;
+        }
+        if (!projection.projectPatiently(island, state, solver)) {
+            return false;
+        }
+        double work = 0;
+        for (int k = 0; k < x.length; k++) {
+            int s = slot(k);
+            double way = state.x()[s] - x[k];
+            work += pull[k] * way / w[s];
+            state.v()[s] = way / h;
+        }
+        island.evaluate(state);
+        solver.prepare(island, w);
+        projection.settle(island, state, solver);
+        return shorten(state, w, Math.min(most, before + work));
+    }
+
+    /** Lets the island have no more than an energy. */
+    private boolean shorten(State state, double[] w, double most) {
+        double now = 0;
+        for (int k = 0; k < x.length; k++) {
+            int s = slot(k);
+            now += 0.5 * state.v()[s] * state.v()[s] / w[s];
+        }
+        if (!(now < Double.POSITIVE_INFINITY) || !(most >= 0)) {
+            return false;
+        }
+        double scale = now > most ? Math.sqrt(most / now) : 1;
+        for (int k = 0; k < x.length; k++) {
+            state.v()[slot(k)] *= scale;
+        }
+        return true;
+    }
+
+    private void stand(State state) {
+        for (int k = 0; k < x.length; k++) {
+            state.x()[slot(k)] = x[k];
+            state.v()[slot(k)] = 0;
+        }
+        state.placedAll();
+    }
+
+    private int slot(int k) {
+        return State.BLOCK * island.bodies.values[k / State.BLOCK] + k % State.BLOCK;
+    }
+}
