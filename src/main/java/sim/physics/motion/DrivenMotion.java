@@ -262,7 +262,7 @@ final class DrivenMotion implements Serializable {
         }
         SurfaceFriction surface = motion.surfaceUnder(group);
         if (surface != null && limit > 0) {
-            return sliding.advance(state.body(group.values[0]), surface, group, t, limit);
+            return sliding.advance(state.body(group.values[0]), surface, group, t, limit, isPressed(group));
         }
         return motion.getIntegrator().advance(motion, state, group, t, limit, path);
     }
@@ -321,12 +321,13 @@ final class DrivenMotion implements Serializable {
         return isPressed(group) || motion.getIntegrator().isAdaptive() ? FINE : COARSE;
     }
 
-    /** Whether a body of the group has been struck often of late: then it is pressed against something. */
+    /** Whether contacts push a body of the group, or have struck it often of late: then it is pressed against something. */
     private boolean isPressed(IntList group) {
         boolean yes = false;
         for (int k = 0; k < group.size; k++) {
             int body = group.values[k];
-            yes |= strikes[body] >= OFTEN && trajectories.step() - struckIn[body] <= 1;
+            yes |= motion.support.pushes(body);
+            yes |= body < strikes.length && strikes[body] >= OFTEN && trajectories.step() - struckIn[body] <= 1;
         }
         return yes;
     }
@@ -375,7 +376,7 @@ final class DrivenMotion implements Serializable {
         if (motion.isTiedGroup(group)) {
             tied.advance(motion, group, t, length, path);
         } else if (surface != null && length > 0) {
-            sliding.advance(state.body(group.values[0]), surface, group, t, length);
+            sliding.advance(state.body(group.values[0]), surface, group, t, length, isPressed(group));
         } else {
             cover(motion, state, group, t, length, path);
         }

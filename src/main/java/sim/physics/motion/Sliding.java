@@ -21,6 +21,11 @@ final class Sliding implements Serializable {
     /** The same for methods that choose their steps. */
     private static final double CHOSEN_SHARE = 0.5;
 
+    /** The same, and the next, for bodies that others press on: the forces that do so are of first order themselves. */
+    private static final double PRESSED_SHARE = 0.5;
+
+    private static final double PRESSED_LAST = 1e-4;
+
     /** Way to rest, in tolerances, from which the deceleration is taken as constant. */
     private static final double NEGLIGIBLE = 1;
 
@@ -47,7 +52,7 @@ final class Sliding implements Serializable {
     }
 
     /** Returns the time advanced: all of it, or less if the body comes to rest and is held there. */
-    double advance(Body body, SurfaceFriction surface, IntList group, double t, double length) {
+    double advance(Body body, SurfaceFriction surface, IntList group, double t, double length, boolean isPressed) {
         int b = State.BLOCK * body.index();
         System.arraycopy(state.x(), b, start, 0, State.BLOCK);
         System.arraycopy(state.v(), b, start, State.BLOCK, State.BLOCK);
@@ -64,12 +69,13 @@ final class Sliding implements Serializable {
             return length;
         }
         double done = 0;
-        double share = motion.getIntegrator().isAdaptive() ? CHOSEN_SHARE : SHARE;
-        double least = share * LAST * motion.step();
+        double share = isPressed ? PRESSED_SHARE : motion.getIntegrator().isAdaptive() ? CHOSEN_SHARE : SHARE;
+        double last = (isPressed ? PRESSED_LAST : LAST) * motion.step();
+        double least = share * last;
         for (int parts = 0; done < length; parts++) {
             least *= parts < PATIENCE ? 1 : 2; // it creeps: neither held, nor set in motion
             double rest = timeToRest(body, group, t + done);
-            if ((rest <= LAST * motion.step() || isNegligible(body, rest)) && stop(body, surface, group, Math.min(rest, length - done), t + done)) {
+            if ((rest <= last || isNegligible(body, rest)) && stop(body, surface, group, Math.min(rest, length - done), t + done)) {
                 done += Math.min(rest, length - done);
                 break;
             }

@@ -23,11 +23,18 @@ import sim.physics.motion.Trajectories;
 public final class Heaps implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Times that something may happen to a driven body in a step before its pairs do not last any more. */
-    private static final int MOST = 40;
+    /**
+     * Times that something may happen in a step to a driven body that moves alone before its pairs do not last any more:
+     * in a crowd bounces then cost less. What is tied to others may be given more of them.
+     */
+    private static final int MOST = 10;
 
-    /** Times that forces on a driven body may be found in a step before that. */
-    private static final int MOST_ENDS = 300;
+    private static final int MOST_TIED = 40;
+
+    /** Times that forces on it may be found in a step before that. */
+    private static final int MOST_ENDS = 40;
+
+    private static final int MOST_ENDS_TIED = 300;
 
     /** Turn of driven bodies in a step, rad, up to which they may lie on something. */
     private static final double CALM = 0.03;
@@ -101,6 +108,13 @@ public final class Heaps implements Serializable {
         }
         boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
         return !paused && motion.isSupportable() && isCalm(motion.companions(body));
+    }
+
+    /** Whether so much has happened to a driven body in this step that it is to lie on nothing. */
+    private boolean isTooOften(int body) {
+        boolean tied = motion.isTied(body);
+        return trajectories.isDriven(body)
+                && (by.turns[body] > (tied ? MOST_TIED : MOST) || by.ends[body] > (tied ? MOST_ENDS_TIED : MOST_ENDS));
     }
 
     /** Whether bodies that move together turn so little in a step that forces may be constant for it. */
@@ -221,7 +235,7 @@ public final class Heaps implements Serializable {
             heap.coast(body);
         }
         by.turns[body]++;
-        if (trajectories.isDriven(body) && by.turns[body] > MOST) {
+        if (isTooOften(body)) {
             giveUp(body);
         } else {
             mark(body);
@@ -245,7 +259,7 @@ public final class Heaps implements Serializable {
      */
     public void again(int body) {
         by.ends[body]++;
-        if (trajectories.isDriven(body) && by.ends[body] > MOST_ENDS) {
+        if (isTooOften(body)) {
             giveUp(body);
             changed.add(body);
         } else {
@@ -262,7 +276,7 @@ public final class Heaps implements Serializable {
                 by.hasClosed[body] = true;
                 mark(body);
                 changed.add(body); // to be looked at again in any case
-                if (trajectories.isDriven(body) && by.turns[body] > MOST) {
+                if (isTooOften(body)) {
                     giveUp(body);
                 }
             }
