@@ -202,6 +202,7 @@ public final class Agenda implements Serializable {
         int bucket = (int) (step & BUCKETS - 1);
         int waiting = count[bucket];
         int chunk = first[bucket];
+        count[bucket] = 0; // before items are scheduled again, which may compact all buckets but this one
         for (int k = 0, place = 0; k < waiting; k++) {
             look(chunks[chunk + place], bucket, step);
             if (++place == CHUNK - 1 || k == waiting - 1) {
@@ -211,7 +212,6 @@ public final class Agenda implements Serializable {
                 place = 0;
             }
         }
-        count[bucket] = 0;
         return due;
     }
 

@@ -44,6 +44,32 @@ class AgendaTest {
     }
 
     @Test
+    void whatIsFarAheadIsPutOffWhileThereIsNoRoomLeft() {
+        SplittableRandom random = new SplittableRandom(7);
+        Agenda agenda = new Agenda();
+        int most = 60_000;
+        long[] dates = new long[most];
+        Arrays.fill(dates, Agenda.NEVER);
+        int items = 0;
+        for (long step = 1; step < 1000; step++) {
+            long now = step;
+            IntList due = agenda.advance(step);
+            int[] found = Arrays.copyOf(due.values, due.size);
+            Arrays.sort(found);
+            assertThat(found).as("step %d", step).isEqualTo(
+                    IntStream.range(0, items).filter(k -> dates[k] == now).toArray());
+            items += random.nextInt(60);
+            agenda.ensure(items);
+            for (int k = 0; k < 40 && items > 0; k++) { // mostly new ones, far ahead: they are moved on every 63 steps
+                int item = random.nextInt(3) == 0 ? random.nextInt(items) : Math.max(0, items - 1 - k);
+                dates[item] = step + random.nextLong(1, 700);
+                agenda.schedule(item, dates[item]);
+            }
+        }
+        assertThat(items).isLessThan(most);
+    }
+
+    @Test
     void itemsThatAreScheduledAgainInOneStepTakeNoMemory() {
         SplittableRandom random = new SplittableRandom(6);
         Agenda agenda = new Agenda();
