@@ -132,7 +132,11 @@ final class Admission implements Presence, Serializable {
         if (audit != null) {
             audit.written(index, tau);
         }
-        resting.forget(index);
+        if (isOnlyPushed(index, tau)) {
+            resting.again(index);
+        } else {
+            resting.forget(index);
+        }
         if (isWhereItWas(index, tau)) {
             heaps.struck(index);
         } else {
@@ -151,6 +155,14 @@ final class Admission implements Presence, Serializable {
         if (audit != null) {
             audit.admitted(index, tau);
         }
+    }
+
+    /** Whether a body at rest moves as it did, and nothing is new but the forces on it, which authors set in each step. */
+    private boolean isOnlyPushed(int index, double tau) {
+        return resting.rests(index)
+                && state.isPushed(index)
+                && trajectories.isAt(index, tau, state)
+                && trajectories.movesAs(index, tau, state);
     }
 
     /** Whether a body that was written has not been moved: forces are set in each step, and change no contact. */

@@ -265,6 +265,16 @@ public final class State implements Serializable {
     }
 
     /**
+     * Whether forces have been applied to a body for the next step.
+     *
+     * @param index the block
+     * @return false after the step
+     */
+    public boolean isPushed(int index) {
+        return bodies[index].isPushed();
+    }
+
+    /**
      * The coefficient of friction of a body.
      *
      * @param index the block

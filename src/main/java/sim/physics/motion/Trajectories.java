@@ -450,6 +450,26 @@ public final class Trajectories implements Serializable {
     }
 
     /**
+     * Whether a body moves as the state vectors have it.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     * @param state the vectors
+     * @return true if the velocities are the same
+     */
+    public boolean movesAs(int body, double tau, State state) {
+        int o = body * STRIDE;
+        double d = duration(body, tau);
+        boolean same = true;
+        for (int c = 0; c < State.BLOCK; c++) {
+            double a = bends[(o & bendMask) + AX + c];
+            double j = bends[(o & bendMask) + JX + c];
+            same &= data[o + VX + c] + d * (2 * a + 3 * d * j) == state.v()[State.BLOCK * body + c];
+        }
+        return same;
+    }
+
+    /**
      * Writes one body's position and velocity at an instant into the state vectors.
      *
      * @param body index

@@ -3,6 +3,7 @@
 package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import java.time.Duration;
@@ -124,5 +125,26 @@ class CrowdTest {
         assertTimeoutPreemptively(Duration.ofSeconds(20), () -> engine.step());
         assertThat(puck.getVelocityX()).isZero();
         assertThat(puck.getX()).isZero();
+    }
+
+    @Test
+    void aDiscThatIsPushedAgainstAWallInEachStepDoesNotBounceAgainInEach() {
+        engine.setTimeStep(1.0 / 60);
+        engine.add(Body.fixed(new Rectangle(1, 100)).at(1.5, 0));
+        Body disc = engine.add(new Body(new Circle(0.5)).at(0.5, 0));
+        disc.setRestitution(0.5);
+        disc.setMass(2);
+        for (int k = 0; k < 100; k++) {
+            disc.addForce(3, 1);
+            engine.step();
+        }
+        assertThat(engine.getImpacts()).isLessThan(60); // of the first step
+        assertThat(disc.getX()).isCloseTo(0.5, within(1e-12));
+        assertThat(disc.getVelocityY()).isCloseTo(0.5 * 100 / 60, within(1e-12));
+        for (int k = 0; k < 60; k++) {
+            disc.addForce(-2, 0);
+            engine.step();
+        }
+        assertThat(disc.getVelocityX()).isCloseTo(-1, within(1e-12));
     }
 }
