@@ -345,7 +345,7 @@ public final class PhysicsEngine implements Steppable {
             return;
         }
         motion.bring(body, tau);
-        if (motion.hold(body)) {
+        if (motion.ground().hold(body)) {
             moved(body, tau, false, -1);
         } else {
             follow(body, Entry.BODY_AND_PAIRS);

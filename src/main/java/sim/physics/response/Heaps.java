@@ -103,7 +103,7 @@ public final class Heaps implements Serializable {
     }
 
     private boolean mayLie(int body) {
-        if (!trajectories.isDriven(body)) {
+        if (!trajectories.isDriven(body) || motion.ground().rubs(body)) {
             return true;
         }
         boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
@@ -113,8 +113,13 @@ public final class Heaps implements Serializable {
     /** Whether so much has happened to a driven body in this step that it is to lie on nothing. */
     private boolean isTooOften(int body) {
         boolean tied = motion.isTied(body);
-        return trajectories.isDriven(body)
+        return isDriven(body)
                 && (by.turns[body] > (tied ? MOST_TIED : MOST) || by.ends[body] > (tied ? MOST_ENDS_TIED : MOST_ENDS));
+    }
+
+    /** Whether a body is driven, by more than the friction of the plane. */
+    private boolean isDriven(int body) {
+        return trajectories.isDriven(body) && !motion.ground().rubs(body);
     }
 
     /** Whether bodies that move together turn so little in a step that forces may be constant for it. */
@@ -321,7 +326,7 @@ public final class Heaps implements Serializable {
     public IntList settle(double tau) {
         for (int k = 0; k < dirty.size; k++) {
             int body = dirty.values[k];
-            if (by.lies[body] && trajectories.isDriven(body) && !isCalm(motion.companions(body))) {
+            if (by.lies[body] && isDriven(body) && !isCalm(motion.companions(body))) {
                 giveUp(body);
                 changed.add(body);
             } else if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {
