@@ -12,6 +12,8 @@ public final class Ground implements Serializable {
     private final Motion motion;
     private final State state;
     private final Trajectories trajectories;
+    private final IntList alone = new IntList();
+    private double[] all = {};
 
     Ground(Motion motion, State state, Trajectories trajectories) {
         this.motion = motion;
@@ -20,19 +22,64 @@ public final class Ground implements Serializable {
     }
 
     /**
-     * Whether nothing but the friction of the plane, uniform fields and forces that were applied for the step act on a body.
+     * Whether there is friction on the plane.
+     *
+     * @return false without a {@link SurfaceFriction}
+     */
+    public boolean isRough() {
+        return motion.generators.surface != null;
+    }
+
+    /**
+     * Whether a body rubs on the plane and could be carried.
      *
      * @param body index
-     * @return false for bodies that are tied to others
+     * @return false for bodies that are tied to others, and if forces couple bodies
      */
     public boolean rubs(int body) {
-        Generators generators = motion.generators;
-        SurfaceFriction surface = generators.surface;
-        if (surface == null || generators.coupled || motion.isTied(body)) {
-            return false;
+        SurfaceFriction surface = motion.generators.surface;
+        return surface != null && !motion.generators.coupled && surface.actsOn(state.body(body)) && !motion.isTied(body);
+    }
+
+    /**
+     * The deceleration of a body that slides on the plane without spinning.
+     *
+     * @param body index of one that rubs
+     * @return μ g, length/time²
+     */
+    public double deceleration(int body) {
+        return state.body(body).getSurfaceFriction() * motion.generators.surface.getGravity();
+    }
+
+    /**
+     * Whether the integrator is to move a body for more than the friction of the plane.
+     *
+     * @param body index
+     * @return true for bodies that are tied to others, and those that generators of authors act on
+     */
+    public boolean isDrivenByOthers(int body) {
+        return motion.isTied(body) || motion.generators.drivesOtherThan(motion.generators.surface, state.body(body));
+    }
+
+    /**
+     * Finds the acceleration that all but the friction of the plane and contacts give to a body where it is.
+     *
+     * @param body index, anchored at an offset in the present step, and not tied to others
+     * @param tau that offset
+     * @param a takes x″, y″, θ″
+     * @param at where in it
+     */
+    public void accelerate(int body, double tau, double[] a, int at) {
+        if (!motion.generators.drivesOtherThan(motion.generators.surface, state.body(body))) {
+            motion.fall(body, a, at);
+            return;
         }
-        Body view = state.body(body);
-        return !view.isFixed() && surface.actsOn(view) && !generators.drivesOtherThan(surface, view);
+        alone.only(body);
+        motion.restore(alone);
+        int n = State.BLOCK * state.size();
+        all = all.length < n ? new double[state.x().length] : all;
+        motion.generators.accelerate(state, alone, motion.time(tau), motion.forces, all, motion.generators.surface);
+        System.arraycopy(all, State.BLOCK * body, a, at, State.BLOCK);
     }
 
     /** The friction that acts on a body which moves alone, or null. */
@@ -58,12 +105,12 @@ public final class Ground implements Serializable {
     }
 
     /**
-     * Takes a body that rubs off the integrator, until it is written or struck.
+     * Takes a body off the integrator, until it is written or struck.
      *
-     * @param body index, anchored at the present instant
+     * @param body index, anchored at the present instant, and not tied to others
      */
     public void carry(int body) {
-        if (rubs(body)) {
+        if (motion.generators.drive(state.body(body))) {
             motion.setDriven(body, false);
             motion.support.carry(body);
         }

@@ -66,8 +66,14 @@ final class Heap implements Serializable {
     /** Whether bodies of the heap are driven. */
     private boolean isDriven;
 
-    /** Whether bodies rub on the plane on which they lie, and none is driven by anything else. */
+    /**
+     * Whether bodies rub on the plane on which they lie, or are driven over one on which others rub, and none is tied to
+     * others. In the end it is not both this and driven.
+     */
     private boolean isRubbed;
+
+    /** Whether bodies are tied to others. */
+    private boolean isTied;
 
     /** Null while nothing ties bodies together. */
     private Ties ties;
@@ -93,7 +99,7 @@ final class Heap implements Serializable {
         this.notes = new HeapNotes(system, ledger);
         this.scales = new BodyScale(state, trajectories);
         this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales);
-        this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes);
+        this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
     }
 
     BodyScale scales() {
@@ -161,6 +167,7 @@ final class Heap implements Serializable {
         heap.clear();
         isDriven = false;
         isRubbed = false;
+        isTied = false;
         include(seed);
         double spin = 0;
         boolean struck = false;
@@ -181,10 +188,11 @@ final class Heap implements Serializable {
                 }
             }
         }
+        isRubbed &= !isTied;
+        isDriven &= !isRubbed;
         double h = trajectories.h();
         double length = spin * h > TURN ? TURN / spin : h;
         length = Math.max(isDriven ? Math.min(length, by.pace(heap, h, h / SOLUTIONS)) : length, h / SOLUTIONS);
-        isRubbed &= !isDriven;
         isFresh = !struck;
         until = Math.min(isEven() ? h : paid, tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
@@ -192,13 +200,14 @@ final class Heap implements Serializable {
 
     /** Includes a body, and those that move with it. */
     private void include(int body) {
-        boolean rubs = motion.ground().rubs(body);
-        isRubbed |= rubs;
-        if (rubs || !trajectories.isDriven(body)) {
+        boolean byOthers = motion.ground().isDrivenByOthers(body);
+        isRubbed |= motion.ground().rubs(body) || byOthers && motion.ground().isRough();
+        isDriven |= byOthers;
+        isTied |= motion.isTied(body);
+        if (!motion.isTied(body)) {
             includeOne(body);
             return;
         }
-        isDriven = true;
         IntList group = motion.companions(body);
         for (int k = 0; k < group.size; k++) {
             by.ensure(group.values[k]);
@@ -332,7 +341,7 @@ final class Heap implements Serializable {
             scale = Math.max(scale, speed(k));
             most = Math.max(most, by.turns[heap.values[k]]);
         }
-        boolean done = isRubbed ? rubbing.solve(heap, until - tau, scale) : system.solve(scale, true);
+        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : system.solve(scale, true);
         if (!by.afford(heap, system.gained())) {
             done = system.solve(scale, false); // regaining gaps must not add energy
             by.afford(heap, system.gained());

@@ -103,11 +103,14 @@ public final class Heaps implements Serializable {
     }
 
     private boolean mayLie(int body) {
-        if (!trajectories.isDriven(body) || motion.ground().rubs(body)) {
+        if (trajectories.isDriven(body) && !motion.isSupportable()) {
+            return false;
+        }
+        if (!isDriven(body)) {
             return true;
         }
         boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
-        return !paused && motion.isSupportable() && isCalm(motion.companions(body));
+        return !paused && isCalm(motion.companions(body));
     }
 
     /** Whether so much has happened to a driven body in this step that it is to lie on nothing. */
@@ -117,9 +120,9 @@ public final class Heaps implements Serializable {
                 && (by.turns[body] > (tied ? MOST_TIED : MOST) || by.ends[body] > (tied ? MOST_ENDS_TIED : MOST_ENDS));
     }
 
-    /** Whether a body is driven, by more than the friction of the plane. */
+    /** Whether the integrator moves a body also when it lies on others. */
     private boolean isDriven(int body) {
-        return trajectories.isDriven(body) && !motion.ground().rubs(body);
+        return trajectories.isDriven(body) && (motion.isTied(body) || !motion.ground().isRough());
     }
 
     /** Whether bodies that move together turn so little in a step that forces may be constant for it. */

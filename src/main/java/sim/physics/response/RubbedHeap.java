@@ -26,11 +26,15 @@ final class RubbedHeap implements Serializable {
 
     private static final double SAME = 3e-3;
 
+    /** Speed of a body that is none, relative to that which the plane takes from it in the time. */
+    private static final double NONE = 1e-9;
+
     private final Trajectories trajectories;
     private final Motion motion;
     private final HeapBodies by;
     private final HeapSystem system;
     private final HeapNotes notes;
+    private final BodyScale scales;
     private final HeapGround ground;
 
     /** Velocities at the start, without the heap at the end, and momenta that the contacts give; 3 per body. */
@@ -39,12 +43,13 @@ final class RubbedHeap implements Serializable {
     private double[] free = {};
     private double[] momenta = {};
 
-    RubbedHeap(Trajectories trajectories, Motion motion, HeapBodies by, HeapSystem system, HeapNotes notes) {
+    RubbedHeap(Trajectories trajectories, Motion motion, HeapBodies by, HeapSystem system, HeapNotes notes, BodyScale scales) {
         this.trajectories = trajectories;
         this.motion = motion;
         this.by = by;
         this.system = system;
         this.notes = notes;
+        this.scales = scales;
         this.ground = new HeapGround(motion.ground());
     }
 
@@ -58,14 +63,13 @@ final class RubbedHeap implements Serializable {
     }
 
     /** Solves for the velocities at the end of a time; those of the start are in the system. */
-    boolean solve(IntList heap, double length, double scale) {
-        begin(heap, length);
+    boolean solve(IntList heap, double tau, double length, double scale) {
+        begin(heap, tau, length);
         for (int p = 0; p < system.size(); p++) {
             notes.start(p, length);
         }
         boolean right = true;
-        double[] v = Arrays.copyOf(free, 3 * heap.size); // a first guess of how they move
-        System.arraycopy(v, 0, system.v, 0, v.length);
+        System.arraycopy(free, 0, system.v, 0, 3 * heap.size); // a first guess of how they move
         for (int turn = 0; turn < TURNS; turn++) {
             system.momenta(momenta);
             double change = ground.find(system, free, momenta);
@@ -82,7 +86,7 @@ final class RubbedHeap implements Serializable {
         return right;
     }
 
-    private void begin(IntList heap, double length) {
+    private void begin(IntList heap, double tau, double length) {
         int n = 3 * heap.size;
         if (before.length < n) {
             before = new double[2 * n];
@@ -93,11 +97,15 @@ final class RubbedHeap implements Serializable {
         ground.begin(heap.size, length);
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
-            motion.fall(body, free, 3 * k);
+            boolean rubs = motion.ground().rubs(body);
+            if (rubs && scales.speed(body, before, 3 * k) <= NONE * length * motion.ground().deceleration(body)) {
+                Arrays.fill(before, 3 * k, 3 * k + 3, 0); // the rounding of what has met it
+            }
+            motion.ground().accelerate(body, tau, free, 3 * k);
             for (int c = 3 * k; c < 3 * k + 3; c++) {
                 free[c] = before[c] + length * free[c];
             }
-            if (motion.ground().rubs(body)) {
+            if (rubs) {
                 ground.enter(k, body, system, before, 3 * k);
             }
         }
