@@ -19,7 +19,7 @@ final class DrivenMotion implements Serializable {
     private static final double FINE = 1e-7;
 
     /** The same with steps of fixed length, where the instant of an impact is corrected by the motion itself. */
-    private static final double COARSE = 1e-4;
+    private static final double COARSE = 1e-6;
 
     /** Times that a body is struck in consecutive steps from which on it is not left to that correction. */
     private static final int OFTEN = 3;

@@ -12,6 +12,9 @@ import sim.physics.shape.Circle;
 final class BodyScale implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Bend that counts at most, relative to the smaller body. */
+    static final double MOST_BEND = 1e-3;
+
     private final State state;
     private final Trajectories trajectories;
 
@@ -63,6 +66,6 @@ final class BodyScale implements Serializable {
         double spinB = manifold.roundB ? point.omegaB * point.armB : 0;
         double slide = h * Math.abs(point.tangentVelocity() + spinA - spinB);
         double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * radius(a)) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * radius(b));
-        return Math.min(bend + slide * (turnA + turnB), 1e-3 * size(a, b));
+        return Math.min(bend + slide * (turnA + turnB), MOST_BEND * size(a, b));
     }
 }

@@ -308,6 +308,9 @@ final class Heap implements Serializable {
             notes.add(pair, k);
             double bend = scales.bend(manifold, point, a, b, left);
             system.bound(p, HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven()));
+            if (isRubbed) {
+                rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
+            }
             if (isFresh && !isEven()) {
                 notes.start(p, left);
             }

@@ -26,6 +26,9 @@ final class RubbedHeap implements Serializable {
 
     private static final double SAME = 3e-3;
 
+    /** Times that what turning and sliding take of gaps is looked at. */
+    private static final int RAISES = 2;
+
     /** Speed of a body that is none, relative to that which the plane takes from it in the time. */
     private static final double NONE = 1e-9;
 
@@ -36,6 +39,7 @@ final class RubbedHeap implements Serializable {
     private final HeapNotes notes;
     private final BodyScale scales;
     private final HeapGround ground;
+    private final HeapBends bends = new HeapBends();
 
     /** Velocities at the start, without the heap at the end, and momenta that the contacts give; 3 per body. */
     private double[] before = {};
@@ -51,6 +55,10 @@ final class RubbedHeap implements Serializable {
         this.notes = notes;
         this.scales = scales;
         this.ground = new HeapGround(motion.ground());
+    }
+
+    HeapBends bends() {
+        return bends;
     }
 
     /** Takes from bodies what forces have given them for the time that is left. */
@@ -69,15 +77,17 @@ final class RubbedHeap implements Serializable {
             notes.start(p, length);
         }
         boolean right = true;
+        boolean raised = false;
         System.arraycopy(free, 0, system.v, 0, 3 * heap.size); // a first guess of how they move
         for (int turn = 0; turn < TURNS; turn++) {
             system.momenta(momenta);
             double change = ground.find(system, free, momenta);
-            if (turn > 0 && change <= SAME) {
+            if (turn > 0 && change <= SAME && !raised) {
                 break;
             }
             ground.apply(system, free);
             right = system.solveInTurn(scale);
+            raised = turn < RAISES && bends.raise(system, before, length);
         }
         if (ground.stopWhatTurnsBack(system)) {
             ground.apply(system, free);
