@@ -82,7 +82,10 @@ final class Room implements Serializable {
         if (v == 0) {
             return x >= low && x <= high ? Double.POSITIVE_INFINITY : 0;
         }
-        return Math.max((high - x) / v, (low - x) / v); // no branch by the direction, which nobody could foretell
+        // no branch by the direction, which nobody could foretell, and one division
+        long back = Double.doubleToRawLongBits(v) >> 63;
+        long way = Double.doubleToRawLongBits(high - x) & ~back | Double.doubleToRawLongBits(low - x) & back;
+        return Double.longBitsToDouble(way) / v;
     }
 
     /** How long a coordinate surely stays between two bounds. */

@@ -147,6 +147,11 @@ final class BoundingCircles implements Serializable {
         return tau;
     }
 
+    /** Whether nothing can be said of two bodies whose circles overlap but by their shapes. */
+    boolean hide(int i, int j) {
+        return !(shapes.isCircle(i) && shapes.isCircle(j)) && !boxes.isFixed(i) && !boxes.isFixed(j);
+    }
+
     /**
      * How long a body surely stays off the box of a fixed one: the circle around a wall is large, and nearly everybody is
      * in it.

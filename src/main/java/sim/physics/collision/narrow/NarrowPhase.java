@@ -126,7 +126,8 @@ public final class NarrowPhase implements Serializable {
             pairs.setCode(pair, timeOfImpact.code);
             touching = timeOfImpact.touching;
         }
-        return touching && !isCircle(i) && !isCircle(j) ? beyondGrazes(pair, found, end) : found;
+        boolean mayGraze = touching && !separatingLine.clean && !isCircle(i) && !isCircle(j);
+        return mayGraze ? beyondGrazes(pair, found, end) : found;
     }
 
     /** Goes on from an instant at which two polygons touch for as long as they only graze one another. */
@@ -225,6 +226,20 @@ public final class NarrowPhase implements Serializable {
         double start = circles.meet(pairs.first(pair), pairs.second(pair), tau);
         touching = circles.touching;
         return start;
+    }
+
+    /**
+     * The same as {@link #boundingCircles} for a pair whose circles overlap.
+     *
+     * @param pair its number
+     * @param tau offset in the present step from which on to look
+     * @return as above
+     */
+    public double boundingCirclesWithin(int pair, double tau) {
+        int i = pairs.first(pair);
+        int j = pairs.second(pair);
+        touching = false;
+        return circles.hide(i, j) ? tau : boundingCircles(pair, tau);
     }
 
     /**
