@@ -298,6 +298,9 @@ public final class NarrowPhase implements Serializable {
      * @param contact filled with the points and the normal
      */
     public void contact(int pair, double tau, Manifold contact) {
+        if (trajectories.areStraight() && circles.contact(pairs.first(pair), pairs.second(pair), tau, contact)) {
+            return;
+        }
         contact(pair, tau, contact, Tolerances.FLUSH);
     }
 
