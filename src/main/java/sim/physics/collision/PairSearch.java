@@ -101,8 +101,8 @@ final class PairSearch implements Serializable {
             return t;
         }
         boolean driven = !narrowPhase.isContinuous()
-                || trajectories.isDriven(pairs.first(pair))
-                || trajectories.isDriven(pairs.second(pair));
+                || !trajectories.areStraight()
+                        && (trajectories.isDriven(pairs.first(pair)) || trajectories.isDriven(pairs.second(pair)));
         return driven ? trajectories.h() : t;
     }
 }
