@@ -95,6 +95,9 @@ public final class PhysicsEngine implements Steppable {
 
     private boolean stepping;
 
+    /** Whether there have been listeners, force generators or rules of authors, which may ask or write within a step. */
+    private boolean asksAuthors;
+
     private double timeStep = 1;
     private long steps;
     private double epoch;
@@ -131,7 +134,9 @@ public final class PhysicsEngine implements Steppable {
             }
             finish();
         } finally {
-            state.setPresence(null);
+            if (asksAuthors) {
+                state.setPresence(null);
+            }
             stepping = false;
         }
         response.lasting().tell();
@@ -139,6 +144,7 @@ public final class PhysicsEngine implements Steppable {
 
     /** Begins the step; bodies that were added or set since the last one start from where they were put. */
     private void begin() {
+        state.settle(asksAuthors || audit != null || constraints != null || state.touchedCount() > 0);
         trajectories.begin(steps, timeStep);
         detection.begin(steps, timeStep);
         motion.begin(getTime());
@@ -260,9 +266,13 @@ public final class PhysicsEngine implements Steppable {
         int pair = touching.size == 1 ? touching.values[0] : -1;
         now = getTime() + tau;
         admission.setNow(tau);
-        state.setPresence(admission);
+        if (asksAuthors) {
+            state.setPresence(admission);
+        }
         IntList deflected = response.respond(touching, tau, now);
-        state.setPresence(null);
+        if (asksAuthors) {
+            state.setPresence(null);
+        }
         boolean someRest = !response.resting().isEmpty();
         boolean someLie = !response.heaps().isEmpty();
         for (int k = 0; k < deflected.size; k++) {
@@ -352,7 +362,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     private void finish() {
-        if (motion.driven().size < state.bodyCount()) {
+        if (trajectories.areStraight()) {
+            state.lag(trajectories);
+        } else if (motion.driven().size < state.bodyCount()) {
             trajectories.publish(timeStep, state);
         }
         motion.finish();
@@ -456,6 +468,7 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if it was added before
      */
     public void add(ForceGenerator generator) {
+        asksAuthors = true;
         if (!motion.add(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
         }
@@ -617,6 +630,7 @@ public final class PhysicsEngine implements Steppable {
      * @param listener not null
      */
     public void addListener(CollisionListener listener) {
+        asksAuthors = true;
         response.listeners().add(Objects.requireNonNull(listener, "listener"));
     }
 
@@ -811,6 +825,7 @@ public final class PhysicsEngine implements Steppable {
      * @param solver not null
      */
     public void setImpulseSolver(ImpulseSolver solver) {
+        asksAuthors = true;
         response.setSolver(solver);
     }
 
@@ -821,6 +836,7 @@ public final class PhysicsEngine implements Steppable {
      * @param friction the geometric mean unless set
      */
     public void setPairRules(PairRule restitution, PairRule friction) {
+        asksAuthors = true;
         response.setRules(restitution, friction);
     }
 

@@ -185,6 +185,19 @@ class ThreadsTest {
     }
 
     @Test
+    void aCrowd() {
+        assertSameBits(() -> {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(1.0 / 60);
+            for (int k = 0; k < 900; k++) {
+                Body disk = new Body(new Circle(0.5)).at(1.06 * (k % 30), 1.06 * (k / 30));
+                engine.add(disk.moving(StrictMath.sin(k), StrictMath.sin(1.7 * k)));
+            }
+            return engine;
+        }, 100, 2000);
+    }
+
+    @Test
     void chainsWithMotorsAndStopsAmongBodiesThatSlide() {
         assertSameBits(ThreadsTest::workshop, 200, 300);
     }

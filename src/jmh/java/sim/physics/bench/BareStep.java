@@ -58,6 +58,7 @@ final class BareStep {
     }
 
     void step() {
+        state.settle(false);
         if (steps > 0) {
             trajectories.begin(steps, h);
             detection.begin(steps, h);
@@ -70,7 +71,7 @@ final class BareStep {
                 collide(touching.values[k], tau);
             }
         }
-        trajectories.publish(h, state);
+        state.lag(trajectories); // as in the engine, nobody reads the vectors
         steps++;
     }
 

@@ -357,7 +357,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
 
     /** Until when in the step what is known of the paths of a pair's bodies holds. */
     double pathEnd(int pair) {
-        return Math.min(end(pairs.first(pair)), end(pairs.second(pair)));
+        return trajectories.areStraight() ? h : Math.min(end(pairs.first(pair)), end(pairs.second(pair)));
     }
 
     /** Until when in the step what is known of a body's path holds. */

@@ -120,11 +120,11 @@ final class Enclosures implements Serializable {
                 enclose(body, 0, step, h);
             }
             if (departures == null) {
-                broadPhase.update(body, boxes, pairs);
+                update(body, null);
             }
         }
         for (int k = 0; departures != null && k < leaving.size; k++) {
-            ((CellGrid) broadPhase).update(leaving.values[k], boxes, pairs, departures);
+            update(leaving.values[k], departures);
         }
     }
 
@@ -144,7 +144,7 @@ final class Enclosures implements Serializable {
             long date = teleported ? step : room.leavingDate(body, tau, step, h);
             if (date <= step) {
                 enclose(body, tau, step, h);
-                broadPhase.update(body, boxes, pairs);
+                update(body, null);
             } else {
                 agenda.schedule(body, date);
             }
@@ -165,9 +165,19 @@ final class Enclosures implements Serializable {
             agenda.schedule(body, shared.date(k));
             if (shared.isNew(k)) {
                 shared.put(body, boxes);
-                broadPhase.update(body, boxes, pairs);
+                update(body, null);
             }
         }
+    }
+
+    /** Tells the broad phase that a body is in a new box; departures are null for one body. */
+    private void update(int body, Departures departures) {
+        if (departures == null) {
+            broadPhase.update(body, boxes, pairs);
+        } else {
+            ((CellGrid) broadPhase).update(body, boxes, pairs, departures);
+        }
+        room.count(body, pairs.countOf(body));
     }
 
     private boolean shares(IntList bodies, int least) {

@@ -69,6 +69,11 @@ final class PairSearch implements Serializable {
         return look(pair, tau, start, end);
     }
 
+    /** The same for a pair that is to be looked at, whose circles overlap, and where nobody has ever been accelerated. */
+    double lookWithin(int pair, double tau, double end) {
+        return look(pair, tau, narrowPhase.boundingCirclesWithin(pair, tau), end);
+    }
+
     /**
      * The same from the offset on up to which the pair's circles are apart.
      *
@@ -96,8 +101,8 @@ final class PairSearch implements Serializable {
             return t;
         }
         boolean driven = !narrowPhase.isContinuous()
-                || trajectories.isDriven(pairs.first(pair))
-                || trajectories.isDriven(pairs.second(pair));
+                || !trajectories.areStraight()
+                        && (trajectories.isDriven(pairs.first(pair)) || trajectories.isDriven(pairs.second(pair)));
         return driven ? trajectories.h() : t;
     }
 }

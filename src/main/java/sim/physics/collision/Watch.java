@@ -193,7 +193,7 @@ final class Watch implements Serializable {
 
     private void look(int pair, double tau, double start) {
         pairs.setTime(pair, Double.NaN);
-        double t = start >= tau ? search.lookFrom(pair, tau, start, h) : search.look(pair, tau, h);
+        double t = start >= tau ? search.lookFrom(pair, tau, start, h) : search.lookWithin(pair, tau, h);
         plan(pair, search.found, t);
     }
 

@@ -6,7 +6,6 @@ import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.Growth;
 import sim.physics.matrix.DiagonalMatrix;
-import sim.physics.shape.Shape;
 
 /**
  * The state of all bodies in shared vectors, as the write-up's chapter <i>State Representation</i> has it.
@@ -27,7 +26,7 @@ import sim.physics.shape.Shape;
  * W = 0.
  *
  * <p>The vectors hold the values at the end of the last step. Inside a step the engine works on
- * {@link Trajectories} and writes the vectors when the step ends.
+ * {@link Trajectories} and writes the vectors when the step ends, or when they are asked for after it.
  */
 public final class State implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -41,11 +40,8 @@ public final class State implements Serializable {
     /** Length of a block. */
     public static final int BLOCK = 3;
 
-    private static final int SHAPES = 64;
-
     /** After how many steps in which no body was written the room to note them is given back. */
     private static final int QUIET = 100;
-
     /** Bodies for whose number room is not given back. */
     private static final int LARGE = 1024;
 
@@ -63,29 +59,25 @@ public final class State implements Serializable {
 
     /** Empty blocks below {@code size}, a stack. */
     private int[] free = {};
-
     private int freeCount;
 
     /** Blocks that their bodies' setters have written since the last step, in the order of writing. */
     private int[] touched = {};
-
     private boolean[] isTouched;
     private int touchedCount;
     private int quiet;
 
     /** Null between steps. */
     private Presence presence;
-
     /** Null until somebody follows it, so that a scene which nobody asks about pays nothing. */
     private transient PlaceLog placeLog;
 
     private Surface surface = Surface.SMOOTH;
-
     /** Whether bodies have had different surfaces; else nobody need look at the views for them. */
     private boolean mixed;
 
-    /** Shapes that were seen last, by their hash, so that bodies of equal shapes share one. */
-    private transient Shape[] shapes;
+    /** Null before the first body. */
+    private transient RecentShapes shapes;
 
     /** Whether a body ever had a collision group. */
     private boolean grouped;
@@ -95,6 +87,10 @@ public final class State implements Serializable {
 
     /** Whether positions change without notice, as they do within a step. */
     private transient boolean unsettled;
+
+    /** Whether the vectors are to be written, and by whom, when somebody asks for them. */
+    private boolean lagging;
+    private Trajectories motions;
 
     /** Whether this is the state of one body that belongs to no engine. */
     private final boolean own;
@@ -124,21 +120,52 @@ public final class State implements Serializable {
 
     /**
      * The position vector x itself, not a copy; longer than {@code BLOCK * size()}. Who writes it between steps must call
-     * {@link #placed(int)} or {@link #placedAll()}.
+     * {@link #placed(int)} or {@link #placedAll()}. To be asked for anew after each step.
      *
      * @return x, [x, y, θ] per body, length and rad
      */
     public double[] x() {
+        if (lagging) {
+            settle(true);
+        }
         return x;
     }
 
     /**
-     * The velocity vector ẋ itself, not a copy.
+     * The velocity vector ẋ itself, not a copy; as {@link #x()}.
      *
      * @return ẋ, [x', y', θ'] per body, length/time and rad/time
      */
     public double[] v() {
+        if (lagging) {
+            settle(true);
+        }
         return v;
+    }
+
+    /**
+     * Lets the vectors be written when they are asked for.
+     *
+     * @param those where all bodies are at the end of the step that is over
+     */
+    public void lag(Trajectories those) {
+        if (motions != those) { // a reference that is written costs more than one that is compared
+            motions = those;
+        }
+        lagging = true;
+    }
+
+    /**
+     * Ends that: writes the vectors, or leaves them as they are.
+     *
+     * @param isAsked false if nobody asks before they are written again
+     */
+    public void settle(boolean isAsked) {
+        boolean is = lagging && isAsked;
+        lagging = false;
+        if (is) {
+            motions.publish(motions.h(), this);
+        }
     }
 
     /**
@@ -221,6 +248,7 @@ public final class State implements Serializable {
      * @return the index of its block
      */
     public int add(Body body) {
+        settle(true); // while the bodies are those of the last step
         int index = freeCount > 0 ? free[--freeCount] : size++;
         if (index >= bodies.length) {
             grow(Math.max(8, Growth.length(index, index + 1)));
@@ -287,15 +315,8 @@ public final class State implements Serializable {
     private void share(Body body) {
         Surface own = body.surface();
         body.share(share(surface.with(own.restitution, own.friction, own)));
-        shapes = shapes == null ? new Shape[SHAPES] : shapes;
-        Shape shape = body.getShape();
-        int hash = shape.hashCode();
-        int k = (hash ^ hash >>> 8 ^ hash >>> 16 ^ hash >>> 24) & SHAPES - 1;
-        if (shape.equals(shapes[k]) && shape.massProperties().equals(shapes[k].massProperties())) {
-            body.share(shapes[k]);
-        } else {
-            shapes[k] = shape;
-        }
+        shapes = shapes == null ? new RecentShapes() : shapes;
+        body.share(shapes.share(body.getShape()));
     }
 
     /**
@@ -311,7 +332,7 @@ public final class State implements Serializable {
         own.bodies[0] = body;
         own.surface = body.surface();
         int from = BLOCK * index;
-        System.arraycopy(x, from, own.x, 0, BLOCK);
+        System.arraycopy(x(), from, own.x, 0, BLOCK);
         System.arraycopy(v, from, own.v, 0, BLOCK);
         System.arraycopy(w.values(), from, own.w.values(), 0, BLOCK);
         body.bind(own, 0);

@@ -94,7 +94,9 @@ public final class CollisionResponse implements Serializable {
      * @return the bodies whose velocities have changed, each once; valid until the next call
      */
     public IntList respond(IntList touching, double tau, double time) {
-        manifold = manifold == null ? new Manifold() : manifold;
+        if (manifold == null) {
+            manifold = new Manifold();
+        }
         changed.clear();
         listeners.setTime(time);
         if (touching.size == 1) {

@@ -22,6 +22,9 @@ public final class BodyNotes implements Serializable {
     /** It is a wall. */
     static final int FIXED = 8;
 
+    /** Many are near it. */
+    public static final int CROWDED = 16;
+
     private byte[] notes = new byte[8];
 
     BodyNotes() {

@@ -148,6 +148,41 @@ final class BoundingCircles implements Serializable {
     }
 
     /**
+     * Where two circles touch that move uniformly, as {@link ClosestFeatures} has it.
+     *
+     * @param i body A
+     * @param j body B
+     * @param tau offset in the present step
+     * @param contact filled with the point and the normal
+     * @return false if they are no circles, or so deep in one another that there is no normal
+     */
+    boolean contact(int i, int j, double tau, Manifold contact) {
+        if (!shapes.isCircle(i) || !shapes.isCircle(j)) {
+            return false;
+        }
+        double[] m = trajectories.data();
+        int a = i * Trajectories.STRIDE;
+        int b = j * Trajectories.STRIDE;
+        double da = trajectories.duration(i, tau);
+        double db = trajectories.duration(j, tau);
+        double px = m[b] + db * m[b + Trajectories.VX] - (m[a] + da * m[a + Trajectories.VX]);
+        double py = m[b + 1] + db * m[b + Trajectories.VY] - (m[a + 1] + da * m[a + Trajectories.VY]);
+        double radiusA = shapes.rounding(i);
+        double radiusB = shapes.rounding(j);
+        double distance = Math.sqrt(px * px + py * py);
+        if (!(distance > Tolerances.CORNERS * (trajectories.radius(i) + trajectories.radius(j)))) {
+            return false;
+        }
+        contact.touch(px / distance, py / distance, distance - (radiusA + radiusB), radiusA, radiusB);
+        return true;
+    }
+
+    /** Whether nothing can be said of two bodies whose circles overlap but by their shapes. */
+    boolean hide(int i, int j) {
+        return !(shapes.isCircle(i) && shapes.isCircle(j)) && !boxes.isFixed(i) && !boxes.isFixed(j);
+    }
+
+    /**
      * How long a body surely stays off the box of a fixed one: the circle around a wall is large, and nearly everybody is
      * in it.
      *

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.collision.narrow;
 
+import sim.physics.motion.Trajectories;
+
 /** Derivatives of a body's centre in the frame of another body, which turns; both move and spin uniformly. */
 final class CentrePath {
     /** First derivative. */
@@ -18,6 +20,17 @@ final class CentrePath {
     double q3x;
 
     double q3y;
+
+    /** Whether two bodies fall alike and spin uniformly, in a scene in which some have been accelerated. */
+    static boolean isStraight(Trajectories trajectories, int i, int j) {
+        double[] bends = trajectories.bends();
+        int a = i * Trajectories.STRIDE;
+        int b = j * Trajectories.STRIDE;
+        return bends[a + Trajectories.AX] == bends[b + Trajectories.AX]
+                && bends[a + Trajectories.AY] == bends[b + Trajectories.AY]
+                && trajectories.isParabola(i)
+                && trajectories.isParabola(j);
+    }
 
     /**
      * Sets them.

@@ -66,6 +66,24 @@ public final class Manifold {
         gaps[1] = gap;
     }
 
+    /** Where two circles touch: each one's lever is its radius along the normal, exactly. */
+    void touch(double normalX, double normalY, double distance, double radiusA, double radiusB) {
+        count = 1;
+        near = 0;
+        roundA = true;
+        roundB = true;
+        nx = normalX;
+        ny = normalY;
+        gap = distance;
+        onEdge = false;
+        gaps[0] = distance;
+        gaps[1] = distance;
+        rAx[0] = radiusA * normalX;
+        rAy[0] = radiusA * normalY;
+        rBx[0] = -radiusB * normalX;
+        rBy[0] = -radiusB * normalY;
+    }
+
     /**
      * Whether a fixed body can bear the other one here: a circle on an edge, or an edge on an edge with the centre of
      * mass between the ends.

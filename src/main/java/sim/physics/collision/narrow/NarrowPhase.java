@@ -126,7 +126,8 @@ public final class NarrowPhase implements Serializable {
             pairs.setCode(pair, timeOfImpact.code);
             touching = timeOfImpact.touching;
         }
-        return touching && !isCircle(i) && !isCircle(j) ? beyondGrazes(pair, found, end) : found;
+        boolean mayGraze = touching && !separatingLine.clean && !isCircle(i) && !isCircle(j);
+        return mayGraze ? beyondGrazes(pair, found, end) : found;
     }
 
     /** Goes on from an instant at which two polygons touch for as long as they only graze one another. */
@@ -228,6 +229,20 @@ public final class NarrowPhase implements Serializable {
     }
 
     /**
+     * The same as {@link #boundingCircles} for a pair whose circles overlap.
+     *
+     * @param pair its number
+     * @param tau offset in the present step from which on to look
+     * @return as above
+     */
+    public double boundingCirclesWithin(int pair, double tau) {
+        int i = pairs.first(pair);
+        int j = pairs.second(pair);
+        touching = false;
+        return circles.hide(i, j) ? tau : boundingCircles(pair, tau);
+    }
+
+    /**
      * Takes it that the circles of a pair meet, as {@link #boundingCirclesOf} has found.
      *
      * @param pair its number
@@ -283,6 +298,9 @@ public final class NarrowPhase implements Serializable {
      * @param contact filled with the points and the normal
      */
     public void contact(int pair, double tau, Manifold contact) {
+        if (trajectories.areStraight() && circles.contact(pairs.first(pair), pairs.second(pair), tau, contact)) {
+            return;
+        }
         contact(pair, tau, contact, Tolerances.FLUSH);
     }
 

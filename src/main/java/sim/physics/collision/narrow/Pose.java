@@ -52,7 +52,10 @@ final class Pose {
         double alpha;
 
         private void load(ShapeTable shapes, int body) {
-            shape = shapes.data();
+            double[] values = shapes.data();
+            if (shape != values) { // a reference that is written costs more than one that is compared
+                shape = values;
+            }
             base = shapes.base(body);
             n = (int) shape[base + ShapeTable.COUNT];
             core = shape[base + ShapeTable.CORE];
@@ -168,8 +171,12 @@ final class Pose {
 
     /** Turns to another pair. */
     void load(int bodyA, int bodyB) {
-        m = trajectories.data();
-        bends = trajectories.bends();
+        if (m != trajectories.data()) { // see above
+            m = trajectories.data();
+        }
+        if (bends != trajectories.bends()) {
+            bends = trajectories.bends();
+        }
         bendMask = trajectories.bendMask();
         oa = bodyA * Trajectories.STRIDE;
         ob = bodyB * Trajectories.STRIDE;

@@ -43,6 +43,9 @@ final class SeparatingLine {
     /** Whether the bodies touch and approach at the instant that {@link #search} returned. */
     boolean touching;
 
+    /** Whether they are sure not to graze one another then. */
+    boolean clean;
+
     /** Whether {@link #search} got only so far, and another method has to go on from there. */
     boolean undecided;
 
@@ -139,6 +142,7 @@ final class SeparatingLine {
         double tau = start;
         code = cached;
         touching = false;
+        clean = false;
         undecided = false;
         if (load(i, j)) {
             for (int k = 0; k < PATIENCE; k++) {
@@ -167,15 +171,19 @@ final class SeparatingLine {
 
     /** Turns to a pair; false if their motion is not uniform, or both are circles. */
     private boolean load(int i, int j) {
-        m = trajectories.data();
+        if (m != trajectories.data()) { // a reference that is written costs more than one that is compared
+            m = trajectories.data();
+        }
         oa = i * Trajectories.STRIDE;
         ob = j * Trajectories.STRIDE;
-        ax = 0;
-        ay = 0;
-        if (!trajectories.areStraight() && !loadBends(i, j)) {
+        if (!trajectories.areStraight() && !CentrePath.isStraight(trajectories, i, j)) {
             return false;
         }
-        shape = shapes.data();
+        ax = trajectories.bends()[(oa & trajectories.bendMask()) + Trajectories.AX];
+        ay = trajectories.bends()[(oa & trajectories.bendMask()) + Trajectories.AY];
+        if (shape != shapes.data()) {
+            shape = shapes.data();
+        }
         baseA = shapes.base(i);
         baseB = shapes.base(j);
         countA = (int) shape[baseA + ShapeTable.COUNT];
@@ -183,16 +191,6 @@ final class SeparatingLine {
         rounding = shape[baseA + ShapeTable.ROUNDING] + shape[baseB + ShapeTable.ROUNDING];
         bounding = shape[baseA + ShapeTable.BOUNDING] + shape[baseB + ShapeTable.BOUNDING];
         return countA > 1 || countB > 1; // two circles have no line
-    }
-
-    private boolean loadBends(int i, int j) {
-        double[] bends = trajectories.bends();
-        ax = bends[oa + Trajectories.AX];
-        ay = bends[oa + Trajectories.AY];
-        return ax == bends[ob + Trajectories.AX]
-                && ay == bends[ob + Trajectories.AY]
-                && trajectories.isParabola(i)
-                && trajectories.isParabola(j);
     }
 
     /** Places both bodies at an instant. */
@@ -487,7 +485,10 @@ final class SeparatingLine {
             double margin = 0.5 * s * s * (2 * Math.abs(spin) * speed + spin * spin * reach
                     + relative * relative * shape[other + ShapeTable.CORE]);
             double at = along + s * (nx * path.q1y - ny * path.q1x + relative * a);
-            return at > margin && at < shape[e + ShapeTable.LENGTH] - margin;
+            boolean within = at > margin && at < shape[e + ShapeTable.LENGTH] - margin;
+            clean = within && count > 1 && CleanHit.is(
+                    shape, owner, vertex, at, margin, other, closest, ox, oy, Math.abs(relative) * s, tolerance);
+            return within;
         }
         int o = owner + ShapeTable.FIRST + ShapeTable.VERTEX * vertex;
         double x = qx - shape[o] + s * (path.q1x + s * (0.5 * path.q2x + s * path.q3x / 6));

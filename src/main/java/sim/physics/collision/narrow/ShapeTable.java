@@ -64,6 +64,11 @@ public final class ShapeTable implements Serializable {
         return data[baseOf[body] + COUNT] == 1;
     }
 
+    /** The radius by which a shape reaches beyond its vertices. */
+    double rounding(int body) {
+        return data[baseOf[body] + ROUNDING];
+    }
+
     /** The edge of a polygon whose line a point of the polygon's frame is highest above. */
     int facingEdge(int base, double x, double y) {
         int facing = 0;
