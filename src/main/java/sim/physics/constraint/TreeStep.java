@@ -23,7 +23,7 @@ final class TreeStep implements Serializable {
     private static final double ROUGH_IF_KNOWN = 0.1;
 
     /** From here on it is looked at: below, the error of the energy is that of the method, and a small one. */
-    private static final double WATCHED = 0.003;
+    private static final double WATCHED = 0.001;
 
     /** Gap, relative to the largest coordinate, and slip, to the speeds, that a projection leaves behind. */
     private static final double CLOSED = 0x1p-45;
@@ -219,13 +219,14 @@ final class TreeStep implements Serializable {
         double[] l = tree.link;
         double[] x = state.x();
         double[] v = state.v();
-        boolean same = true;
+        long different = 0;
         for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
             int b = tree.block[k];
             for (int c = 0; c < State.BLOCK; c++) {
-                same &= l[o + PinTree.X + c] == x[b + c] & l[o + PinTree.U + c] == v[b + c];
+                different |= bits(l[o + PinTree.X + c]) ^ bits(x[b + c]) | bits(l[o + PinTree.U + c]) ^ bits(v[b + c]);
             }
         }
+        boolean same = different == 0;
         if (!same) {
             for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
                 System.arraycopy(x, tree.block[k], l, o + PinTree.X, State.BLOCK);
@@ -233,6 +234,10 @@ final class TreeStep implements Serializable {
             }
         }
         return same;
+    }
+
+    private static long bits(double value) {
+        return Double.doubleToRawLongBits(value);
     }
 
     private boolean isClosed() {
