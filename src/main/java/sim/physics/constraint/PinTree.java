@@ -39,10 +39,8 @@ final class PinTree implements Serializable {
     /** Values of a link. */
     static final int STRIDE = 32;
 
-    /** The largest part of its mass that a link has at its far pin; and what counts as rounding of d. */
-    private static final double FARTHEST = 4;
-
-    private static final double ROUNDING = 0x1p-49;
+    /** The largest turn of a link that is followed at once. */
+    private static final double HALF_TURN = Math.PI;
 
     /** At a stage: cosine and sine of the angle, e, angular velocity. */
     static final int COS = 0;
@@ -53,9 +51,9 @@ final class PinTree implements Serializable {
     static final int TURNING = 4;
 
     /** I + m d² − f e²; mass at the pin of the next link: the own f and what that link has at its near pin. */
-    private static final int HUB = 5;
+    static final int HUB = 5;
 
-    private static final int KNOT = 6;
+    static final int KNOT = 6;
 
     /** At a stage: S/H and τ/H. */
     private static final int SX = 7;
@@ -90,12 +88,12 @@ final class PinTree implements Serializable {
 
     static final int SHARE = 25;
     static final int INERTIA = 26;
-    private static final int FAR = 27;
+    static final int FAR = 27;
 
     /** m d − f e in the coordinates of the link. */
-    private static final int RESTX = 28;
+    static final int RESTX = 28;
 
-    private static final int RESTY = 29;
+    static final int RESTY = 29;
 
     /** Values of the first link of a run: own e; e, M and p at a stage; A; place and velocity. */
     static final int SIDE = 16;
@@ -135,7 +133,7 @@ final class PinTree implements Serializable {
     final double[] side;
 
     /** By link: whether more than what is right behind it takes part in its elimination. */
-    private final boolean[] isOdd;
+    final boolean[] isOdd;
 
     private final double[] sum = new double[9];
 
@@ -204,34 +202,8 @@ final class PinTree implements Serializable {
 
     /** Takes the masses over. */
     void weigh(double[] w) {
-        for (int k = links - 1; k >= 0; k--) {
-            int o = STRIDE * k;
-            double m = 1 / w[block[k]];
-            link[o + MASS] = m;
-            link[o + INERTIA] = 1 / w[block[k] + State.THETA];
-            double ex = link[o + EX];
-            double ey = link[o + EY];
-            double dx = link[o + DX];
-            double dy = link[o + DY];
-            double far = (dx * ex + dy * ey) / (ex * ex + ey * ey);
-            far = Math.abs(far) <= FARTHEST ? far : 0;
-            double restX = dx - far * ex;
-            double restY = dy - far * ey;
-            boolean isAlong = Math.abs(restX) + Math.abs(restY) <= ROUNDING * (Math.abs(dx) + Math.abs(dy));
-            link[o + RESTX] = isAlong ? 0 : m * restX;
-            link[o + RESTY] = isAlong ? 0 : m * restY;
-            link[o + FAR] = m * far;
-            link[o + HUB] = link[o + INERTIA] + m * (dx * dx + dy * dy) - m * far * (ex * ex + ey * ey);
-            boolean goesOn = k + 1 < links && parent[k + 1] == k;
-            link[o + KNOT] = link[o + FAR] + (goesOn ? near(o + STRIDE) : 0);
-            isOdd[k] = !isAlong || child[k] >= 0;
-        }
+        TreeMasses.weigh(this, w);
         places.weigh();
-    }
-
-    /** Mass at the near pin of a link. */
-    private double near(int o) {
-        return link[o + MASS] - link[o + FAR];
     }
 
     /** Begins with the first stage of a state that is not where the last step ended. */
@@ -344,7 +316,7 @@ final class PinTree implements Serializable {
             l[o + SY] = u1;
             l[o + T] = tau * per;
         }
-        double near = near(STRIDE * from);
+        double near = link[STRIDE * from + MASS] - link[STRIDE * from + FAR];
         leave(SIDE * from, m00 + near - u0 * s0, m01 - u0 * s1, m11 + near - u1 * s1, q0 + u0 * tau, q1 + u1 * tau);
     }
 
@@ -490,8 +462,8 @@ final class PinTree implements Serializable {
             double third = l[o + ALPHA + 2];
             double middle = second + third;
             double rough = Math.abs(first - middle + alpha) + Math.abs(second - third);
-            if (!(rough <= most)) { // seldom; a maximum would make each wait for the last
-                most = rough >= 0 ? rough : Double.POSITIVE_INFINITY; // NaN stays
+            if (!(rough <= most && Math.abs(h * before) <= HALF_TURN)) { // seldom; a maximum would make each wait for the last
+                most = rough >= 0 && Math.abs(h * before) <= HALF_TURN ? rough : Double.POSITIVE_INFINITY; // NaN stays
             }
             double angle = l[o + ANGLE] + h * (before + sixth * (first + middle));
             double omega = before + sixth * (first + 2 * middle + alpha);
@@ -505,7 +477,7 @@ final class PinTree implements Serializable {
 
     /**
      * By how much the angular accelerations of the stages of the last step are not those of a uniform change: the largest
-     * |α₁ − α₂ − α₃ + α₄| + |α₂ − α₃| of a link. Both are of second order in the step.
+     * |α₁ − α₂ − α₃ + α₄| + |α₂ − α₃| of a link. Both are of second order in the step. Infinite if a link turns too far.
      */
     double roughness() {
         return roughness;

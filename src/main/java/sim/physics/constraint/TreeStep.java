@@ -20,7 +20,7 @@ final class TreeStep implements Serializable {
     private static final double ROUGH = 0.0125;
 
     /** The same where the energy is known, and kept. */
-    private static final double ROUGH_IF_KNOWN = 0.1;
+    private static final double ROUGH_IF_KNOWN = 0.2;
 
     /** From here on it is looked at: below, the error of the energy is that of the method, and a small one. */
     private static final double WATCHED = 0.001;
