@@ -26,6 +26,10 @@ import sim.physics.motion.State;
  *   θ″ = (τ − S·A) / H,   M = m + Σ M' − S Sᵀ / H,   p = q − m ω² d + S τ / H
  * </pre>
  *
+ * <p>A link is as good as two points at its near pin and at the next link's, and what is left: with f e = m d the mass f of the
+ * far one counts to M' of the next link, m − f to the own M, I + m d² − f e² is left of the inertia, and m d is in none of
+ * these equations. Where d is not along e, a moment m d − f e is left over too.
+ *
  * <p>A uniform field is an acceleration of the root. All values of a link lie together; a child comes right behind its
  * parent if it can, and what it leaves behind stays in registers then.
  */
@@ -35,57 +39,61 @@ final class PinTree implements Serializable {
     /** Values of a link. */
     static final int STRIDE = 32;
 
-    /** Mass; I + m d²; m d, d and e to the next link in the coordinates of the link. */
-    static final int MASS = 0;
+    /** The largest turn of a link that is followed at once. */
+    private static final double HALF_TURN = Math.PI;
 
-    static final int HUB = 1;
-    static final int MDX = 2;
-    static final int MDY = 3;
-    static final int DX = 4;
-    static final int DY = 5;
-    static final int EX = 6;
-    static final int EY = 7;
+    /** At a stage: cosine and sine of the angle, e, angular velocity. */
+    static final int COS = 0;
+
+    static final int SIN = 1;
+    static final int RX = 2;
+    static final int RY = 3;
+    static final int TURNING = 4;
+
+    /** I + m d² − f e²; mass at the pin of the next link: the own f and what that link has at its near pin. */
+    static final int HUB = 5;
+
+    static final int KNOT = 6;
+
+    /** At a stage: S/H and τ/H. */
+    private static final int SX = 7;
+
+    private static final int SY = 8;
+    private static final int T = 9;
 
     /** The state at the start, and at the end of a step. */
-    static final int X = 8;
+    static final int X = 10;
 
-    static final int Y = 9;
-    static final int ANGLE = 10;
-    static final int U = 11;
-    static final int V = 12;
-    static final int OMEGA = 13;
+    static final int Y = 11;
+    static final int ANGLE = 12;
+    static final int U = 13;
+    static final int V = 14;
+    static final int OMEGA = 15;
 
-    /** At a stage: angular velocity, cosine and sine of the angle, e; S/H and τ/H. */
-    static final int TURNING = 14;
+    /** From the near pin to the next link's, and to the centre of mass, in the coordinates of the link. */
+    static final int EX = 16;
 
-    static final int COS = 15;
-    static final int SIN = 16;
-    static final int RX = 17;
-    static final int RY = 18;
-    private static final int SX = 19;
-    private static final int SY = 20;
-    private static final int T = 21;
+    static final int EY = 17;
+    static final int DX = 18;
+    static final int DY = 19;
+
+    /** Angle at a stage. */
+    static final int TURNED = 20;
 
     /** Angular accelerations of the stages. */
-    private static final int ALPHA = 22;
+    private static final int ALPHA = 21;
 
-    /** Sum of the second derivatives of e at the stages. */
-    private static final int BENDX = 25;
+    /** Mass, and its part of the mass of all links; moment of inertia; f. */
+    static final int MASS = 24;
 
-    private static final int BENDY = 26;
+    static final int SHARE = 25;
+    static final int INERTIA = 26;
+    static final int FAR = 27;
 
-    /** e at the first stage. */
-    private static final int FIRSTX = 27;
+    /** m d − f e in the coordinates of the link. */
+    static final int RESTX = 28;
 
-    private static final int FIRSTY = 28;
-
-    /** Angle at a stage, and the moment of inertia. */
-    static final int TURNED = 29;
-
-    private static final int INERTIA = 30;
-
-    /** Part of the mass of all links. */
-    static final int SHARE = 31;
+    static final int RESTY = 29;
 
     /** Values of the first link of a run: own e; e, M and p at a stage; A; place and velocity. */
     static final int SIDE = 16;
@@ -124,12 +132,15 @@ final class PinTree implements Serializable {
     /** By first links of runs. */
     final double[] side;
 
+    /** By link: whether more than what is right behind it takes part in its elimination. */
+    final boolean[] isOdd;
+
     private final double[] sum = new double[9];
 
     /** By block: accelerations x″, y″, θ″ as if each link were alone; null but while they are used. */
     private double[] alone;
 
-    private double gap;
+    private double roughness;
 
     /**
      * Makes a tree.
@@ -148,6 +159,7 @@ final class PinTree implements Serializable {
         link = new double[STRIDE * links];
         child = new int[links];
         sister = new int[links];
+        isOdd = new boolean[links];
         runs = new int[links + 1];
         int count = 0;
         for (int k = 0; k < links; k++) {
@@ -166,7 +178,7 @@ final class PinTree implements Serializable {
             int j = parent[k];
             link[o + DX] = k == 0 && isFree ? 0 : -arms[4 * k];
             link[o + DY] = k == 0 && isFree ? 0 : -arms[4 * k + 1];
-            if (k == links - 1 || parent[k + 1] != k) { // for gap() alone
+            if (k == links - 1 || parent[k + 1] != k) {
                 link[o + EX] = link[o + DX];
                 link[o + EY] = link[o + DY];
             }
@@ -190,16 +202,7 @@ final class PinTree implements Serializable {
 
     /** Takes the masses over. */
     void weigh(double[] w) {
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
-            double m = 1 / w[block[k]];
-            double dx = link[o + DX];
-            double dy = link[o + DY];
-            link[o + MASS] = m;
-            link[o + INERTIA] = 1 / w[block[k] + State.THETA];
-            link[o + HUB] = link[o + INERTIA] + m * (dx * dx + dy * dy);
-            link[o + MDX] = m * dx;
-            link[o + MDY] = m * dy;
-        }
+        TreeMasses.weigh(this, w);
         places.weigh();
     }
 
@@ -207,7 +210,7 @@ final class PinTree implements Serializable {
     void begin() {
         for (int o = 0; o < link.length; o += STRIDE) {
             link[o + TURNING] = link[o + OMEGA];
-            SineTable.sinCos(link[o + ANGLE], link, o + COS);
+            SineTable.turn(link[o + ANGLE], link[o + EX], link[o + EY], link, o + COS);
         }
     }
 
@@ -257,89 +260,64 @@ final class PinTree implements Serializable {
     }
 
     /**
-     * A run, from the tip to its first link. M' e⊥ and e⊥·M' e⊥ of a link are found together with M' of its child and do not
-     * wait for it: the way from one division to the next is what takes the time.
+     * A run, from the tip to its first link. What does not need 1/H of the child is found without waiting for it, and H only by
+     * its last term: the way from one division to the next is what takes the time.
      */
     private void eliminate(int from, int to) {
         double[] l = link;
         double m00 = 0;
         double m01 = 0;
         double m11 = 0;
-        double p0 = 0;
-        double p1 = 0;
-        double f0 = 0;
-        double f1 = 0;
-        double fe = 0;
-        double ex = turnedX(STRIDE * to);
-        double ey = turnedY(STRIDE * to);
+        double q0 = 0;
+        double q1 = 0;
+        double tau = 0;
+        double s0 = 0;
+        double s1 = 0;
+        double u0 = 0; // S/H
+        double u1 = 0;
+        double per = 0;
         for (int k = to, o = STRIDE * to; k >= from; k--, o -= STRIDE) {
-            double mdx = l[o + COS] * l[o + MDX] - l[o + SIN] * l[o + MDY];
-            double mdy = l[o + SIN] * l[o + MDX] + l[o + COS] * l[o + MDY];
+            double ex = l[o + RX];
+            double ey = l[o + RY];
             double square = l[o + TURNING] * l[o + TURNING];
-            p0 -= square * (m00 * ex + m01 * ey); // q
-            p1 -= square * (m01 * ex + m11 * ey);
-            double tau = ey * p0 - ex * p1;
-            double hub = l[o + HUB] + fe;
-            double s0 = f0 - mdy;
-            double s1 = f1 + mdx;
-            if (alone != null) {
-                p0 -= pull(k, State.X);
-                p1 -= pull(k, State.Y);
-                tau += mdx * alone[block[k] + 1] - mdy * alone[block[k]] + l[o + INERTIA] * alone[block[k] + State.THETA];
-            }
-            if (child[k] >= 0) {
+            m00 += l[o + KNOT];
+            m11 += l[o + KNOT];
+            double g0 = m01 * ex - m00 * ey; // as if nothing had turned the child
+            double g1 = m11 * ex - m01 * ey;
+            double se = s1 * ex - s0 * ey;
+            double hub = l[o + HUB] + (ex * g1 - ey * g0) - se * se * per;
+            g0 -= se * u0;
+            g1 -= se * u1;
+            m00 -= u0 * s0;
+            m01 -= u0 * s1;
+            m11 -= u1 * s1;
+            s0 = g0;
+            s1 = g1;
+            double trace = m00 + m11; // M' e is the rest of trace e
+            q0 = q0 + u0 * tau - square * (trace * ex - s1);
+            q1 = q1 + u1 * tau - square * (trace * ey + s0);
+            tau = ey * q0 - ex * q1;
+            if (alone != null || isOdd[k]) {
                 addOthers(k, square);
                 hub += sum[0];
                 s0 += sum[1];
                 s1 += sum[2];
-                p0 += sum[3];
-                p1 += sum[4];
+                q0 += sum[3];
+                q1 += sum[4];
                 tau += sum[5];
                 m00 += sum[6];
                 m01 += sum[7];
                 m11 += sum[8];
             }
-            double per = 1 / hub;
-            keep(o, ex, ey, s0 * per, s1 * per, tau * per);
-            m00 += l[o + MASS];
-            m11 += l[o + MASS];
-            ex = turnedX(Math.max(0, o - STRIDE)); // of the parent, if the run goes on
-            ey = turnedY(Math.max(0, o - STRIDE));
-            double g0 = m01 * ex - m00 * ey;
-            double g1 = m11 * ex - m01 * ey;
-            double se = s1 * ex - s0 * ey;
-            double u0 = s0 * per;
-            double u1 = s1 * per;
-            f0 = g0 - se * u0;
-            f1 = g1 - se * u1;
-            fe = ex * g1 - ey * g0 - se * se * per;
-            m00 -= u0 * s0;
-            m01 -= u0 * s1;
-            m11 -= u1 * s1;
-            p0 = p0 - square * mdx + u0 * tau;
-            p1 = p1 - square * mdy + u1 * tau;
+            per = 1 / hub;
+            u0 = s0 * per;
+            u1 = s1 * per;
+            l[o + SX] = u0;
+            l[o + SY] = u1;
+            l[o + T] = tau * per;
         }
-        leave(SIDE * from, m00, m01, m11, p0, p1);
-    }
-
-    private double pull(int k, int coordinate) {
-        return link[STRIDE * k + MASS] * alone[block[k] + coordinate];
-    }
-
-    private void keep(int o, double rx, double ry, double sx, double sy, double t) {
-        link[o + RX] = rx;
-        link[o + RY] = ry;
-        link[o + SX] = sx;
-        link[o + SY] = sy;
-        link[o + T] = t;
-    }
-
-    private double turnedX(int o) {
-        return link[o + COS] * link[o + EX] - link[o + SIN] * link[o + EY];
-    }
-
-    private double turnedY(int o) {
-        return link[o + SIN] * link[o + EX] + link[o + COS] * link[o + EY];
+        double near = link[STRIDE * from + MASS] - link[STRIDE * from + FAR];
+        leave(SIDE * from, m00 + near - u0 * s0, m01 - u0 * s1, m11 + near - u1 * s1, q0 + u0 * tau, q1 + u1 * tau);
     }
 
     /** Keeps what a run leaves behind. */
@@ -351,12 +329,31 @@ final class PinTree implements Serializable {
         side[at + SIDE_P + 1] = p1;
     }
 
-    /** Sums over the children that are not right behind a link: e⊥·M' e⊥, M' e⊥, p' − ω² M' e, τ, M'. */
+    /**
+     * What else takes part in the elimination of a link. Sums over the children that are not right behind it: e⊥·M' e⊥, M' e⊥,
+     * p' − ω² M' e, τ, M'; what the points leave over, and what acts on the link itself.
+     */
     private void addOthers(int k, double square) {
         double[] b = side;
-        double cos = link[STRIDE * k + COS];
-        double sin = link[STRIDE * k + SIN];
+        int o = STRIDE * k;
+        double cos = link[o + COS];
+        double sin = link[o + SIN];
         Arrays.fill(sum, 0);
+        double restX = cos * link[o + RESTX] - sin * link[o + RESTY];
+        double restY = sin * link[o + RESTX] + cos * link[o + RESTY];
+        sum[1] = -restY;
+        sum[2] = restX;
+        sum[3] = -square * restX;
+        sum[4] = -square * restY;
+        if (alone != null) {
+            double x = link[o + MASS] * alone[block[k]];
+            double y = link[o + MASS] * alone[block[k] + 1];
+            double dx = cos * link[o + DX] - sin * link[o + DY];
+            double dy = sin * link[o + DX] + cos * link[o + DY];
+            sum[3] -= x;
+            sum[4] -= y;
+            sum[5] = dx * y - dy * x + link[o + INERTIA] * alone[block[k] + State.THETA];
+        }
         for (int c = child[k]; c >= 0; c = sister[c]) {
             int at = SIDE * c;
             double ex = cos * b[at] - sin * b[at + 1];
@@ -407,24 +404,13 @@ final class PinTree implements Serializable {
             }
             double rx = l[o + RX];
             double ry = l[o + RY];
-            double pullX = square * rx;
-            double pullY = square * ry;
-            double turnX = alpha * ry;
-            double turnY = alpha * rx;
-            x = x - pullX - turnX;
-            y = y - pullY + turnY;
-            double bendX = pullX + turnX;
-            double bendY = pullY - turnY;
-            if (stage == 0) {
-                l[o + FIRSTX] = rx;
-                l[o + FIRSTY] = ry;
-            }
-            l[o + BENDX] = stage == 0 ? bendX : l[o + BENDX] + bendX;
-            l[o + BENDY] = stage == 0 ? bendY : l[o + BENDY] + bendY;
+            x = x - square * rx - alpha * ry;
+            y = y - square * ry + alpha * rx;
             l[o + ALPHA + stage] = alpha;
+            double turned = l[o + ANGLE] + c * omega;
             l[o + TURNING] = l[o + OMEGA] + c * alpha;
-            l[o + TURNED] = l[o + ANGLE] + c * omega;
-            SineTable.sinCos(l[o + TURNED], l, o + COS); // (45), (46)
+            l[o + TURNED] = turned;
+            SineTable.turn(turned, l[o + EX], l[o + EY], l, o + COS); // (45), (46)
         }
     }
 
@@ -450,7 +436,7 @@ final class PinTree implements Serializable {
      * @param h step
      */
     void finish(double h) {
-        gap = 0;
+        roughness = 0;
         for (int r = 0; r < runCount; r++) {
             finish(h, runs[r], runs[r + 1]);
         }
@@ -461,7 +447,7 @@ final class PinTree implements Serializable {
         double x = side[SIDE * from + SIDE_A];
         double y = side[SIDE * from + SIDE_A + 1];
         double sixth = h / 6;
-        double most = gap;
+        double most = roughness;
         for (int k = from, o = STRIDE * from; k < to; k++, o += STRIDE) {
             double alpha = angular(o, x, y);
             double square = l[o + TURNING] * l[o + TURNING];
@@ -472,29 +458,28 @@ final class PinTree implements Serializable {
             y = y - square * l[o + RY] + alpha * l[o + RX];
             double before = l[o + OMEGA];
             double first = l[o + ALPHA];
-            double middle = l[o + ALPHA + 1] + l[o + ALPHA + 2];
+            double second = l[o + ALPHA + 1];
+            double third = l[o + ALPHA + 2];
+            double middle = second + third;
+            double rough = Math.abs(first - middle + alpha) + Math.abs(second - third);
+            if (!(rough <= most && Math.abs(h * before) <= HALF_TURN)) { // seldom; a maximum would make each wait for the last
+                most = rough >= 0 && Math.abs(h * before) <= HALF_TURN ? rough : Double.POSITIVE_INFINITY; // NaN stays
+            }
             double angle = l[o + ANGLE] + h * (before + sixth * (first + middle));
             double omega = before + sixth * (first + 2 * middle + alpha);
             l[o + ANGLE] = angle;
             l[o + OMEGA] = omega;
             l[o + TURNING] = omega;
-            SineTable.sinCos(angle, l, o + COS);
-            double gapX = l[o + FIRSTX] - h * (before * l[o + FIRSTY] + sixth * l[o + BENDX]);
-            double gapY = l[o + FIRSTY] + h * (before * l[o + FIRSTX] - sixth * l[o + BENDY]);
-            gapX -= l[o + COS] * l[o + EX] - l[o + SIN] * l[o + EY];
-            gapY -= l[o + SIN] * l[o + EX] + l[o + COS] * l[o + EY];
-            double open = Math.abs(gapX) + Math.abs(gapY);
-            if (!(open <= most)) { // seldom; a maximum would make each wait for the last
-                most = open >= 0 ? open : Double.POSITIVE_INFINITY; // NaN stays
-            }
+            SineTable.turn(angle, l[o + EX], l[o + EY], l, o + COS);
         }
-        gap = most;
+        roughness = most;
     }
 
     /**
-     * How far RK4 of the places would have parted what the angles hold together: about the error of a link in the last step.
+     * By how much the angular accelerations of the stages of the last step are not those of a uniform change: the largest
+     * |α₁ − α₂ − α₃ + α₄| + |α₂ − α₃| of a link. Both are of second order in the step. Infinite if a link turns too far.
      */
-    double gap() {
-        return gap;
+    double roughness() {
+        return roughness;
     }
 }

@@ -118,8 +118,8 @@ final class TreePlaces implements Serializable {
             }
             double dx = cos * l[o + PinTree.DX] - sin * l[o + PinTree.DY];
             double dy = sin * l[o + PinTree.DX] + cos * l[o + PinTree.DY];
-            double ex = cos * l[o + PinTree.EX] - sin * l[o + PinTree.EY];
-            double ey = sin * l[o + PinTree.EX] + cos * l[o + PinTree.EY];
+            double ex = l[o + PinTree.RX];
+            double ey = l[o + PinTree.RY];
             l[o + PinTree.X] = x + dx;
             l[o + PinTree.Y] = y + dy;
             l[o + PinTree.U] = u - omega * dy;

@@ -14,18 +14,24 @@ final class TreeStep implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /**
-     * Gap, relative to the size of the bodies, that a step in places would have left, from which it is made again in halves:
-     * where there is nothing to close, a step that is too long would not be seen otherwise, and could gain energy.
+     * What the stages may disagree about, in rad: h² times the {@link PinTree#roughness}. A step that is rougher is made again in
+     * halves: where there is nothing to close, a step that is too long would not be seen otherwise, and could gain energy.
      */
-    private static final double ROUGH = 1e-4;
+    private static final double ROUGH = 0.0125;
+
+    /** The same where the energy is known, and kept. */
+    private static final double ROUGH_IF_KNOWN = 0.2;
+
+    /** From here on it is looked at: below, the error of the energy is that of the method, and a small one. */
+    private static final double WATCHED = 0.001;
 
     /** Gap, relative to the largest coordinate, and slip, to the speeds, that a projection leaves behind. */
     private static final double CLOSED = 0x1p-45;
 
     private static final double SLIP = 1e-11;
 
-    /** What half the step does to that gap, which is of fifth order, and a little less. */
-    private static final double FINER = 1.0 / 64;
+    /** What half the step does to that, which is of fourth order, and a little less. */
+    private static final double FINER = 1.0 / 24;
 
     private static final int MOST_PARTS = 64;
 
@@ -37,14 +43,17 @@ final class TreeStep implements Serializable {
     /** Null until other forces than uniform fields act. */
     private TreeLoads loaded;
 
-    /** Parts in which the next step is made at first, as the last one was enough for; and the largest gap of the last. */
+    /** Parts in which the next step is made at first, as the last one was enough for; and the roughest of the last. */
     private int parts = 1;
 
     private double worst;
 
+    private final TreeEnergy energy;
+
     TreeStep(Island island, PinTree tree) {
         this.island = island;
         this.tree = tree;
+        energy = new TreeEnergy(tree);
     }
 
     void forgetMasses() {
@@ -65,13 +74,14 @@ final class TreeStep implements Serializable {
         if (!begin(state, solver)) {
             return false;
         }
-        while (!isDone(gx, gy, h)) {
+        boolean isUnforced = gx == 0 && gy == 0;
+        double most = tree.isFree && !isUnforced ? ROUGH : ROUGH_IF_KNOWN;
+        while (!isDone(gx, gy, h, most) || !isUnforced && !keepsEnergy(state, gx, gy)) {
             if (!divide(state)) {
                 return false;
             }
         }
-        unite();
-        boolean isUnforced = gx == 0 && gy == 0;
+        unite(most);
         if (isUnforced) {
             island.invariants.begin(state, true);
         }
@@ -112,7 +122,7 @@ final class TreeStep implements Serializable {
                 return false;
             }
         }
-        unite();
+        unite(ROUGH);
         loaded.tellFirst(a);
         island.redundantRows = 0;
         return true;
@@ -150,12 +160,17 @@ final class TreeStep implements Serializable {
         return true;
     }
 
-    private void unite() {
-        parts = worst < FINER * ROUGH ? Math.max(1, parts / 2) : parts;
+    private void unite(double most) {
+        parts = worst < FINER * most ? Math.max(1, parts / 2) : parts;
+    }
+
+    /** Gives a held tree that falls the energy back that it had at the start; false if the step was wrong. */
+    private boolean keepsEnergy(State state, double gx, double gy) {
+        return tree.isFree || worst < WATCHED || energy.restore(state, gx, gy) || parts == MOST_PARTS;
     }
 
     /** Makes the step in its parts; false if they are too long to follow the links. */
-    private boolean isDone(double gx, double gy, double h) {
+    private boolean isDone(double gx, double gy, double h, double most) {
         double part = h / parts;
         worst = 0;
         if (tree.isFree) {
@@ -170,7 +185,7 @@ final class TreeStep implements Serializable {
             tree.accelerate(2, part);
             tree.eliminate(gx, gy);
             tree.finish(part);
-            if (!isSmooth()) {
+            if (!isSmooth(part, most)) {
                 return false;
             }
         }
@@ -186,17 +201,17 @@ final class TreeStep implements Serializable {
         worst = 0;
         for (int k = 0; k < parts; k++) {
             loaded.step(state, island.bodies, loads, a, t + k * part, part, k == 0);
-            if (!isSmooth()) {
+            if (!isSmooth(part, ROUGH)) {
                 return false;
             }
         }
         return true;
     }
 
-    private boolean isSmooth() {
-        double gap = tree.gap() / island.leastSize;
-        worst = Math.max(worst, gap); // NaN stays
-        return gap <= ROUGH;
+    private boolean isSmooth(double part, double most) {
+        double rough = part * part * tree.roughness();
+        worst = Math.max(worst, rough); // NaN stays
+        return rough <= most;
     }
 
     /** Takes the state over; true if it is that of the end of the last step. */
@@ -204,13 +219,14 @@ final class TreeStep implements Serializable {
         double[] l = tree.link;
         double[] x = state.x();
         double[] v = state.v();
-        boolean same = true;
+        long different = 0;
         for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
             int b = tree.block[k];
             for (int c = 0; c < State.BLOCK; c++) {
-                same &= l[o + PinTree.X + c] == x[b + c] & l[o + PinTree.U + c] == v[b + c];
+                different |= bits(l[o + PinTree.X + c]) ^ bits(x[b + c]) | bits(l[o + PinTree.U + c]) ^ bits(v[b + c]);
             }
         }
+        boolean same = different == 0;
         if (!same) {
             for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
                 System.arraycopy(x, tree.block[k], l, o + PinTree.X, State.BLOCK);
@@ -218,6 +234,10 @@ final class TreeStep implements Serializable {
             }
         }
         return same;
+    }
+
+    private static long bits(double value) {
+        return Double.doubleToRawLongBits(value);
     }
 
     private boolean isClosed() {

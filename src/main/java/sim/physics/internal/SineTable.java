@@ -55,16 +55,18 @@ public final class SineTable {
     }
 
     /**
-     * Cosine and sine.
+     * Cosine and sine, and an arm turned by them.
      *
      * @param x rad
-     * @param out gets cos x at index {@code at} and sin x behind it
+     * @param armX of the arm
+     * @param armY of the arm
+     * @param out gets cos x at index {@code at}, then sin x and the turned arm
      * @param at index into {@code out}
      * @throws IndexOutOfBoundsException if {@code out} has no such places
      */
-    public static void sinCos(double x, double[] out, int at) {
+    public static void turn(double x, double armX, double armY, double[] out, int at) {
         if (!(Math.abs(x) < LARGE)) {
-            Trig.sinCos(x, out, at);
+            turnFar(x, armX, armY, out, at);
             return;
         }
         double shifted = x * PER_RADIAN + ROUND;
@@ -74,9 +76,21 @@ public final class SineTable {
         double s = TABLE[2 * entry + 1];
         double d = x - count * PART_1 - count * PART_2;
         double z = d * d;
-        double sine = d - d * (z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040))));
+        double sine = d - d * z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040)));
         double versine = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720)));
-        out[at] = c - (c * versine + s * sine);
-        out[at + 1] = s - (s * versine - c * sine);
+        double cos = c - (c * versine + s * sine);
+        double sin = s - (s * versine - c * sine);
+        out[at] = cos;
+        out[at + 1] = sin;
+        out[at + 2] = cos * armX - sin * armY;
+        out[at + 3] = sin * armX + cos * armY;
+    }
+
+    private static void turnFar(double x, double armX, double armY, double[] out, int at) {
+        Trig.sinCos(x, out, at);
+        double cos = out[at];
+        double sin = out[at + 1];
+        out[at + 2] = cos * armX - sin * armY;
+        out[at + 3] = sin * armX + cos * armY;
     }
 }

@@ -231,10 +231,9 @@ final class DrivenMotion implements Serializable {
         if (!isFresh || !tied.leap(motion, group, motion.time(0), h, path)) {
             return false;
         }
-        double per = 1 / h;
+        trajectories.lead(group, 1 / h, state);
         for (int k = 0; k < group.size; k++) {
             int body = group.values[k];
-            trajectories.lead(body, per, state);
             endAt[body] = h;
             pace[body] = h;
         }

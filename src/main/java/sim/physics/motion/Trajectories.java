@@ -5,6 +5,7 @@ package sim.physics.motion;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.Growth;
+import sim.physics.internal.IntList;
 
 /**
  * Where every body is at any instant of the present step: the dense output of the equations of motion.
@@ -271,29 +272,30 @@ public final class Trajectories implements Serializable {
     }
 
     /**
-     * Lets a body's path be the cubic from its anchor to where the state vectors have it, as {@link Path} does.
+     * Lets bodies' paths be the cubics from their anchors to where the state vectors have them, as {@link Path} does.
      *
-     * @param body index
+     * @param group indices
      * @param per one over the time from the anchor to then
      * @param state the vectors
      */
-    void lead(int body, double per, State state) {
-        int o = body * STRIDE;
-        int b = body * State.BLOCK;
+    void lead(IntList group, double per, State state) {
         double[] x = state.x();
         double[] v = state.v();
-        lead(o, per, x[b], v[b]);
-        lead(o + 1, per, x[b + 1], v[b + 1]);
-        lead(o + 2, per, x[b + 2], v[b + 2]);
-    }
-
-    private void lead(int o, double per, double end, double endRate) {
-        double start = data[o + VX];
-        double mean = (end - data[o]) * per;
-        double bend = start + endRate - 2 * mean;
-        boolean isRounding = Math.abs(bend) <= Path.ROUNDING * (Math.abs(start) + Math.abs(endRate));
-        bends[(o & bendMask) + AX] = isRounding ? 0.5 * per * (endRate - start) : per * (3 * mean - 2 * start - endRate);
-        bends[(o & bendMask) + JX] = isRounding ? 0 : per * per * bend;
+        double[] m = data;
+        double[] k = unfold();
+        double square = per * per;
+        for (int body = 0; body < group.size; body++) {
+            int o = group.values[body] * STRIDE;
+            int b = group.values[body] * State.BLOCK;
+            for (int c = 0; c < State.BLOCK; c++) {
+                double start = m[o + VX + c];
+                double end = v[b + c];
+                double bend = start + end - 2 * per * (x[b + c] - m[o + c]);
+                bend = Math.abs(bend) <= Path.ROUNDING * (Math.abs(start) + Math.abs(end)) ? 0 : bend;
+                k[o + AX + c] = per * (0.5 * (end - start) - 1.5 * bend);
+                k[o + JX + c] = square * bend;
+            }
+        }
     }
 
     /**

@@ -13,8 +13,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Cosines and sines from the table against {@code StrictMath}'s; mirror images have mirrored bits. */
 class SineTableTest {
     private static double[] of(double x) {
-        double[] out = new double[3];
-        SineTable.sinCos(x, out, 1);
+        double[] out = new double[5];
+        SineTable.turn(x, 3, -2, out, 1);
+        assertThat(out[3]).isEqualTo(Double.valueOf(3 * out[1] + 2 * out[2]));
+        assertThat(out[4]).isEqualTo(Double.valueOf(3 * out[2] - 2 * out[1]));
         return new double[] {out[1], out[2]};
     }
 
