@@ -36,6 +36,11 @@ public abstract class AdaptiveIntegrator implements Integrator {
 
     private static final double SMALLEST = 0x1p-50;
 
+    /** How much longer than it should be a step may be to end where the engine's does; and how much shorter one is made for that. */
+    private static final double ROOM = 1.02;
+
+    private static final double LITTLE = 1.15;
+
     /** Rounding of a coordinate, below which no step is made smaller. */
     private static final double ROUNDING = 4 * 0x1p-52;
 
@@ -62,12 +67,30 @@ public abstract class AdaptiveIntegrator implements Integrator {
     @Override
     public final double advance(
             EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
-        if (h == 0) {
-            return 0;
-        }
+        return h == 0 ? 0 : advance(equations, state, bodies, t, h, false, path);
+    }
+
+    /**
+     * Advances the blocks of some bodies by a step that need not end where the engine's does.
+     *
+     * @param rest the step if none is known
+     * @param most the longest one
+     * @return the time advanced
+     */
+    final double goOn(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double rest, double most, Path path) {
+        path.ensure(State.BLOCK * state.size());
+        double wanted = Math.min(path.next[bodies.values[0]], most);
+        boolean endsThere = !(wanted > 0) || wanted > rest / ROOM && wanted < LITTLE * rest;
+        return advance(equations, state, bodies, t, endsThere ? rest : wanted, true, path);
+    }
+
+    private double advance(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, boolean isOpen, Path path) {
         path.ensure(State.BLOCK * state.size());
         Stages stages = path.stages;
         stages.load(state, bodies, tolerance, ROUNDING);
+        stages.isOpen = isOpen;
         equations.acceleration(bodies, t, path.stage);
         stages.keepFirst(bodies, path);
         int first = bodies.values[0];
@@ -77,15 +100,15 @@ public abstract class AdaptiveIntegrator implements Integrator {
         int rejections = 0;
         while (true) {
             stages.isRetry = rejections > 0;
-            stages.most = Math.max(1, Math.abs(h) / length);
+            stages.most = isOpen ? Double.MAX_VALUE : Math.max(1, Math.abs(h) / length);
             stages.haste = haste(path, first, t, length);
             stages.time = Math.max(length, time);
             boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
             double proposal = length * stages.factor;
             if (done) {
                 stages.join(state, bodies, h < 0 ? -length : length, path);
-                path.next[first] = length == Math.abs(h) ? Math.max(wanted, proposal) : proposal;
-                remember(path, first, t, Math.min(proposal, Math.abs(h)));
+                path.next[first] = length == Math.abs(h) && !isOpen ? Math.max(wanted, proposal) : proposal;
+                remember(path, first, t, isOpen ? proposal : Math.min(proposal, Math.abs(h)));
                 return length == Math.abs(h) ? h : h < 0 ? -length : length;
             }
             rejections++;
@@ -136,7 +159,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
 
     /** The next step: not much less than what is left, and no tiny one after it. */
     private static double fit(double wanted, double left) {
-        return left < 1.02 * wanted ? left : left < 2 * wanted ? 0.5 * left : wanted;
+        return left < ROOM * wanted ? left : left < 2 * wanted ? 0.5 * left : wanted;
     }
 
     /**
@@ -146,4 +169,17 @@ public abstract class AdaptiveIntegrator implements Integrator {
      *     the next step should be longer.
      */
     abstract boolean attempt(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path);
+
+    /** How much longer than the engine's a step must be for dense output to cost less than to end there. */
+    double worthwhile() {
+        return 0;
+    }
+
+    /**
+     * Makes the dense output of the step that was just made, whose end the state vectors hold, and keeps them.
+     *
+     * @return false if it would not be as accurate as the step
+     */
+    abstract boolean makeDense(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out);
 }

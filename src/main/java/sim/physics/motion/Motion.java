@@ -42,12 +42,12 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     public Motion(State state, Trajectories trajectories) {
         this.state = state;
         this.trajectories = trajectories;
-        this.forces = new Forces(state);
-        this.generators = new Generators();
-        this.driven = new IntList();
-        this.pushed = new IntList();
-        this.support = new Support();
-        this.drivenMotion = new DrivenMotion(this, state, trajectories);
+        forces = new Forces(state);
+        generators = new Generators();
+        driven = new IntList();
+        pushed = new IntList();
+        support = new Support();
+        drivenMotion = new DrivenMotion(this, state, trajectories);
     }
 
     /** Another motion of the same bodies under the same forces, with workspace, method and ties of its own. */
@@ -217,7 +217,6 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     /** Ends the step: writes where the driven bodies are; the forces that were applied for the step have acted. */
     public void finish() {
         drivenMotion.finish(driven);
-        drivenMotion.finished();
         for (int k = 0; k < pushed.size; k++) {
             Body view = state.body(pushed.values[k]);
             if (view != null) {
@@ -253,6 +252,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     public void remove(int body) {
         setDriven(body, false);
         support.release(body);
+        drivenMotion.cutStrides();
     }
 
     /**

@@ -70,6 +70,11 @@ public final class Spring implements ForceGenerator {
     }
 
     @Override
+    public boolean isAutonomous() {
+        return true;
+    }
+
+    @Override
     public void addForce(Body body, double time, Forces forces) {
         double cosA = Trig.cos(a.getAngle());
         double sinA = Trig.sin(a.getAngle());
