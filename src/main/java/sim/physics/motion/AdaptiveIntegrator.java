@@ -36,10 +36,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
 
     private static final double SMALLEST = 0x1p-50;
 
-    /** How much longer than it should be a step may be to end where the engine's does; and how much shorter one is made for that. */
-    private static final double ROOM = 1.02;
-
-    private static final double LITTLE = 1.15;
+    private static final double WORTHWHILE = 1.5;
 
     /** Rounding of a coordinate, below which no step is made smaller. */
     private static final double ROUNDING = 4 * 0x1p-52;
@@ -73,16 +70,11 @@ public abstract class AdaptiveIntegrator implements Integrator {
     /**
      * Advances the blocks of some bodies by a step that need not end where the engine's does.
      *
-     * @param rest the step if none is known
-     * @param most the longest one
+     * @param wanted the step
      * @return the time advanced
      */
-    final double goOn(
-            EquationsOfMotion equations, State state, IntList bodies, double t, double rest, double most, Path path) {
-        path.ensure(State.BLOCK * state.size());
-        double wanted = Math.min(path.next[bodies.values[0]], most);
-        boolean endsThere = !(wanted > 0) || wanted > rest / ROOM && wanted < LITTLE * rest;
-        return advance(equations, state, bodies, t, endsThere ? rest : wanted, true, path);
+    final double goOn(EquationsOfMotion equations, State state, IntList bodies, double t, double wanted, Path path) {
+        return advance(equations, state, bodies, t, wanted, true, path);
     }
 
     private double advance(
@@ -107,6 +99,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
             double proposal = length * stages.factor;
             if (done) {
                 stages.join(state, bodies, h < 0 ? -length : length, path);
+                path.proposed[first] = proposal;
                 path.next[first] = length == Math.abs(h) && !isOpen ? Math.max(wanted, proposal) : proposal;
                 remember(path, first, t, isOpen ? proposal : Math.min(proposal, Math.abs(h)));
                 return length == Math.abs(h) ? h : h < 0 ? -length : length;
@@ -159,7 +152,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
 
     /** The next step: not much less than what is left, and no tiny one after it. */
     private static double fit(double wanted, double left) {
-        return left < ROOM * wanted ? left : left < 2 * wanted ? 0.5 * left : wanted;
+        return left < 1.02 * wanted ? left : left < 2 * wanted ? 0.5 * left : wanted;
     }
 
     /**
@@ -170,9 +163,17 @@ public abstract class AdaptiveIntegrator implements Integrator {
      */
     abstract boolean attempt(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path);
 
-    /** How much longer than the engine's a step must be for dense output to cost less than to end there. */
+    /**
+     * How much longer than the engine's a step must be for dense output to pay, and not to end there: what it costs, and what
+     * is read, against errors that are smaller than asked for.
+     */
     double worthwhile() {
-        return 0;
+        return WORTHWHILE;
+    }
+
+    /** Whether what steps that end with the engine's say of longer ones is all there is to know. */
+    boolean hasFixedOrder() {
+        return true;
     }
 
     /**

@@ -55,7 +55,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     private static final double OUTPUT = 2;
 
     /** How much longer than the engine's a step must be for that to be cheaper. */
-    private static final double WORTHWHILE = 2;
+    private static final double WORTHWHILE = 6;
 
     /**
      * Makes the method.
@@ -70,6 +70,11 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     @Override
     double worthwhile() {
         return WORTHWHILE;
+    }
+
+    @Override
+    boolean hasFixedOrder() {
+        return false;
     }
 
     @Override

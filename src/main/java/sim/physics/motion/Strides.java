@@ -94,23 +94,18 @@ final class Strides implements Serializable {
     /** Makes a stride; the path is set if it does not go beyond the engine's step. Returns its length, 0 if there is none. */
     private double begin(Stride stride, IntList group, double tau, double rest, TiedMotion tied) {
         stride.isLive = false;
-        path.knowsFirst = false;
-        double t = motion.time(tau);
-        double most = Math.min(stride.longest, LONGEST * trajectories.h());
         AdaptiveIntegrator method = (AdaptiveIntegrator) motion.getIntegrator();
-        path.ensure(state.x().length);
         int first = group.values[0];
-        double least = method.worthwhile() * trajectories.h();
-        if (stride.wanted > 0 && Math.min(stride.wanted, stride.longest) < least) {
-            stride.wanted = Math.max(stride.wanted, LONGER * Math.min(stride.wanted, least)); // it is tried again some time
-            stride.longest = Math.max(stride.longest, LONGER * Math.min(stride.longest, least));
+        double wanted = wanted(stride, method, first);
+        if (wanted == 0) {
             return 0;
         }
-        path.next[first] = stride.wanted > 0 ? stride.wanted : path.next[first];
+        path.knowsFirst = false;
+        double t = motion.time(tau);
         double length = motion.isTiedGroup(group)
-                ? tied.goOn(motion, method, group, t, rest, most, path)
-                : method.goOn(motion, state, group, t, rest, most, path);
-        stride.wanted = path.next[first];
+                ? tied.goOn(motion, method, group, t, wanted, path)
+                : method.goOn(motion, state, group, t, wanted, path);
+        stride.wanted = path.proposed[first];
         if (length <= rest) {
             return length;
         }
@@ -121,9 +116,29 @@ final class Strides implements Serializable {
         stride.longest = Math.max(stride.longest, LONGER * length);
         stride.begin(method, state, group, trajectories, tau);
         for (int k = 0; k < group.size; k++) {
-            firsts[group.values[k]] = group.values[0];
+            firsts[group.values[k]] = first;
         }
         return length;
+    }
+
+    /** How long a stride should be; 0 if it would be too short to pay. */
+    private double wanted(Stride stride, AdaptiveIntegrator method, int first) {
+        path.ensure(state.x().length);
+        double h = trajectories.h();
+        double least = method.worthwhile() * h;
+        boolean isKnown = stride.wanted > 0 && !method.hasFixedOrder();
+        double wanted = Math.min(isKnown ? stride.wanted : path.proposed[first], stride.longest);
+        if (wanted >= (isKnown || method.hasFixedOrder() ? least : h)) {
+            return Math.min(wanted, LONGEST * h);
+        }
+        stride.wanted = later(stride.wanted, least);
+        stride.longest = later(stride.longest, least);
+        return 0;
+    }
+
+    /** What was too short is tried again some time. */
+    private static double later(double length, double least) {
+        return length < least ? LONGER * length : length;
     }
 
     /** Brings a group from its anchors, where the state vectors have it, to an instant; false if it is on no stride then. */

@@ -348,17 +348,17 @@ final class TiedMotion implements Serializable {
      *
      * @return how far; 0 if none is short enough, and nothing has changed
      */
-    double goOn(Motion motion, AdaptiveIntegrator method, IntList group, double t, double rest, double most, Path path) {
+    double goOn(Motion motion, AdaptiveIntegrator method, IntList group, double t, double wanted, Path path) {
         begin(group);
         double limit = 0;
         for (int halvings = 0; halvings <= FEW_HALVINGS; halvings++) {
             ties.begin(group, !motion.hasForces());
             double done = halvings == 0
-                    ? method.goOn(motion, state, group, t, rest, most, path)
+                    ? method.goOn(motion, state, group, t, wanted, path)
                     : method.advance(motion, state, group, t, limit, path);
             if (ties.project(group)) {
                 int first = group.values[0];
-                path.next[first] = halvings == 0 ? path.next[first] : Math.min(path.next[first], LONGER * done);
+                path.proposed[first] = halvings == 0 ? path.proposed[first] : Math.min(path.proposed[first], LONGER * done);
                 join(motion, group, done, path);
                 return done;
             }

@@ -176,7 +176,7 @@ class StrideTest {
         double[] exact = run(name, new DormandPrince853(1e-14), time, 1, -1, 0);
         double amplification = amplification(name, time, name.equals("orbit") ? 1 : 0.3, exact);
         double[] calls = new double[4];
-        int[] steps = {1, 16, 128, 1024};
+        int[] steps = {1, 64, 256, 1024};
         double mean = 0;
         for (int k = 0; k < steps.length; k++) {
             double[] places = run(name, method(method, tolerance), time, steps[k], -1, 0);
