@@ -8,7 +8,9 @@ import sim.physics.internal.IntList;
 /**
  * A method that takes a tolerance in place of a step. It chooses its steps so that the error of a position is about the
  * tolerance in each of them, in units of length; of an angle, about that of the body's rim. The engine's time step then
- * only says when the state is published, and when agents act: the longer it is, the cheaper.
+ * only says when the state is published, and when agents act. Where forces and joints depend on the state alone, steps that
+ * want to be much longer go on beyond it, and the state is read from their dense output; elsewhere they end there, so that
+ * the engine's step had better be long.
  *
  * <p>The error at the end of a run is as many tolerances as the scene makes of a small change on its way: about the time
  * in units of the step for a pendulum, and more where motion is chaotic.

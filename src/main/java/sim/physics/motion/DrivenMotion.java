@@ -10,7 +10,7 @@ import sim.physics.internal.IntList;
  * Moves bodies that the integrator drives from their anchors on, sets their paths, and brings them to instants between.
  *
  * <p>An integrator of fixed step makes one path of what is left of the engine's step. One that chooses its steps itself
- * makes a path of each of its own, up to the end of the engine's.
+ * makes a path of each of its own, up to the end of the engine's, or of what of it lies in that ({@link Strides}).
  */
 final class DrivenMotion implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -444,9 +444,9 @@ final class DrivenMotion implements Serializable {
         return strides.goesOn(group.values[0]);
     }
 
-    /** What may bear on any body has changed. */
-    void cutStrides() {
-        strides.cutAll();
+    /** A body is about to be removed. */
+    void remove(int body) {
+        strides.cut(body);
     }
 
     /** The offset of a body's last change of course in this step, 0 if there was none. */

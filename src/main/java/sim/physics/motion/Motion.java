@@ -252,7 +252,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     public void remove(int body) {
         setDriven(body, false);
         support.release(body);
-        drivenMotion.cutStrides();
+        drivenMotion.remove(body);
     }
 
     /**

@@ -69,9 +69,10 @@ public final class Spring implements ForceGenerator {
         return b != null && !b.isFixed() && !a.isFixed();
     }
 
+    /** Unless the other body is in no engine, or another one, and moved from there. */
     @Override
     public boolean isAutonomous() {
-        return true;
+        return b == null || b.state() == a.state();
     }
 
     @Override

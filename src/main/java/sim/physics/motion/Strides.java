@@ -208,8 +208,7 @@ final class Strides implements Serializable {
         }
     }
 
-    /** All strides are over. */
-    void cutAll() {
+    private void cutAll() {
         for (Stride stride : strides) {
             if (stride != null) {
                 stride.isLive = false;

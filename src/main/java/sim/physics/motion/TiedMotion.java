@@ -365,6 +365,7 @@ final class TiedMotion implements Serializable {
             again(group);
             limit = HALF * done;
         }
+        path.proposed[group.values[0]] = limit;
         return 0;
     }
 

@@ -368,4 +368,44 @@ class StrideTest {
         }
         assertThat(engine.getImpacts()).isEqualTo(7);
     }
+
+    /** What comes, goes and is pushed elsewhere changes no bit. */
+    @Test
+    void otherBodiesDoNotMatter() {
+        long[] hashes = new long[2];
+        for (int e = 0; e < 2; e++) {
+            Setup setup = Setup.of("rods", new DormandPrince853(1e-6), 1e-3);
+            Body other = null;
+            for (int k = 0; k < 500; k++) {
+                if (e == 1 && k == 100) {
+                    other = setup.engine().add(new Body(new Circle(1)).at(50, 0));
+                } else if (e == 1 && k > 200 && k < 300) {
+                    other.addForce(1, 0);
+                } else if (e == 1 && k == 400) {
+                    setup.engine().remove(other);
+                }
+                setup.engine().step();
+            }
+            hashes[e] = Scenes.hash(setup.engine());
+        }
+        assertThat(hashes[1]).isEqualTo(hashes[0]);
+    }
+
+    /** A spring to a body that is moved outside the engine, which nobody is told of. */
+    @Test
+    void aSpringFollowsWhatIsInNoEngine() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setIntegrator(new DormandPrince853(1e-8));
+        engine.setTimeStep(1e-3);
+        Body bob = engine.add(new Body(new Circle(0.1)));
+        Body hand = new Body(new Circle(0.1));
+        engine.add(new Spring(bob, 0, 0, hand, 0, 0, 0, bob.getMass(), 0));
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+        }
+        assertThat(bob.getX()).isZero();
+        hand.setPosition(1, 0);
+        engine.step();
+        assertThat(bob.getVelocityX()).isCloseTo(1e-3, within(1e-8));
+    }
 }
