@@ -248,8 +248,19 @@ final class DrivenMotion implements Serializable {
 
     /** Advances a group from its anchors on the stride that it is on, or on a new one; returns how far. */
     private double goOn(IntList group, double tau, double rest) {
-        double length = motion.getIntegrator().isAdaptive() ? strides.advance(group, tau, rest, tied) : 0;
+        boolean mayGoBeyond = motion.getIntegrator().isAdaptive() && !isStruck(group);
+        double length = mayGoBeyond ? strides.advance(group, tau, rest, tied) : 0;
         return length > 0 ? length : stride(group, tau, rest);
+    }
+
+    /** Whether something has happened to a group in this step: it may well happen again in the next one. */
+    private boolean isStruck(IntList group) {
+        boolean yes = false;
+        for (int k = 0; k < group.size; k++) {
+            int body = group.values[k];
+            yes |= body < struckIn.length && struckIn[body] == trajectories.step();
+        }
+        return yes;
     }
 
     /** Integrates a group from its anchors; returns how far. */
@@ -319,7 +330,7 @@ final class DrivenMotion implements Serializable {
             }
         } else {
             restore(group);
-            if (!strides.bring(group, tau, tied)) {
+            if (!strides.bring(group, tau)) {
                 cover(group, trajectories.offset(first), tau);
             }
         }

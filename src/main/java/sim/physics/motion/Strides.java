@@ -86,9 +86,8 @@ final class Strides implements Serializable {
             DrivenMotion.restore(trajectories, state, group);
             from = 0;
         }
-        double to = from + rest;
-        double length = stride.isOver(to) && to > (1 + 1e-12) * stride.dense.length ? stride.dense.length - from : rest;
-        return read(stride, group, from, length, tied) ? length : 0;
+        double length = stride.has(from + rest) ? rest : stride.dense.length - from;
+        return read(stride, group, from, length) ? length : 0;
     }
 
     /** Makes a stride; the path is set if it does not go beyond the engine's step. Returns its length, 0 if there is none. */
@@ -142,7 +141,7 @@ final class Strides implements Serializable {
     }
 
     /** Brings a group from its anchors, where the state vectors have it, to an instant; false if it is on no stride then. */
-    boolean bring(IntList group, double tau, TiedMotion tied) {
+    boolean bring(IntList group, double tau) {
         int first = group.values[0];
         if (first >= strides.length || strides[first] == null || !strides[first].isLive) {
             return false;
@@ -153,11 +152,11 @@ final class Strides implements Serializable {
         return stride.isFollowed(motion.getIntegrator(), state, group, trajectories)
                 && stride.has(from)
                 && stride.has(to)
-                && read(stride, group, from, to - from, tied);
+                && read(stride, group, from, to - from);
     }
 
     /** Puts a group where its stride has it, and sets its path from where the state vectors have it to there. */
-    private boolean read(Stride stride, IntList group, double from, double length, TiedMotion tied) {
+    private boolean read(Stride stride, IntList group, double from, double length) {
         path.ensure(state.x().length);
         stride.enter(state, group);
         path.start(state, group);

@@ -408,4 +408,20 @@ class StrideTest {
         engine.step();
         assertThat(bob.getVelocityX()).isCloseTo(1e-3, within(1e-8));
     }
+
+    /** Who is steered in every step is not followed beyond it: no evaluation is wasted on what will not be. */
+    @ParameterizedTest
+    @ValueSource(strings = {"velocity", "force"})
+    void whoIsSteeredInEveryStepIsNotFollowedBeyondIt(String by) {
+        Setup setup = Setup.of("orbit", new DormandPrince853(1e-6), 1e-3);
+        for (int k = 0; k < 200; k++) {
+            if (by.equals("velocity")) {
+                setup.body().setVelocity(setup.body().getVelocityX(), setup.body().getVelocityY());
+            } else {
+                setup.body().addForce(1e-3, 0);
+            }
+            setup.engine().step();
+        }
+        assertThat(setup.calls()).isLessThanOrEqualTo(200 * 12 + 30);
+    }
 }
