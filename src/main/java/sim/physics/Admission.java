@@ -142,10 +142,11 @@ final class Admission implements Presence, Serializable {
         } else {
             heaps.forget(index);
         }
+        boolean moves = trajectories.isDriven(index) || !trajectories.isAt(index, tau, state);
         motion.admit(index, tau);
         if (detection.knows(index)) {
             detection.refilter(index);
-            detection.moved(index, tau, true, -1);
+            detection.moved(index, tau, moves || state.body(index).isFixed(), -1);
         } else {
             detection.add(index, tau);
         }

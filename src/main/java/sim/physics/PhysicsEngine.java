@@ -147,6 +147,7 @@ public final class PhysicsEngine implements Steppable {
     /** Motion, (5)–(15): driven bodies get their paths over the step; all others are on their way already. */
     private void drive() {
         changed.clear();
+        detection.gather();
         motion.anchorDriven();
         motion.endApplied(changed);
         admit(0);
@@ -195,9 +196,7 @@ public final class PhysicsEngine implements Steppable {
         } finally {
             enter(); // also if a group cannot go on
         }
-        if (driven.size > 0) {
-            detection.lookAround(driven, 0);
-        }
+        detection.lookAtGathered(driven);
     }
 
     private void enter() {
@@ -345,7 +344,7 @@ public final class PhysicsEngine implements Steppable {
             return;
         }
         motion.bring(body, tau);
-        if (motion.hold(body)) {
+        if (motion.ground().hold(body)) {
             moved(body, tau, false, -1);
         } else {
             follow(body, Entry.BODY_AND_PAIRS);

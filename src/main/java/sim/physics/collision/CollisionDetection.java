@@ -47,6 +47,11 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
 
     private final PairMarks marks = new PairMarks(pairs);
     private final IntList together = new IntList();
+
+    /** Bodies whose pairs are looked at together, while the step begins. */
+    private final IntList gathered = new IntList();
+
+    private boolean gathers;
     private long step;
     private double h;
 
@@ -186,13 +191,38 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         if (notes.has(body, BodyNotes.IDLE)) {
             return;
         }
+        if (gathers && !trajectories.areStraight()) {
+            gathered.add(body);
+            return;
+        }
         boolean straight = trajectories.areStraight() && narrowPhase().isContinuous() && marks.areShallow();
         boolean watched = straight ? watch.lookAround(body, tau, except) : watch.lookAtAll(body, tau, except);
         notes.set(body, BodyNotes.IDLE, !watched);
     }
 
+    /** Lets the pairs of bodies that get new trajectories at the start of the step wait until all have theirs. */
+    public void gather() {
+        gathers = true;
+        gathered.clear();
+    }
+
     /**
-     * Takes note that a body has a new trajectory, as {@link #moved} does, but leaves its pairs to {@link #lookAround}.
+     * Looks at the pairs that have waited, and at those of other bodies, at each once.
+     *
+     * @param others indices of bodies that have entered new trajectories
+     */
+    public void lookAtGathered(IntList others) {
+        gathers = false;
+        for (int k = 0; k < others.size; k++) {
+            gathered.add(others.values[k]);
+        }
+        if (gathered.size > 0) {
+            lookAround(gathered, 0);
+        }
+    }
+
+    /**
+     * Takes note that a body has a new trajectory, as {@link #moved} does, but leaves its pairs to {@link #lookAtGathered}.
      *
      * @param body index
      * @param tau offset in the present step
@@ -218,7 +248,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
      * @param bodies indices
      * @param tau offset in the present step
      */
-    public void lookAround(IntList bodies, double tau) {
+    private void lookAround(IntList bodies, double tau) {
         watch.clearList();
         for (int m = 0; m < bodies.size; m++) {
             int body = bodies.values[m];

@@ -61,6 +61,9 @@ public final class Tolerances {
     /** Impacts of a pair in one step from which its bodies may lie on one another, in a heap. */
     public static final int LIE_AFTER = 8;
 
+    /** The same where one of them lies in a heap already. */
+    public static final int JOIN_AFTER = 2;
+
     /** The same for a pair that loses energy only by friction. */
     public static final int ELASTIC_LIE_AFTER = 512;
 

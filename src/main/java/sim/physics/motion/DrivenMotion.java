@@ -272,7 +272,7 @@ final class DrivenMotion implements Serializable {
         if (motion.isTiedGroup(group)) {
             return tied.advanceUntilSwitch(motion, group, t, tau, limit, path);
         }
-        SurfaceFriction surface = motion.surfaceUnder(group);
+        SurfaceFriction surface = motion.ground().surfaceUnder(group);
         if (surface != null && limit > 0) {
             return sliding.advance(state.body(group.values[0]), surface, group, t, limit, isPressed(group));
         }
@@ -347,7 +347,7 @@ final class DrivenMotion implements Serializable {
     void cover(IntList group, double from, double to) {
         double t = motion.time(from);
         double length = to - from;
-        SurfaceFriction surface = motion.surfaceUnder(group);
+        SurfaceFriction surface = motion.ground().surfaceUnder(group);
         if (motion.isTiedGroup(group)) {
             tied.advance(motion, group, t, length, path);
         } else if (surface != null && length > 0) {

@@ -82,6 +82,11 @@ final class Generators implements Serializable {
 
     /** The accelerations of all forces; the force vector takes those of generators, and what was applied. */
     void accelerate(State state, IntList bodies, double t, Forces forces, double[] a) {
+        accelerate(state, bodies, t, forces, a, null);
+    }
+
+    /** The same without one generator. */
+    void accelerate(State state, IntList bodies, double t, Forces forces, double[] a, ForceGenerator without) {
         double[] f = state.f();
         double[] w = state.w().values();
         for (int k = 0; k < bodies.size; k++) {
@@ -90,7 +95,7 @@ final class Generators implements Serializable {
             f[b] = body.appliedX();
             f[b + 1] = body.appliedY();
             f[b + 2] = body.appliedTorque();
-            addForces(body, t, forces);
+            addForces(body, t, forces, without);
             a[b] = gravityX + w[b] * f[b]; // (5), (7)
             a[b + 1] = gravityY + w[b + 1] * f[b + 1];
             a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
@@ -144,9 +149,9 @@ final class Generators implements Serializable {
     }
 
     /** Adds the forces on a body, but for those of uniform fields. */
-    private void addForces(Body body, double time, Forces forces) {
+    private void addForces(Body body, double time, Forces forces, ForceGenerator without) {
         for (ForceGenerator g : driving) {
-            if (g.actsOn(body)) {
+            if (g != without && g.actsOn(body)) {
                 g.addForce(body, time, forces);
             }
         }

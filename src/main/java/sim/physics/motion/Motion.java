@@ -32,6 +32,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     /** Null while nothing ties bodies together; what bears bodies at rest. */
     Ties ties;
     final Support support;
+    private final Ground ground;
 
     /**
      * Makes the motion of an engine.
@@ -42,12 +43,13 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     public Motion(State state, Trajectories trajectories) {
         this.state = state;
         this.trajectories = trajectories;
-        forces = new Forces(state);
-        generators = new Generators();
-        driven = new IntList();
-        pushed = new IntList();
-        support = new Support();
-        drivenMotion = new DrivenMotion(this, state, trajectories);
+        this.forces = new Forces(state);
+        this.generators = new Generators();
+        this.driven = new IntList();
+        this.pushed = new IntList();
+        this.support = new Support();
+        this.drivenMotion = new DrivenMotion(this, state, trajectories);
+        this.ground = new Ground(this, state, trajectories);
     }
 
     /** Another motion of the same bodies under the same forces, with workspace, method and ties of its own. */
@@ -60,6 +62,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         pushed = original.pushed;
         support = original.support;
         drivenMotion = new DrivenMotion(this, state, trajectories);
+        ground = original.ground;
     }
 
     /**
@@ -69,6 +72,15 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      */
     public void setObserver(CourseObserver observer) {
         drivenMotion.setObserver(observer);
+    }
+
+    /**
+     * The plane on which bodies rub.
+     *
+     * @return live
+     */
+    public Ground ground() {
+        return ground;
     }
 
     /** Goes through a time from where the state vectors have a group, whatever its paths are. */
@@ -174,13 +186,13 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         if (view.isPushed()) {
             pushed.add(body);
         }
-        if (!hold(body)) {
+        if (!ground.hold(body)) {
             course(body);
         }
     }
 
     /** Sets the parabola of a body that is not driven, from its anchor on. */
-    private void course(int body) {
+    void course(int body) {
         if (trajectories.isDriven(body)) {
             return;
         }
@@ -231,7 +243,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         drivenMotion.keepEnds(driven);
     }
 
-    private void setDriven(int body, boolean yes) {
+    void setDriven(int body, boolean yes) {
         boolean was = trajectories.isDriven(body);
         trajectories.setDriven(body, yes);
         if (yes) {
@@ -369,12 +381,6 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         return time + tau;
     }
 
-    /** The friction that acts on a body which moves alone, or null. */
-    SurfaceFriction surfaceUnder(IntList group) {
-        SurfaceFriction surface = generators.surface;
-        return surface == null || group.size > 1 || !surface.actsOn(state.body(group.values[0])) ? null : surface;
-    }
-
     boolean isTiedGroup(IntList group) {
         return ties != null && (generators.coupled || isTied(group.values[0]));
     }
@@ -427,22 +433,6 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
             setDriven(body, isTied(body) || generators.drive(state.body(body)));
             course(body);
         }
-    }
-
-    /**
-     * Takes a driven body that has come to rest and that constant static friction holds off the integrator.
-     *
-     * @param body index, anchored at the present instant
-     * @return whether it is at rest until something happens to it
-     */
-    public boolean hold(int body) {
-        if (trajectories.isMoving(body) || isTied(body) || !generators.holds(state.body(body))) {
-            return false;
-        }
-        setDriven(body, false);
-        support.hold(body);
-        course(body);
-        return true;
     }
 
     /** Whether some force may act on bodies beside that of their ties. */

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.motion;
 
+import sim.physics.internal.Logarithm;
 import sim.physics.internal.Trig;
 import sim.physics.shape.Shape;
 
@@ -155,14 +156,14 @@ final class PolygonPatch extends SurfacePatch {
             return 0;
         }
         if (s >= 0) {
-            return StrictMath.log1p(length * (1 + (s + end) / (rho + rhoEnd)) / (s + rho));
+            return Logarithm.ofOnePlus(length * (1 + (s + end) / (rho + rhoEnd)) / (s + rho));
         }
         if (end <= 0) {
-            return StrictMath.log1p(length * (1 - (s + end) / (rho + rhoEnd)) / (rhoEnd - end));
+            return Logarithm.ofOnePlus(length * (1 - (s + end) / (rho + rhoEnd)) / (rhoEnd - end));
         }
         double p = end / h * (1 + end / (h + rhoEnd)); // log1p(p) = asinh(end/h)
         double q = -s / h * (1 - s / (h + rho));
-        return StrictMath.log1p(p + q + p * q);
+        return Logarithm.ofOnePlus(p + q + p * q);
     }
 
     @Override

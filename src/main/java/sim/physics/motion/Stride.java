@@ -13,6 +13,9 @@ final class Stride implements Serializable {
     /** Part of a stride that is rounding. */
     private static final double ROUNDING = 1e-12;
 
+    /** Part of the engine's step by which rounding may make the same instant two. */
+    private static final double SAME = 1e-9;
+
     final DenseOutput dense = new DenseOutput();
 
     /** Whether nothing has happened to its bodies since it was made. */
@@ -40,7 +43,9 @@ final class Stride implements Serializable {
     private double[] end = {};
 
     private double[] entered = {};
+    private double enteredAt;
     private double[] left = {};
+    private double leftAt;
 
     Stride() {
         // until it is begun
@@ -81,13 +86,17 @@ final class Stride implements Serializable {
         return time >= -ROUNDING * dense.length && time <= (1 + ROUNDING) * dense.length;
     }
 
-    /** Whether these bodies, by this method and with these steps of the engine, are where they last were on it, to the bit. */
-    boolean isFollowed(Integrator by, State state, IntList group, Trajectories trajectories) {
+    /** Whether these bodies, by this method and with these steps of the engine, are where and when they last were on it, to the bit. */
+    boolean isFollowed(Integrator by, State state, IntList group, Trajectories trajectories, double time) {
         return isLive
                 && maker == by
                 && h == trajectories.h()
                 && Arrays.equals(bodies, 0, bodies.length, group.values, 0, group.size)
-                && (isAt(state, left) || isAt(state, entered));
+                && (isNow(leftAt, time) && isAt(state, left) || isNow(enteredAt, time) && isAt(state, entered));
+    }
+
+    private boolean isNow(double then, double time) {
+        return Math.abs(time - then) <= SAME * h;
     }
 
     private boolean isAt(State state, double[] place) {
@@ -101,12 +110,14 @@ final class Stride implements Serializable {
     }
 
     /** Takes note of where it is entered: where the state vectors have the group. */
-    void enter(State state, IntList group) {
+    void enter(State state, IntList group, double time) {
+        enteredAt = time;
         take(state, group, entered);
     }
 
     /** Takes note of where it is left. */
-    void leave(State state, IntList group) {
+    void leave(State state, IntList group, double time) {
+        leftAt = time;
         take(state, group, left);
     }
 

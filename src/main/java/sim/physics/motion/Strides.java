@@ -59,7 +59,7 @@ final class Strides implements Serializable {
                 return false;
             }
         }
-        return motion.surfaceUnder(group) == null
+        return motion.ground().surfaceUnder(group) == null
                 && motion.generators.areAutonomous(state, group)
                 && (!motion.isTiedGroup(group) || motion.ties.isAutonomous(group));
     }
@@ -78,7 +78,7 @@ final class Strides implements Serializable {
         DrivenMotion.restore(trajectories, state, group);
         Stride stride = at(group.values[0]);
         double from = stride.time(trajectories, tau);
-        if (!stride.isFollowed(motion.getIntegrator(), state, group, trajectories) || !stride.has(from) || stride.isOver(from)) {
+        if (!stride.isFollowed(motion.getIntegrator(), state, group, trajectories, from) || stride.isOver(from)) {
             double length = begin(stride, group, tau, rest, tied);
             if (length <= rest) {
                 return length;
@@ -149,8 +149,7 @@ final class Strides implements Serializable {
         Stride stride = strides[first];
         double from = stride.time(trajectories, trajectories.offset(first));
         double to = stride.time(trajectories, tau);
-        return stride.isFollowed(motion.getIntegrator(), state, group, trajectories)
-                && stride.has(from)
+        return stride.isFollowed(motion.getIntegrator(), state, group, trajectories, from)
                 && stride.has(to)
                 && read(stride, group, from, to - from);
     }
@@ -158,7 +157,7 @@ final class Strides implements Serializable {
     /** Puts a group where its stride has it, and sets its path from where the state vectors have it to there. */
     private boolean read(Stride stride, IntList group, double from, double length) {
         path.ensure(state.x().length);
-        stride.enter(state, group);
+        stride.enter(state, group, from);
         path.start(state, group);
         boolean isTied = motion.isTiedGroup(group);
         if (isTied) {
@@ -174,7 +173,7 @@ final class Strides implements Serializable {
         stride.dense.accelerations(group, from / stride.dense.length, path.first);
         path.knowsFirst = true;
         stride.isUnderWay = from > 0;
-        stride.leave(state, group);
+        stride.leave(state, group, from + length);
         return true;
     }
 

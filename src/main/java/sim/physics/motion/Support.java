@@ -19,6 +19,9 @@ final class Support implements Serializable {
     /** Bodies at rest that static friction holds. */
     private boolean[] held = {};
 
+    /** Bodies that the integrator would drive, but for their contacts. */
+    private boolean[] carried = {};
+
     /** Whether contacts have given accelerations to a driven body in this step. */
     boolean pushesDriven;
 
@@ -70,11 +73,25 @@ final class Support implements Serializable {
         return body < held.length && held[body];
     }
 
+    void carry(int body) {
+        if (body >= carried.length) {
+            carried = Arrays.copyOf(carried, Math.max(2 * carried.length, body + 1));
+        }
+        carried[body] = true;
+    }
+
+    boolean carries(int body) {
+        return body < carried.length && carried[body];
+    }
+
     /** Ends a body's rest; false if it did not rest. */
     boolean release(int body) {
-        boolean rested = holds(body);
-        if (rested) {
+        boolean rested = holds(body) || carries(body);
+        if (holds(body)) {
             held[body] = false;
+        }
+        if (carries(body)) {
+            carried[body] = false;
         }
         for (int c = State.BLOCK * body; c < Math.min(accelerations.length, State.BLOCK * (body + 1)); c++) {
             rested |= accelerations[c] != 0;

@@ -47,22 +47,29 @@ public final class SurfaceFriction implements ForceGenerator {
 
     @Override
     public void addForce(Body body, double time, Forces forces) {
-        double[] unit = forces.workspace;
+        double[] f = forces.workspace;
+        friction(body, body.getVelocityX(), body.getVelocityY(), body.getAngularVelocity(), body.getAngle(), f);
+        forces.add(body, f[State.X], f[State.Y]);
+        forces.addTorque(body, f[State.THETA]);
+    }
+
+    /** Takes the force and torque on a body to out. */
+    void friction(Body body, double vx, double vy, double omega, double theta, double[] out) {
+        body.surfacePatch().friction(vx, vy, omega, theta, out);
         double weight = body.getSurfaceFriction() * body.getMass() * gravity;
-        body.surfacePatch()
-                .friction(
-                        body.getVelocityX(),
-                        body.getVelocityY(),
-                        body.getAngularVelocity(),
-                        body.getAngle(),
-                        unit);
-        forces.add(body, weight * unit[State.X], weight * unit[State.Y]);
-        forces.addTorque(body, weight * unit[State.THETA]);
+        out[State.X] *= weight;
+        out[State.Y] *= weight;
+        out[State.THETA] *= weight;
     }
 
     /** Whether static friction holds a body at rest against the force and torque on it. */
     boolean holds(Body body, double fx, double fy, double torque) {
-        double limit = body.getSurfaceStaticFriction() * body.getMass() * gravity;
-        return body.surfacePatch().holds(fx, fy, torque, body.getAngle(), limit);
+        return holds(body, body.getAngle(), fx, fy, torque, false);
+    }
+
+    /** The same at another angle; for a body that moves, whether kinetic friction does. */
+    boolean holds(Body body, double theta, double fx, double fy, double torque, boolean moves) {
+        double coefficient = moves ? body.getSurfaceFriction() : body.getSurfaceStaticFriction();
+        return body.surfacePatch().holds(fx, fy, torque, theta, coefficient * body.getMass() * gravity);
     }
 }

@@ -45,6 +45,12 @@ final class BodyScale implements Serializable {
         return Math.min(first, second);
     }
 
+    /** The largest speed of a body's points, nearly, for a velocity. */
+    double speed(int body, double[] v, int at) {
+        double way = Math.max(Math.abs(v[at]), Math.abs(v[at + 1]));
+        return Math.max(way, radius(body) * Math.abs(v[at + 2]));
+    }
+
     double radius(int body) {
         return trajectories.radius(body);
     }
@@ -53,7 +59,9 @@ final class BodyScale implements Serializable {
     double bend(Manifold manifold, Impact point, int a, int b, double h) {
         double turnA = manifold.roundA ? 0 : h * Math.abs(point.omegaA);
         double turnB = manifold.roundB ? 0 : h * Math.abs(point.omegaB);
-        double slide = h * Math.abs(point.tangentVelocity());
+        double spinA = manifold.roundA ? point.omegaA * point.armA : 0; // a disc's spin moves no normal
+        double spinB = manifold.roundB ? point.omegaB * point.armB : 0;
+        double slide = h * Math.abs(point.tangentVelocity() + spinA - spinB);
         double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * radius(a)) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * radius(b));
         return Math.min(bend + slide * (turnA + turnB), 1e-3 * size(a, b));
     }

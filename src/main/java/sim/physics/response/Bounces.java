@@ -201,7 +201,8 @@ final class Bounces implements Serializable {
 
     /** Whether so many impacts of a pair in a step have been so short that the two are to lie on one another. */
     boolean jams(int pair, int a, int b, Impact c, boolean inHeap) {
-        int most = c.restitution < 1 ? Tolerances.LIE_AFTER : Tolerances.ELASTIC_LIE_AFTER;
+        int least = inHeap ? Tolerances.JOIN_AFTER : Tolerances.LIE_AFTER;
+        int most = c.restitution < 1 ? least : Tolerances.ELASTIC_LIE_AFTER;
         if (counts[pair] <= most || c.restitution == 1 && c.friction == 0 && !inHeap) {
             return false;
         }

@@ -52,6 +52,30 @@ final class ContactRows implements Serializable {
         return bodies[2 * p] < 0 || bodies[2 * p + 1] < 0;
     }
 
+    /** What a unit of impulse along a point's normal does to its velocity along that. */
+    double normalMobility(int p, double[] w) {
+        int o = STRIDE * p;
+        return mobility(p, w, data[o + LEVER_A], data[o + LEVER_B]);
+    }
+
+    /** The same along its tangent. */
+    double tangentMobility(int p, double[] w) {
+        int o = STRIDE * p;
+        return mobility(p, w, data[o + ARM_A], data[o + ARM_B]);
+    }
+
+    private double mobility(int p, double[] w, double armA, double armB) {
+        int a = bodies[2 * p];
+        int b = bodies[2 * p + 1];
+        double first = a < 0 ? 0 : w[2 * a] + armA * armA * w[2 * a + 1];
+        return first + (b < 0 ? 0 : w[2 * b] + armB * armB * w[2 * b + 1]);
+    }
+
+    /** Whether a point is one of a body's. */
+    boolean isOf(int p, int body) {
+        return bodies[2 * p] == body || bodies[2 * p + 1] == body;
+    }
+
     /** Normal velocity of a point, positive when it parts. */
     double normal(int p, double[] v) {
         int o = STRIDE * p;

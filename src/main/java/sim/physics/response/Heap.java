@@ -28,14 +28,6 @@ final class Heap implements Serializable {
     /** Speed at which points hardly close, relative to the bodies'. */
     private static final double HARDLY = 1e-12;
 
-    /** Times that the forces of driven bodies are found, and their change at which they are right, as in {@link #HARDLY}. */
-    private static final int PROBES = 4;
-
-    private static final double SAME = 1e-9;
-
-    /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
-    private static final double MOST_SHARE = 100;
-
     /** Speed that is none, relative to that which the forces give in the time of a solution. */
     private static final double STILL = 1e-7;
 
@@ -59,6 +51,8 @@ final class Heap implements Serializable {
 
     private final IntList heap = new IntList();
     private final HeapNotes notes;
+    private final DrivenHeap driving;
+    private final RubbedHeap rubbing;
 
     private final double[] fall = new double[State.BLOCK];
     private final Impact point = new Impact();
@@ -72,10 +66,18 @@ final class Heap implements Serializable {
     /** Whether bodies of the heap are driven. */
     private boolean isDriven;
 
+    /**
+     * Whether bodies rub on the plane on which they lie, or are driven over one on which others rub, and none is tied to
+     * others. In the end it is not both this and driven.
+     */
+    private boolean isRubbed;
+
+    /** Whether bodies are tied to others. */
+    private boolean isTied;
+
     /** Null while nothing ties bodies together. */
     private Ties ties;
 
-    private double[] alone = {};
     private boolean halts;
     private double scale;
 
@@ -96,6 +98,8 @@ final class Heap implements Serializable {
         this.ledger = ledger;
         this.notes = new HeapNotes(system, ledger);
         this.scales = new BodyScale(state, trajectories);
+        this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales);
+        this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
     }
 
     BodyScale scales() {
@@ -137,21 +141,33 @@ final class Heap implements Serializable {
     void settle(int seed, double tau, IntList changed) {
         find(seed, tau);
         if (isDriven) {
-            unpay(tau);
+            driving.unpay(heap, tau, ties);
+        } else if (isRubbed) {
+            rubbing.unpay(heap, tau);
         }
+        isFresh |= isEven();
         gather(tau);
-        if (isDriven) {
+        if (isEven()) {
             strike();
-            drive(tau);
+        }
+        if (isDriven) {
+            scale = driving.drive(heap, until - tau, scale);
         }
         solve(tau);
         publish(tau, changed);
+    }
+
+    /** Whether what the heap does to its bodies acts evenly over the time of the solution; else it does at its start. */
+    private boolean isEven() {
+        return isDriven || isRubbed;
     }
 
     /** Finds the bodies that lie on one another with a body, and until when their velocities are to hold. */
     private void find(int seed, double tau) {
         heap.clear();
         isDriven = false;
+        isRubbed = false;
+        isTied = false;
         include(seed);
         double spin = 0;
         boolean struck = false;
@@ -172,21 +188,26 @@ final class Heap implements Serializable {
                 }
             }
         }
+        isRubbed &= !isTied;
+        isDriven &= !isRubbed;
         double h = trajectories.h();
         double length = spin * h > TURN ? TURN / spin : h;
         length = Math.max(isDriven ? Math.min(length, by.pace(heap, h, h / SOLUTIONS)) : length, h / SOLUTIONS);
         isFresh = !struck;
-        until = Math.min(isDriven ? h : paid, tau + length);
+        until = Math.min(isEven() ? h : paid, tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
     }
 
     /** Includes a body, and those that move with it. */
     private void include(int body) {
-        if (!trajectories.isDriven(body)) {
+        boolean byOthers = motion.ground().isDrivenByOthers(body);
+        isRubbed |= motion.ground().rubs(body) || byOthers && motion.ground().isRough();
+        isDriven |= byOthers;
+        isTied |= motion.isTied(body);
+        if (!motion.isTied(body)) {
             includeOne(body);
             return;
         }
-        isDriven = true;
         IntList group = motion.companions(body);
         for (int k = 0; k < group.size; k++) {
             by.ensure(group.values[k]);
@@ -198,29 +219,6 @@ final class Heap implements Serializable {
         heap.add(body);
         by.place[body] = heap.size;
         by.isDirty[body] = false;
-    }
-
-    /** Takes from bodies what forces have given them for the time that is left: it is found anew, with those of driven ones. */
-    private void unpay(double tau) {
-        double[] d = trajectories.data();
-        for (int k = 0; k < heap.size; k++) {
-            int body = heap.values[k];
-            if (!trajectories.isDriven(body)) {
-                by.unpay(body, tau, d, body * Trajectories.STRIDE + Trajectories.VX);
-            }
-            by.paidUntil[body] = 0;
-            if (motion.isTied(body) && isFirst(k)) {
-                motion.restore(ties.island(body));
-                ties.prepareImpact(ties.island(body));
-            }
-        }
-        isFresh = true;
-    }
-
-    /** Whether a body of the heap is the first of those that move with it. */
-    private boolean isFirst(int k) {
-        int body = heap.values[k];
-        return trajectories.isDriven(body) && motion.companions(body).values[0] == body;
     }
 
     /** Changes the velocities at once where points close too fast, before forces act. */
@@ -238,57 +236,6 @@ final class Heap implements Serializable {
             int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
             System.arraycopy(system.v, 3 * k, trajectories.data(), o, State.BLOCK);
         }
-    }
-
-    /** Solves for the forces of driven bodies, which change with the way that they make under them. */
-    private void drive(double tau) {
-        double length = until - tau;
-        for (int p = 0; p < system.size(); p++) {
-            notes.start(p, length);
-        }
-        probe(length);
-        for (int k = 1; k < PROBES; k++) {
-            for (int b = 0; b < heap.size; b++) {
-                scale = Math.max(scale, speed(b));
-            }
-            system.keep();
-            system.solve(scale, true);
-            if (system.change() <= SAME * scale) {
-                system.unpush();
-                break;
-            }
-            probe(length);
-        }
-        for (int k = 0; k < heap.size; k++) {
-            if (isFirst(k)) {
-                motion.restore(motion.companions(heap.values[k]));
-            }
-        }
-    }
-
-    /** Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces. */
-    private void probe(double length) {
-        double[] d = trajectories.data();
-        double[] pushes = pushes();
-        for (int k = 0; k < heap.size; k++) {
-            support(k, length, pushes);
-        }
-        double share = 1;
-        for (int k = 0; k < heap.size; k++) {
-            int body = heap.values[k];
-            int o = body * Trajectories.STRIDE + Trajectories.VX;
-            if (isFirst(k)) {
-                share = Math.min(MOST_SHARE, length / motion.probe(body, length)); // it may end early, at a stop
-            }
-            motion.fall(body, fall, 0);
-            for (int c = 0; c < State.BLOCK; c++) {
-                double gained = trajectories.isDriven(body)
-                        ? share * (state.v()[State.BLOCK * body + c] - d[o + c])
-                        : fall[c] * length + pushes[3 * k + c];
-                system.v[3 * k + c] = d[o + c] + gained;
-            }
-        }
-        system.unpush();
     }
 
     /** Takes in the bodies of the heap and their points. */
@@ -325,7 +272,7 @@ final class Heap implements Serializable {
         double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
         double time = until - Math.max(tau, by.paidUntil[body]);
-        for (int c = 0; c < State.BLOCK && time > 0 && !isDriven; c++) {
+        for (int c = 0; c < State.BLOCK && time > 0 && !isEven(); c++) {
             system.v[3 * k + c] += fall[c] * time;
         }
     }
@@ -344,7 +291,7 @@ final class Heap implements Serializable {
         }
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), !isFresh);
         double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
-        if (isDriven) {
+        if (isEven()) {
             detection.marks().setDepth(pair, HeapGaps.depth(true, size));
         }
         double depth = detection.marks().depth(pair);
@@ -360,8 +307,8 @@ final class Heap implements Serializable {
             }
             notes.add(pair, k);
             double bend = scales.bend(manifold, point, a, b, left);
-            system.bound(p, HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isDriven));
-            if (isFresh && !isDriven) {
+            system.bound(p, HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven()));
+            if (isFresh && !isEven()) {
                 notes.start(p, left);
             }
         }
@@ -394,12 +341,15 @@ final class Heap implements Serializable {
             scale = Math.max(scale, speed(k));
             most = Math.max(most, by.turns[heap.values[k]]);
         }
-        boolean done = system.solve(scale, true);
+        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : system.solve(scale, true);
         if (!by.afford(heap, system.gained())) {
             done = system.solve(scale, false); // regaining gaps must not add energy
             by.afford(heap, system.gained());
         }
         notes.note(isFresh ? until - tau : 0, done);
+        if (isRubbed) {
+            rubbing.end();
+        }
         halts = most > MOST && !isDriven;
         if (halts) {
             system.halt();
@@ -407,25 +357,7 @@ final class Heap implements Serializable {
     }
 
     private double speed(int k) {
-        double way = Math.max(Math.abs(system.v[3 * k]), Math.abs(system.v[3 * k + 1]));
-        return Math.max(way, scales.radius(heap.values[k]) * Math.abs(system.v[3 * k + 2]));
-    }
-
-    /** Lets a driven body be pushed evenly over a time. */
-    private void support(int k, double time, double[] pushes) {
-        if (trajectories.isDriven(heap.values[k])) {
-            motion.support(heap.values[k], pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
-        }
-    }
-
-    /** What the impulses would do to bodies that nothing ties; their ties reply when they are driven. */
-    private double[] pushes() {
-        if (isDriven) {
-            alone = alone.length < 3 * heap.size ? new double[6 * heap.size] : alone;
-            Arrays.fill(alone, 0, 3 * heap.size, 0);
-            system.pushAlone(alone);
-        }
-        return alone;
+        return scales.speed(heap.values[k], system.v, 3 * k);
     }
 
     /** Finds what holds a heap that stands still from now on, when it has been stopped; nothing else depends on that. */
@@ -452,7 +384,7 @@ final class Heap implements Serializable {
             pull = Math.max(pull, pull(heap.values[k]));
             most = Math.max(most, speed(k));
         }
-        boolean still = system.size() > 0 && !halts && isFresh && !isDriven && most <= STILL * pull * (until - tau);
+        boolean still = system.size() > 0 && !halts && isFresh && !isEven() && most <= STILL * pull * (until - tau);
         if (!still && until < trajectories.h()) {
             detection.plan(heap.values[0], until);
         }
@@ -460,22 +392,32 @@ final class Heap implements Serializable {
             bear(until - tau, STILL * pull * (until - tau));
         }
         double[] d = trajectories.data();
-        double[] pushes = pushes();
+        double[] pushes = isDriven ? driving.pushes(heap) : null;
+        boolean stands = isRubbed && !halts && rubbing.isStill(heap);
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             by.place[body] = 0;
-            by.isStill[body] = still;
+            by.isStill[body] = still || stands;
             if (still) {
                 Arrays.fill(system.v, 3 * k, 3 * k + 3, 0);
             }
             if (system.size() == 0 && isFresh) {
                 by.lies[body] = false;
                 motion.support(body, 0, 0, 0);
+                motion.ground().resume(body);
+                changed.add(body);
+                continue;
+            }
+            if (isRubbed) {
+                if (halts) {
+                    rubbing.halt(k);
+                }
+                rubbing.publish(k, body, until - tau, fall);
                 changed.add(body);
                 continue;
             }
             if (trajectories.isDriven(body)) {
-                support(k, until - tau, pushes);
+                driving.support(body, k, until - tau, pushes);
                 by.paidUntil[body] = until;
                 changed.add(body);
                 continue;

@@ -36,16 +36,17 @@ final class HeapGaps {
      * @param bend what turning and sliding may take of the gap in the time
      * @param time for which the velocity is to hold
      * @param isFresh whether it was not found for a longer time before
-     * @param isDriven whether the heap has driven bodies: if not, it is stopped when this does not do
+     * @param isEven whether the velocity is reached evenly in the time; if not, at once, and the heap is stopped when this
+     *     does not do
      */
-    static double leastSpeed(double gap, double depth, double bend, double time, boolean isFresh, boolean isDriven) {
+    static double leastSpeed(double gap, double depth, double bend, double time, boolean isFresh, boolean isEven) {
         double room = depth + bend;
         double least = isFresh ? room : 0.5 * room;
         if (gap >= least) {
             return (least - gap) / time;
         }
         double regained = REGAIN * (room - gap);
-        double lift = isDriven ? bend - Math.max(0, gap + depth) : 0; // or it would be too deep before the time is over
-        return Math.max(regained, lift) / time;
+        double lift = 2 * (bend - Math.max(0, gap + depth)); // or it would be too deep before the time is over
+        return (isEven ? regained + Math.max(0, lift) : regained) / time;
     }
 }

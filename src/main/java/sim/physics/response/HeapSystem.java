@@ -34,6 +34,9 @@ final class HeapSystem implements Serializable {
     private static final int LEAST_SWEEPS = 20;
     private static final int WORK = 20_000;
 
+    /** The work on one of several solutions in turn, where the last one need not be the best. */
+    private static final int LITTLE_WORK = 1000;
+
     /**
      * Part of the work after which impulses are good enough whose points miss their least gap by little. Where flush edges
      * leave them open, in a row of boxes, bounds contradict each other by rounding, and impulses drift on and on.
@@ -60,6 +63,9 @@ final class HeapSystem implements Serializable {
 
     /** Null until a body is tied to others. */
     private HeapReplies replies;
+
+    /** Inverse masses of 1. */
+    private double[] units = {};
 
     /** Error of velocities that is good enough in the end. */
     private double enough;
@@ -150,6 +156,36 @@ final class HeapSystem implements Serializable {
         data[at] = mobility > IMMOBILE * data[at] ? mobility : Double.POSITIVE_INFINITY;
     }
 
+    /** Lets a body be moved, or be as good as fixed; given its own inverse mass and moment of inertia. */
+    void setMobile(int place, boolean yes, double inverseMass, double inverseInertia) {
+        w[2 * place] = yes ? inverseMass : 0;
+        w[2 * place + 1] = yes ? inverseInertia : 0;
+        for (int p = 0; p < points; p++) {
+            if (rows.isOf(p, place)) {
+                data[STRIDE * p + MOBILITY_N] = orNone(rows.normalMobility(p, w));
+                data[STRIDE * p + MOBILITY_T] = orNone(rows.tangentMobility(p, w));
+            }
+        }
+    }
+
+    /** A point that nothing moves can be given no impulse. */
+    private static double orNone(double mobility) {
+        return mobility > 0 ? mobility : Double.POSITIVE_INFINITY;
+    }
+
+    /** Takes the momenta that the impulses give to bodies, whatever their masses, to an array. */
+    void momenta(double[] out) {
+        if (units.length < 2 * count) {
+            units = new double[4 * count];
+            Arrays.fill(units, 1);
+        }
+        Arrays.fill(out, 0, 3 * count, 0);
+        for (int p = 0; p < points; p++) {
+            rows.pushFirst(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], units, out);
+            rows.pushSecond(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], units, out);
+        }
+    }
+
     /** Sets the least normal velocity of a point. */
     void bound(int p, double least) {
         data[STRIDE * p + BOUND] = least;
@@ -197,7 +233,7 @@ final class HeapSystem implements Serializable {
 
     /** Whether a point's normal row is an equation now, and its tangential one. */
     boolean isClosed(int p) {
-        return data[STRIDE * p + IMPULSE_N] > 0;
+        return data[STRIDE * p + IMPULSE_N] > 0 && data[STRIDE * p + MOBILITY_N] < Double.POSITIVE_INFINITY;
     }
 
     boolean isStuck(int p) {
@@ -307,8 +343,17 @@ final class HeapSystem implements Serializable {
      * @return whether the impulses are right or nearly so
      */
     boolean solve(double scale, boolean regains) {
+        return solve(scale, regains, WORK);
+    }
+
+    /** The same with little work. */
+    boolean solveInTurn(double scale) {
+        return solve(scale, true, LITTLE_WORK);
+    }
+
+    private boolean solve(double scale, boolean regains, int work) {
         begin(regains);
-        int left = Math.max(LEAST_SWEEPS, WORK / Math.max(1, points));
+        int left = Math.max(LEAST_SWEEPS, work / Math.max(1, points));
         int late = (int) ((1 - ENDLESS) * left);
         double change = 0;
         while (left > 0) {
@@ -353,6 +398,9 @@ final class HeapSystem implements Serializable {
     double gained() {
         double sum = 0;
         for (int k = 0; k < count; k++) {
+            if (w[2 * k] == 0) {
+                continue; // held
+            }
             double x = v[3 * k] - free[3 * k];
             double y = v[3 * k + 1] - free[3 * k + 1];
             double turn = v[3 * k + 2] - free[3 * k + 2];

@@ -103,18 +103,26 @@ public final class Heaps implements Serializable {
     }
 
     private boolean mayLie(int body) {
-        if (!trajectories.isDriven(body)) {
+        if (trajectories.isDriven(body) && !motion.isSupportable()) {
+            return false;
+        }
+        if (!isDriven(body)) {
             return true;
         }
         boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
-        return !paused && motion.isSupportable() && isCalm(motion.companions(body));
+        return !paused && isCalm(motion.companions(body));
     }
 
     /** Whether so much has happened to a driven body in this step that it is to lie on nothing. */
     private boolean isTooOften(int body) {
         boolean tied = motion.isTied(body);
-        return trajectories.isDriven(body)
+        return isDriven(body)
                 && (by.turns[body] > (tied ? MOST_TIED : MOST) || by.ends[body] > (tied ? MOST_ENDS_TIED : MOST_ENDS));
+    }
+
+    /** Whether the integrator moves a body also when it lies on others. */
+    private boolean isDriven(int body) {
+        return trajectories.isDriven(body) && (motion.isTied(body) || !motion.ground().isRough());
     }
 
     /** Whether bodies that move together turn so little in a step that forces may be constant for it. */
@@ -321,7 +329,7 @@ public final class Heaps implements Serializable {
     public IntList settle(double tau) {
         for (int k = 0; k < dirty.size; k++) {
             int body = dirty.values[k];
-            if (by.lies[body] && trajectories.isDriven(body) && !isCalm(motion.companions(body))) {
+            if (by.lies[body] && isDriven(body) && !isCalm(motion.companions(body))) {
                 giveUp(body);
                 changed.add(body);
             } else if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {

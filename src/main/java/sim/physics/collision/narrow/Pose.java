@@ -48,6 +48,9 @@ final class Pose {
 
         double maxAlpha;
 
+        /** Angular acceleration, where it is constant. */
+        double alpha;
+
         private void load(ShapeTable shapes, int body) {
             shape = shapes.data();
             base = shapes.base(body);
@@ -155,6 +158,9 @@ final class Pose {
     /** Whether both bodies move and spin uniformly. */
     private boolean linear;
 
+    /** Whether both angular accelerations are constant. */
+    private boolean spinIsQuadratic;
+
     Pose(ShapeTable shapes, Trajectories trajectories) {
         this.shapes = shapes;
         this.trajectories = trajectories;
@@ -184,10 +190,13 @@ final class Pose {
         b.maxOmega = Math.abs(m[ob + Trajectories.OMEGA]);
         a.maxAlpha = 0;
         b.maxAlpha = 0;
+        a.alpha = 0;
+        b.alpha = 0;
         ax = 0;
         ay = 0;
         accelerationIsConstant = true;
         linear = true;
+        spinIsQuadratic = true;
         maxAcceleration = 0;
     }
 
@@ -200,6 +209,7 @@ final class Pose {
                 + Math.abs(bends[(ob & bendMask) + Trajectories.JX]) + Math.abs(bends[(ob & bendMask) + Trajectories.JY]);
         accelerationIsConstant = jerk == 0;
         linear = isLinear(oa) && isLinear(ob);
+        spinIsQuadratic = bends[(oa & bendMask) + Trajectories.JTHETA] == 0 && bends[(ob & bendMask) + Trajectories.JTHETA] == 0;
         maxAcceleration = ax == 0 && ay == 0 ? 0 : Math.sqrt(ax * ax + ay * ay);
         if (!accelerationIsConstant) {
             maxAcceleration += 6 * jerk * trajectories.h();
@@ -209,6 +219,11 @@ final class Pose {
     /** Whether both bodies move and spin uniformly. */
     boolean isLinear() {
         return linear;
+    }
+
+    /** Whether all accelerations of both bodies are constant. */
+    boolean isQuadratic() {
+        return accelerationIsConstant && spinIsQuadratic;
     }
 
     private boolean isLinear(int o) {
@@ -226,6 +241,7 @@ final class Pose {
         double jerk = Math.abs(bends[(o & bendMask) + Trajectories.JTHETA]);
         body.maxOmega = Math.abs(m[o + Trajectories.OMEGA]);
         body.maxAlpha = 0;
+        body.alpha = 2 * bends[(o & bendMask) + Trajectories.ATHETA];
         if (alpha != 0 || jerk != 0) {
             body.maxOmega += h * (2 * alpha + 3 * h * jerk);
             body.maxAlpha = 2 * alpha + 6 * h * jerk;

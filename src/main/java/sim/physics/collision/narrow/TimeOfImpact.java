@@ -179,6 +179,8 @@ final class TimeOfImpact {
         double offset = owner.offset(edge) + pose.rounding;
         double bound = boundNearEdge(owner, other, side * ex, side * ey);
         double relative = other.omega - owner.omega;
+        double twist = other.alpha - owner.alpha;
+        double pull = side * (pose.ax * ex + pose.ay * ey) + side * owner.alpha * (pose.py * ex - pose.px * ey);
         double closestAlong = 0;
         double closestRate = 0;
         for (int j = 0; j < other.n; j++) {
@@ -190,7 +192,7 @@ final class TimeOfImpact {
             double g = qx * ex + qy * ey - offset;
             double wx = side * pose.ux - other.omega * ry + owner.omega * qy;
             double wy = side * pose.uy + other.omega * rx - owner.omega * qx;
-            double curvature = side * 2 * owner.omega * (pose.uy * ex - pose.ux * ey)
+            double curvature = pull + twist * (rx * ey - ry * ex) + side * 2 * owner.omega * (pose.uy * ex - pose.ux * ey)
                     - relative * relative * (rx * ex + ry * ey)
                     - owner.omega * owner.omega * ((qx - rx) * ex + (qy - ry) * ey);
             double rate = wx * ex + wy * ey;
@@ -231,6 +233,9 @@ final class TimeOfImpact {
         if (owner.maxOmega == 0 && owner.maxAlpha == 0) {
             // the normal stands still: only the acceleration along it counts
             double along = pose.accelerationIsConstant ? -(pose.ax * nx + pose.ay * ny) : pose.maxAcceleration;
+            if (pose.isQuadratic()) {
+                third = thirdOfSpin(owner, other);
+            }
             return Math.max(0, along + turning * other.core);
         }
         double distance = Math.sqrt(pose.px * pose.px + pose.py * pose.py);
@@ -245,10 +250,25 @@ final class TimeOfImpact {
             speed += pose.maxAcceleration * ahead;
             reach = distance + speed * ahead;
         }
+        if (pose.isQuadratic()) {
+            double spin = owner.maxOmega;
+            double square = owner.maxAlpha + spin * spin;
+            third = thirdOfSpin(owner, other)
+                    + 3 * spin * pose.maxAcceleration
+                    + 3 * square * speed
+                    + spin * (3 * owner.maxAlpha + spin * spin) * reach;
+        }
         return pose.maxAcceleration
                 + turning * other.core
                 + 2 * owner.maxOmega * (speed + other.maxOmega * other.core)
                 + (owner.maxOmega * owner.maxOmega + owner.maxAlpha) * (reach + other.core);
+    }
+
+    /** The part of a bound of |g‴| that comes from the spin of a body relative to the edge, under constant accelerations. */
+    private double thirdOfSpin(Pose.Placed owner, Pose.Placed other) {
+        double relative = other.maxOmega + owner.maxOmega;
+        double twist = Math.abs(other.alpha - owner.alpha);
+        return relative * (3 * twist + relative * relative) * other.core;
     }
 
     /**
@@ -352,8 +372,19 @@ final class TimeOfImpact {
         if (third < INFINITE && root < s) {
             double ahead = AHEAD * root;
             root = Math.max(root, Math.min(ahead, root(g, rate, Math.max(0, ahead * third / 3 - curvature))));
+            root = rate < 0 ? root : Math.max(root, rise(rate, curvature));
         }
         s = Math.min(s, root);
+    }
+
+    /** The time for which g' s + g″ s²/2 − T s³/6 is surely not negative, for g' ≥ 0: a gap that widens does so for a while. */
+    private double rise(double rate, double curvature) {
+        double half = 0.5 * curvature;
+        double d = Math.sqrt(half * half + 2 * third * rate / 3);
+        if (curvature > 0) {
+            return third == 0 ? INFINITE : 3 * (half + d) / third;
+        }
+        return rate == 0 ? 0 : 2 * rate / (d - half);
     }
 
     /** First root of g + g' s − M s²/2 for g ≥ 0 and M ≥ 0. */

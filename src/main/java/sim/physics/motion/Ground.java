@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import sim.physics.internal.IntList;
+
+/** The plane on which bodies lie: which of them it holds, and which others push over it, its friction found with theirs. */
+public final class Ground implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final Motion motion;
+    private final State state;
+    private final Trajectories trajectories;
+    private final IntList alone = new IntList();
+    private double[] all = {};
+
+    Ground(Motion motion, State state, Trajectories trajectories) {
+        this.motion = motion;
+        this.state = state;
+        this.trajectories = trajectories;
+    }
+
+    /**
+     * Whether there is friction on the plane.
+     *
+     * @return false without a {@link SurfaceFriction}
+     */
+    public boolean isRough() {
+        return motion.generators.surface != null;
+    }
+
+    /**
+     * Whether a body rubs on the plane and could be carried.
+     *
+     * @param body index
+     * @return false for bodies that are tied to others, and if forces couple bodies
+     */
+    public boolean rubs(int body) {
+        SurfaceFriction surface = motion.generators.surface;
+        return surface != null && !motion.generators.coupled && surface.actsOn(state.body(body)) && !motion.isTied(body);
+    }
+
+    /**
+     * The deceleration of a body that slides on the plane without spinning.
+     *
+     * @param body index of one that rubs
+     * @return μ g, length/time²
+     */
+    public double deceleration(int body) {
+        return state.body(body).getSurfaceFriction() * motion.generators.surface.getGravity();
+    }
+
+    /**
+     * Whether the integrator is to move a body for more than the friction of the plane.
+     *
+     * @param body index
+     * @return true for bodies that are tied to others, and those that generators of authors act on
+     */
+    public boolean isDrivenByOthers(int body) {
+        return motion.isTied(body) || motion.generators.drivesOtherThan(motion.generators.surface, state.body(body));
+    }
+
+    /**
+     * Finds the acceleration that all but the friction of the plane and contacts give to a body where it is.
+     *
+     * @param body index, anchored at an offset in the present step, and not tied to others
+     * @param tau that offset
+     * @param a takes x″, y″, θ″
+     * @param at where in it
+     */
+    public void accelerate(int body, double tau, double[] a, int at) {
+        if (!motion.generators.drivesOtherThan(motion.generators.surface, state.body(body))) {
+            motion.fall(body, a, at);
+            return;
+        }
+        alone.only(body);
+        motion.restore(alone);
+        int n = State.BLOCK * state.size();
+        all = all.length < n ? new double[state.x().length] : all;
+        motion.generators.accelerate(state, alone, motion.time(tau), motion.forces, all, motion.generators.surface);
+        System.arraycopy(all, State.BLOCK * body, a, at, State.BLOCK);
+    }
+
+    /** The friction that acts on a body which moves alone, or null. */
+    SurfaceFriction surfaceUnder(IntList group) {
+        SurfaceFriction surface = motion.generators.surface;
+        return surface == null || group.size > 1 || !surface.actsOn(state.body(group.values[0])) ? null : surface;
+    }
+
+    /**
+     * Takes a driven body that has come to rest and that constant static friction holds off the integrator.
+     *
+     * @param body index, anchored at the present instant
+     * @return whether it is at rest until something happens to it
+     */
+    public boolean hold(int body) {
+        if (trajectories.isMoving(body) || motion.isTied(body) || !motion.generators.holds(state.body(body))) {
+            return false;
+        }
+        motion.setDriven(body, false);
+        motion.support.hold(body);
+        motion.course(body);
+        return true;
+    }
+
+    /**
+     * Takes a body off the integrator, until it is written or struck.
+     *
+     * @param body index, anchored at the present instant, and not tied to others
+     */
+    public void carry(int body) {
+        if (motion.generators.drive(state.body(body))) {
+            motion.setDriven(body, false);
+            motion.support.carry(body);
+        }
+    }
+
+    /**
+     * Leaves a body to the integrator again.
+     *
+     * @param body index, anchored at the present instant; any
+     */
+    public void resume(int body) {
+        if (motion.support.carries(body)) {
+            motion.deflect(body);
+        }
+    }
+
+    /**
+     * Whether the plane can hold a body.
+     *
+     * @param body index, anchored at the present instant
+     * @param fx force on it
+     * @param fy force on it
+     * @param torque torque on it
+     * @param moves whether it slides until it is held
+     * @return whether they lie within the limit surface, of static friction unless it slides
+     */
+    public boolean holds(int body, double fx, double fy, double torque, boolean moves) {
+        return motion.generators.surface.holds(state.body(body), theta(body), fx, fy, torque, moves);
+    }
+
+    /**
+     * The friction of a motion.
+     *
+     * @param body index, anchored at the present instant
+     * @param vx velocity
+     * @param vy velocity
+     * @param omega angular velocity
+     * @param out takes force x, force y and torque
+     */
+    public void friction(int body, double vx, double vy, double omega, double[] out) {
+        motion.generators.surface.friction(state.body(body), vx, vy, omega, theta(body), out);
+    }
+
+    private double theta(int body) {
+        return trajectories.data()[body * Trajectories.STRIDE + Trajectories.THETA0];
+    }
+}

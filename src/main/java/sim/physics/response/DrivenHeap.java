@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Motion;
+import sim.physics.motion.State;
+import sim.physics.motion.Ties;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Heaps with bodies that the integrator drives: what their contacts push them with is found by integrating under the last
+ * forces and solving for what is missing, again and again.
+ */
+final class DrivenHeap implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Times that the forces of driven bodies are found, and their change at which they are right, as a share of the scale. */
+    private static final int PROBES = 4;
+
+    private static final double SAME = 1e-9;
+
+    /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
+    private static final double MOST_SHARE = 100;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final Motion motion;
+    private final HeapBodies by;
+    private final HeapSystem system;
+    private final HeapNotes notes;
+    private final BodyScale scales;
+    private final double[] fall = new double[State.BLOCK];
+    private double[] alone = {};
+
+    DrivenHeap(
+            State state,
+            Trajectories trajectories,
+            Motion motion,
+            HeapBodies by,
+            HeapSystem system,
+            HeapNotes notes,
+            BodyScale scales) {
+        this.state = state;
+        this.trajectories = trajectories;
+        this.motion = motion;
+        this.by = by;
+        this.system = system;
+        this.notes = notes;
+        this.scales = scales;
+    }
+
+    /** Takes from bodies what forces have given them for the time that is left: it is found anew, with those of driven ones. */
+    void unpay(IntList heap, double tau, Ties ties) {
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            motion.ground().resume(body);
+            if (!trajectories.isDriven(body)) {
+                by.unpay(body, tau, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX);
+            }
+            by.paidUntil[body] = 0;
+            if (motion.isTied(body) && isFirst(body)) {
+                motion.restore(ties.island(body));
+                ties.prepareImpact(ties.island(body));
+            }
+        }
+    }
+
+    /** Whether a body of the heap is the first of those that move with it. */
+    private boolean isFirst(int body) {
+        return trajectories.isDriven(body) && motion.companions(body).values[0] == body;
+    }
+
+    /** Solves for the forces of driven bodies, which change with the way that they make under them; returns the largest speed. */
+    double drive(IntList heap, double length, double scale) {
+        double most = scale;
+        for (int p = 0; p < system.size(); p++) {
+            notes.start(p, length);
+        }
+        probe(heap, length);
+        for (int k = 1; k < PROBES; k++) {
+            for (int b = 0; b < heap.size; b++) {
+                most = Math.max(most, scales.speed(heap.values[b], system.v, 3 * b));
+            }
+            system.keep();
+            system.solve(most, true);
+            if (system.change() <= SAME * most) {
+                system.unpush();
+                break;
+            }
+            probe(heap, length);
+        }
+        for (int k = 0; k < heap.size; k++) {
+            if (isFirst(heap.values[k])) {
+                motion.restore(motion.companions(heap.values[k]));
+            }
+        }
+        return most;
+    }
+
+    /** Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces. */
+    private void probe(IntList heap, double length) {
+        double[] d = trajectories.data();
+        double[] pushes = pushes(heap);
+        for (int k = 0; k < heap.size; k++) {
+            support(heap.values[k], k, length, pushes);
+        }
+        double share = 1;
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            int o = body * Trajectories.STRIDE + Trajectories.VX;
+            if (isFirst(body)) {
+                share = Math.min(MOST_SHARE, length / motion.probe(body, length)); // it may end early, at a stop
+            }
+            motion.fall(body, fall, 0);
+            for (int c = 0; c < State.BLOCK; c++) {
+                double gained = trajectories.isDriven(body)
+                        ? share * (state.v()[State.BLOCK * body + c] - d[o + c])
+                        : fall[c] * length + pushes[3 * k + c];
+                system.v[3 * k + c] = d[o + c] + gained;
+            }
+        }
+        system.unpush();
+    }
+
+    /** Lets a driven body be pushed evenly over a time. */
+    void support(int body, int k, double time, double[] pushes) {
+        if (trajectories.isDriven(body)) {
+            motion.support(body, pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
+        }
+    }
+
+    /** What the impulses would do to bodies that nothing ties; their ties reply when they are driven. */
+    double[] pushes(IntList heap) {
+        alone = alone.length < 3 * heap.size ? new double[6 * heap.size] : alone;
+        Arrays.fill(alone, 0, 3 * heap.size, 0);
+        system.pushAlone(alone);
+        return alone;
+    }
+}
