@@ -152,6 +152,11 @@ final class OwnWorld implements World {
         }
 
         @Override
+        public boolean isAutonomous() {
+            return true;
+        }
+
+        @Override
         public void addForce(Body body, double time, Forces forces) {
             calls++;
         }
@@ -172,6 +177,11 @@ final class OwnWorld implements World {
         @Override
         public boolean actsOn(Body body) {
             return body == driven;
+        }
+
+        @Override
+        public boolean isAutonomous() {
+            return true;
         }
 
         @Override

@@ -428,16 +428,17 @@ public final class Constraints implements Ties, Serializable {
      * @return false if all bear any load
      */
     public boolean isBreakable() {
-        boolean found = false;
-        for (int k = 0; k < islands.size(); k++) {
-            found |= islands.get(k).isBreakable;
-        }
-        return found;
+        return Grouping.areBreakable(islands);
     }
 
     @Override
     public boolean isSwitched(IntList bodies) {
         return Switches.any(of(bodies));
+    }
+
+    @Override
+    public boolean isAutonomous(IntList bodies) {
+        return solver instanceof DirectSolver && !stabilization.isFeedback() && Grouping.areAutonomous(of(bodies));
     }
 
     @Override

@@ -10,7 +10,10 @@ import java.util.TreeSet;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 
-/** Sorts constraints into islands: those that are connected through movable bodies (union–find, Tarjan 1975). */
+/**
+ * Sorts constraints into islands: those that are connected through movable bodies (union–find, Tarjan 1975); and says what is
+ * true of some of them together.
+ */
 final class Grouping {
     private final int[] parent;
 
@@ -74,5 +77,24 @@ final class Grouping {
 
     private void join(int a, int b) {
         parent[find(a)] = find(b);
+    }
+
+    /** Whether the motion of islands depends on their state alone: no author's code has part in it, and nothing switches. */
+    static boolean areAutonomous(List<Island> islands) {
+        boolean yes = true;
+        for (int k = 0; yes && k < islands.size(); k++) {
+            Island one = islands.get(k);
+            yes = one.isOwn && one.switches.isEmpty() && !one.passage.creep.isOn();
+        }
+        return yes;
+    }
+
+    /** Whether some joint of some island can break. */
+    static boolean areBreakable(List<Island> islands) {
+        boolean found = false;
+        for (int k = 0; k < islands.size(); k++) {
+            found |= islands.get(k).isBreakable;
+        }
+        return found;
     }
 }

@@ -8,7 +8,9 @@ import sim.physics.internal.IntList;
 /**
  * A method that takes a tolerance in place of a step. It chooses its steps so that the error of a position is about the
  * tolerance in each of them, in units of length; of an angle, about that of the body's rim. The engine's time step then
- * only says when the state is published, and when agents act: the longer it is, the cheaper.
+ * only says when the state is published, and when agents act. Where forces and joints depend on the state alone, steps that
+ * want to be much longer go on beyond it, and the state is read from their dense output; elsewhere they end there, so that
+ * the engine's step had better be long.
  *
  * <p>The error at the end of a run is as many tolerances as the scene makes of a small change on its way: about the time
  * in units of the step for a pendulum, and more where motion is chaotic.
@@ -36,6 +38,8 @@ public abstract class AdaptiveIntegrator implements Integrator {
 
     private static final double SMALLEST = 0x1p-50;
 
+    private static final double WORTHWHILE = 1.5;
+
     /** Rounding of a coordinate, below which no step is made smaller. */
     private static final double ROUNDING = 4 * 0x1p-52;
 
@@ -62,12 +66,25 @@ public abstract class AdaptiveIntegrator implements Integrator {
     @Override
     public final double advance(
             EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
-        if (h == 0) {
-            return 0;
-        }
+        return h == 0 ? 0 : advance(equations, state, bodies, t, h, false, path);
+    }
+
+    /**
+     * Advances the blocks of some bodies by a step that need not end where the engine's does.
+     *
+     * @param wanted the step
+     * @return the time advanced
+     */
+    final double goOn(EquationsOfMotion equations, State state, IntList bodies, double t, double wanted, Path path) {
+        return advance(equations, state, bodies, t, wanted, true, path);
+    }
+
+    private double advance(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, boolean isOpen, Path path) {
         path.ensure(State.BLOCK * state.size());
         Stages stages = path.stages;
         stages.load(state, bodies, tolerance, ROUNDING);
+        stages.isOpen = isOpen;
         equations.acceleration(bodies, t, path.stage);
         stages.keepFirst(bodies, path);
         int first = bodies.values[0];
@@ -77,15 +94,16 @@ public abstract class AdaptiveIntegrator implements Integrator {
         int rejections = 0;
         while (true) {
             stages.isRetry = rejections > 0;
-            stages.most = Math.max(1, Math.abs(h) / length);
+            stages.most = isOpen ? Double.MAX_VALUE : Math.max(1, Math.abs(h) / length);
             stages.haste = haste(path, first, t, length);
             stages.time = Math.max(length, time);
             boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
             double proposal = length * stages.factor;
             if (done) {
                 stages.join(state, bodies, h < 0 ? -length : length, path);
-                path.next[first] = length == Math.abs(h) ? Math.max(wanted, proposal) : proposal;
-                remember(path, first, t, Math.min(proposal, Math.abs(h)));
+                path.proposed[first] = proposal;
+                path.next[first] = length == Math.abs(h) && !isOpen ? Math.max(wanted, proposal) : proposal;
+                remember(path, first, t, isOpen ? proposal : Math.min(proposal, Math.abs(h)));
                 return length == Math.abs(h) ? h : h < 0 ? -length : length;
             }
             rejections++;
@@ -146,4 +164,25 @@ public abstract class AdaptiveIntegrator implements Integrator {
      *     the next step should be longer.
      */
     abstract boolean attempt(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path);
+
+    /**
+     * How much longer than the engine's a step must be for dense output to pay, and not to end there: what it costs, and what
+     * is read, against errors that are smaller than asked for.
+     */
+    double worthwhile() {
+        return WORTHWHILE;
+    }
+
+    /** Whether what steps that end with the engine's say of longer ones is all there is to know. */
+    boolean hasFixedOrder() {
+        return true;
+    }
+
+    /**
+     * Makes the dense output of the step that was just made, whose end the state vectors hold, and keeps them.
+     *
+     * @return false if it would not be as accurate as the step
+     */
+    abstract boolean makeDense(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out);
 }

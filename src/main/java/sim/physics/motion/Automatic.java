@@ -27,6 +27,12 @@ public final class Automatic extends AdaptiveIntegrator {
     }
 
     @Override
+    boolean makeDense(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out) {
+        return path.stages.maker.makeDense(equations, state, bodies, t, h, path, out);
+    }
+
+    @Override
     boolean attempt(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
         if (path.stiffness == null) {
             path.stiffness = new Stiffness(path);

@@ -15,7 +15,7 @@ import sim.physics.internal.IntList;
 public final class DormandPrince853 extends AdaptiveIntegrator {
     private static final long serialVersionUID = 1L;
 
-    private static final int STAGES = 12;
+    static final int STAGES = 12;
 
     // spotless:off
     private static final double[] NODE = {
@@ -110,6 +110,9 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
     /** The error that steps leave, over the estimate: where the method is used in earnest, in the mean of our scenes. */
     private static final double CALIBRATION = 0.4;
 
+    /** The same where dense output is read, whose error is of an order less. */
+    private static final double OPEN_CALIBRATION = 0.6;
+
     /** The most steps for which an error of a velocity counts: more than one only where the motion takes longer to change. */
     private static final double LONGEST = 1.5;
 
@@ -136,6 +139,18 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
         return product;
     }
 
+    /** The row of a stage; that of the last but one is the step's end. */
+    static double[] row(int stage) {
+        return stage == STAGES ? WEIGHT : STAGE[stage];
+    }
+
+    @Override
+    boolean makeDense(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out) {
+        DormandPrinceOutput.make(equations, state, bodies, t, h, path, out);
+        return true;
+    }
+
     @Override
     boolean attempt(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
         Stages s = path.stages;
@@ -158,6 +173,7 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
             s.factor = error < Double.POSITIVE_INFINITY ? s.factor : LEAST;
             return false;
         }
+        s.maker = this;
         place(state, bodies, s, h, 1, WEIGHT_X, WEIGHT, STAGES);
         return true;
     }
@@ -213,7 +229,8 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
             third = Math.max(third, s.weight[m] * Math.max(Math.abs(x3), time * Math.abs(v3)));
         }
         double both = fifth * fifth + 0.01 * third * third;
-        return both == 0 ? 0 : CALIBRATION * h * h * fifth * fifth / Math.sqrt(both);
+        double calibration = s.isOpen ? OPEN_CALIBRATION : CALIBRATION;
+        return both == 0 ? 0 : calibration * h * h * fifth * fifth / Math.sqrt(both);
     }
 
     @Override

@@ -10,7 +10,7 @@ import sim.physics.internal.IntList;
  * Moves bodies that the integrator drives from their anchors on, sets their paths, and brings them to instants between.
  *
  * <p>An integrator of fixed step makes one path of what is left of the engine's step. One that chooses its steps itself
- * makes a path of each of its own, up to the end of the engine's.
+ * makes a path of each of its own, up to the end of the engine's, or of what of it lies in that ({@link Strides}).
  */
 final class DrivenMotion implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -27,18 +27,15 @@ final class DrivenMotion implements Serializable {
     /** Part of such a step that is not divided. */
     private static final double LEAST = 1.0 / 64;
 
-    /** The path's error is of fourth order in its length; this much less than allowed is aimed at. */
-    private static final double SAFE = 0.5;
-
-    private static final double GROWTH = 4;
-
     private static final Neighbours NOBODY = bodies -> false;
 
     private final Motion motion;
     private final State state;
     private final Trajectories trajectories;
     private final Path path = new Path();
+    private final PathError pathError;
     private final Sliding sliding;
+    private final Strides strides;
 
     /** Null while nothing ties bodies together. */
     private TiedMotion tied;
@@ -79,7 +76,9 @@ final class DrivenMotion implements Serializable {
         this.motion = motion;
         this.state = state;
         this.trajectories = trajectories;
+        this.pathError = new PathError(trajectories, path);
         this.sliding = new Sliding(motion, state, path);
+        this.strides = new Strides(motion, state, trajectories, path);
     }
 
     void setTies(Ties ties) {
@@ -129,14 +128,14 @@ final class DrivenMotion implements Serializable {
         boolean chooses = motion.getIntegrator().isAdaptive();
         double known = fineLength[first];
         boolean isKnown = known > 0 && known < rest && done != Ahead.STRIDE && areNear(group, neighbours);
-        double length = done == Ahead.STRIDE ? ahead.length(first) : stride(group, tau, isKnown ? known : rest);
+        double length = done == Ahead.STRIDE ? ahead.length(first) : isKnown ? stride(group, tau, known) : goOn(group, tau, rest);
         double error = done == Ahead.STRIDE ? ahead.error(first) : pathError(group, length);
         double shortest = chooses ? 0 : LEAST * trajectories.h();
         while (error > 1 && length > shortest && areNear(group, neighbours)) {
-            length = stride(group, tau, length * root(error));
+            length = stride(group, tau, length * PathError.root(error));
             error = pathError(group, length);
         }
-        fineLength[first] = length * root(error);
+        fineLength[first] = length * PathError.root(error);
         isCoarse = error > 1;
         double step = chooses ? Math.min(trajectories.h(), Math.max(length, path.next[first])) : trajectories.h();
         for (int k = 0; k < group.size; k++) {
@@ -189,7 +188,7 @@ final class DrivenMotion implements Serializable {
         for (int k = 0; k < group.size; k++) {
             pace[group.values[k]] = h;
         }
-        notes.stride(first, publish(group, 0, length), error, length * root(error));
+        notes.stride(first, publish(group, 0, length), error, length * PathError.root(error));
     }
 
     /** Takes note of what threads have done with groups in this step. */
@@ -237,7 +236,7 @@ final class DrivenMotion implements Serializable {
             endAt[body] = h;
             pace[body] = h;
         }
-        isCoarse = path.knowsFirst ? pathError(group, trajectories.bends(), Trajectories.STRIDE, h) > 1 : turnsCoarsely(group, h);
+        isCoarse = path.knowsFirst ? pathError.of(group, trajectories.bends(), Trajectories.STRIDE, h, near(group)) > 1 : turnsCoarsely(group, h);
         return !isCoarse || !areNear(group, neighbours);
     }
 
@@ -246,13 +245,26 @@ final class DrivenMotion implements Serializable {
         return pace[body];
     }
 
-    private static double root(double error) {
-        double fourth = SAFE / Math.max(error, 1e-6);
-        return Math.min(GROWTH, Math.sqrt(Math.sqrt(fourth)));
+    /** Advances a group from its anchors on the stride that it is on, or on a new one; returns how far. */
+    private double goOn(IntList group, double tau, double rest) {
+        boolean mayGoBeyond = motion.getIntegrator().isAdaptive() && !isStruck(group);
+        double length = mayGoBeyond ? strides.advance(group, tau, rest, tied) : 0;
+        return length > 0 ? length : stride(group, tau, rest);
+    }
+
+    /** Whether something has happened to a group in this step: it may well happen again in the next one. */
+    private boolean isStruck(IntList group) {
+        boolean yes = false;
+        for (int k = 0; k < group.size; k++) {
+            int body = group.values[k];
+            yes |= body < struckIn.length && struckIn[body] == trajectories.step();
+        }
+        return yes;
     }
 
     /** Integrates a group from its anchors; returns how far. */
     private double stride(IntList group, double tau, double limit) {
+        strides.cut(group.values[0]);
         restore(group);
         path.knowsFirst = false;
         double t = motion.time(tau);
@@ -266,53 +278,14 @@ final class DrivenMotion implements Serializable {
         return motion.getIntegrator().advance(motion, state, group, t, limit, path);
     }
 
-    /**
-     * How far the cubic paths may be from the motion, in units of what is near enough: a motion whose fourth derivative is
-     * constant is off by c s²(h − s)², so its second derivative at the start by 2 c h².
-     */
     private double pathError(IntList group, double length) {
-        if (!path.knowsFirst) {
-            return turnError(group, length);
-        }
-        return pathError(group, path.a, State.BLOCK, length);
+        return pathError.of(group, length, near(group));
     }
 
-    /** The same, given where half the second derivatives at the start are. */
-    private double pathError(IntList group, double[] half, int stride, double length) {
-        double most = 0;
-        for (int k = 0; k < group.size; k++) {
-            int b = State.BLOCK * group.values[k];
-            int o = stride * group.values[k];
-            double radius = trajectories.radius(group.values[k]);
-            double way = Math.abs(path.first[b] - 2 * half[o]) + Math.abs(path.first[b + 1] - 2 * half[o + 1]);
-            double turn = Math.abs(path.first[b + 2] - 2 * half[o + 2]);
-            most = Math.max(most, Math.max(way / radius, turn));
-        }
-        return most * length * length / (32 * near(group));
-    }
-
-    /** The same by how far bodies turn, where nothing is known of accelerations. */
-    private double turnError(IntList group, double length) {
-        return fourthTurn(group, length) / (384 * near(group));
-    }
-
-    /** Whether that is too much. */
+    /** Whether the paths are too far from the motion by how far bodies turn. */
     private boolean turnsCoarsely(IntList group, double length) {
-        double fourth = fourthTurn(group, length);
+        double fourth = pathError.fourthTurn(group, length);
         return fourth > 384 * FINE && fourth / (384 * near(group)) > 1;
-    }
-
-    private double fourthTurn(IntList group, double length) {
-        double[] m = trajectories.data();
-        double most = 0;
-        for (int k = 0; k < group.size; k++) {
-            double omega = Math.abs(m[Trajectories.STRIDE * group.values[k] + Trajectories.OMEGA]);
-            if (!(omega <= most)) { // seldom; a maximum would make each wait for the last
-                most = omega;
-            }
-        }
-        double turn = length * most;
-        return turn * turn * turn * turn;
     }
 
     /** How far from the motion is near enough. */
@@ -356,7 +329,9 @@ final class DrivenMotion implements Serializable {
             }
         } else {
             restore(group);
-            cover(group, trajectories.offset(first), tau);
+            if (!strides.bring(group, tau)) {
+                cover(group, trajectories.offset(first), tau);
+            }
         }
         if (observer != null) {
             observer.covered(group, trajectories.offset(first), tau);
@@ -441,6 +416,9 @@ final class DrivenMotion implements Serializable {
         for (int k = 0; areEndsKept && k < driven.size; k++) {
             finish(driven.values[k]);
         }
+        if (observer != null) {
+            finished(driven);
+        }
     }
 
     /** Writes where a body's path ends into the state vectors. */
@@ -451,11 +429,7 @@ final class DrivenMotion implements Serializable {
     }
 
     /** The state vectors hold the ends of all paths. */
-    void finished() {
-        if (observer == null) {
-            return;
-        }
-        IntList driven = motion.driven();
+    private void finished(IntList driven) {
         for (int k = 0; k < driven.size; k++) {
             IntList group = motion.companions(driven.values[k]);
             if (group.values[0] == driven.values[k]) {
@@ -466,12 +440,23 @@ final class DrivenMotion implements Serializable {
 
     /** Takes note that a body's course has changed at its anchor. */
     void forget(int body) {
+        strides.cut(body);
         if (body < endAt.length) {
             endAt[body] = Double.NaN;
             strikes[body] = trajectories.step() - struckIn[body] <= 1 ? strikes[body] + 1 : 1;
             struckIn[body] = trajectories.step();
             struckAt[body] = trajectories.offset(body);
         }
+    }
+
+    /** Whether the path of a group began in the middle of a stride. */
+    boolean goesOn(IntList group) {
+        return strides.goesOn(group.values[0]);
+    }
+
+    /** A body is about to be removed. */
+    void remove(int body) {
+        strides.cut(body);
     }
 
     /** The offset of a body's last change of course in this step, 0 if there was none. */

@@ -52,6 +52,19 @@ public interface ForceGenerator extends Serializable {
     }
 
     /**
+     * Whether the forces depend on nothing but positions, velocities and properties of bodies, so that they are the same
+     * whenever these are: not on the time, nor on anything that is changed from outside without a body being written. A method
+     * that chooses its steps may then follow them beyond the end of the engine's step, as far as its tolerance allows, which
+     * costs less where the engine's step is short; and what is written between steps acts at once all the same. Forces are
+     * then asked for at places that the body may never reach, as is done at rejected steps.
+     *
+     * @return false, unless overridden: then no force is asked for beyond the engine's step
+     */
+    default boolean isAutonomous() {
+        return false;
+    }
+
+    /**
      * Whether several threads may ask for the forces on different bodies at the same time, see
      * {@code PhysicsEngine.setThreads}: {@link #addForce} and {@link #actsOn} write nothing but the force on that body, and
      * read nothing that changes within a step but that body.

@@ -127,6 +127,18 @@ final class Generators implements Serializable {
         return false;
     }
 
+    /** Whether the forces on the bodies of a group depend on their state alone. */
+    boolean areAutonomous(State state, IntList group) {
+        for (ForceGenerator g : driving) {
+            for (int k = 0; !g.isAutonomous() && k < group.size; k++) {
+                if (g.actsOn(state.body(group.values[k]))) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
     /** Whether static friction holds a body at rest. */
     boolean holds(Body body) {
         if (surface == null || coupled || body.isPushed() || drivesOtherThan(surface, body)) {

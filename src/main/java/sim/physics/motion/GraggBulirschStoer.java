@@ -45,6 +45,18 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
 
     private static final double MORE = 0.9;
 
+    /** Nodes of dense output by rows, and its error, in units of that of a step. */
+    private static final int FEW_ROWS = 4;
+
+    private static final int FEW_NODES = 3;
+    private static final int MORE_ROWS = 6;
+    private static final int MORE_NODES = 5;
+    private static final int MOST_NODES = 7;
+    private static final double OUTPUT = 2;
+
+    /** How much longer than the engine's a step must be for that to be cheaper. */
+    private static final double WORTHWHILE = 6;
+
     /**
      * Makes the method.
      *
@@ -56,11 +68,29 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     }
 
     @Override
+    double worthwhile() {
+        return WORTHWHILE;
+    }
+
+    @Override
+    boolean hasFixedOrder() {
+        return false;
+    }
+
+    @Override
+    boolean makeDense(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out) {
+        int rows = path.stages.rows()[bodies.values[0]];
+        int inner = rows <= FEW_ROWS ? FEW_NODES : rows <= MORE_ROWS ? MORE_NODES : MOST_NODES;
+        return Bootstrap.make(equations, state, bodies, t, h, path, out, inner, OUTPUT);
+    }
+
+    @Override
     boolean attempt(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
         Stages s = path.stages;
         s.ensureWork(MIDDLE + 3);
         s.ensureRows(bodies.values[0], MOST_ROWS);
-        int aim = s.rows[bodies.values[0]] == 0 ? ROWS_AT_FIRST : s.rows[bodies.values[0]];
+        int aim = s.rows()[bodies.values[0]] == 0 ? ROWS_AT_FIRST : s.rows()[bodies.values[0]];
         for (int row = 0; ; row++) {
             midpoint(equations, state, bodies, t, h, path, row);
             extrapolate(s, row);
@@ -73,12 +103,12 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
                 return false;
             }
             if (count >= aim - 1 && error <= 1) {
-                s.rows[bodies.values[0]] = next(s, count, Math.min(count, aim));
+                s.rows()[bodies.values[0]] = next(s, count, Math.min(count, aim));
                 finish(state, bodies, s);
                 return true;
             }
             if (count > aim || count >= aim - 1 && !(error <= reach(count, aim + 1))) {
-                s.rows[bodies.values[0]] = next(s, count, Math.min(count, aim));
+                s.rows()[bodies.values[0]] = next(s, count, Math.min(count, aim));
                 s.factor = error < Double.POSITIVE_INFINITY ? Math.min(s.factor, SAFETY) : LEAST;
                 return false;
             }

@@ -44,6 +44,11 @@ public final class Gravity implements ForceGenerator {
     }
 
     @Override
+    public boolean isAutonomous() {
+        return true;
+    }
+
+    @Override
     public void addForce(Body body, double time, Forces forces) {
         forces.add(body, body.getMass() * gx, body.getMass() * gy); // (5)
     }

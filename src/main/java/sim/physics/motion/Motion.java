@@ -229,7 +229,6 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     /** Ends the step: writes where the driven bodies are; the forces that were applied for the step have acted. */
     public void finish() {
         drivenMotion.finish(driven);
-        drivenMotion.finished();
         for (int k = 0; k < pushed.size; k++) {
             Body view = state.body(pushed.values[k]);
             if (view != null) {
@@ -265,6 +264,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     public void remove(int body) {
         setDriven(body, false);
         support.release(body);
+        drivenMotion.remove(body);
     }
 
     /**

@@ -40,6 +40,9 @@ public final class Path implements Serializable {
     /** The step that such a method would make next, by the first body of a group; 0: not known. */
     double[] next = {};
 
+    /** The same by the last step alone, wherever that had to end. */
+    double[] proposed = {};
+
     /** The longest step that it would have made lately, and when. */
     double[] pace = {};
 
@@ -75,6 +78,7 @@ public final class Path implements Serializable {
             sumV = Arrays.copyOf(sumV, length);
             first = Arrays.copyOf(first, length);
             next = Arrays.copyOf(next, length / State.BLOCK);
+            proposed = Arrays.copyOf(proposed, next.length);
             pace = Arrays.copyOf(pace, next.length);
             speed = Arrays.copyOf(speed, next.length);
             push = Arrays.copyOf(push, next.length);

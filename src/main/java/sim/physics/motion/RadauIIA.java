@@ -81,6 +81,9 @@ public final class RadauIIA extends AdaptiveIntegrator {
     /** The error that steps leave, over the estimate, in the mean of our scenes. */
     private static final double CALIBRATION = 0.17;
 
+    /** The same where dense output is read. */
+    private static final double OPEN_CALIBRATION = 0.2;
+
     /**
      * The square of a step times the fastest frequency, over that of the number of coordinates, from which derivatives at
      * each stage are cheaper than shorter steps.
@@ -89,6 +92,9 @@ public final class RadauIIA extends AdaptiveIntegrator {
 
     /** Steps for which derivatives are found at each stage, from one on for which those of its start were not enough. */
     private static final int TURNING = 50;
+
+    /** The stiffness of a step up to which the accelerations at its ends say more than its stages. */
+    private static final double SMOOTH_OUTPUT = 1;
 
     private static final double SAFETY = 0.9;
     private static final double LEAST = 0.02;
@@ -105,6 +111,39 @@ public final class RadauIIA extends AdaptiveIntegrator {
      */
     public RadauIIA(double tolerance) {
         super(tolerance);
+    }
+
+    /** Where the motion is smooth, the quintic through the step's ends, of the method's order; else the stages' cubic. */
+    @Override
+    boolean makeDense(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out) {
+        Stages s = path.stages;
+        Implicit w = s.implicit(bodies);
+        s.ensureMore(1, bodies, state);
+        boolean isSmooth = w.stiffness(h) < SMOOTH_OUTPUT;
+        out.begin(s, h, isSmooth ? DenseOutput.QUINTIC : NODE.length);
+        if (isSmooth) {
+            equations.acceleration(bodies, t + h, path.stage);
+            Implicit.take(bodies, path.stage, s.more);
+        }
+        for (int m = 0; m < s.size; m++) {
+            if (isSmooth) {
+                out.quintic(m, s.endX[m], s.endV[m], s.a0[m], s.more[m]);
+            } else {
+                collocate(out.x, NODE.length * m, w.stageX[0][m], w.stageX[1][m], s.endX[m] - s.x0[m]);
+                collocate(out.v, NODE.length * m, w.stageV[0][m], w.stageV[1][m], s.endV[m] - s.v0[m]);
+            }
+        }
+        return true;
+    }
+
+    /** The cubic through the start and three ways from it, in the form of {@link DenseOutput}. */
+    private static void collocate(double[] f, int o, double first, double second, double end) {
+        double p = (first / NODE[0] - end) / (1 - NODE[0]);
+        double q = (second / NODE[1] - end) / (1 - NODE[1]);
+        f[o] = end;
+        f[o + 2] = (q - p) / (NODE[1] - NODE[0]);
+        f[o + 1] = p - NODE[0] * f[o + 2];
     }
 
     @Override
@@ -128,6 +167,7 @@ public final class RadauIIA extends AdaptiveIntegrator {
             return false;
         }
         w.last.keep(s, bodies, t, h, w.stageX, w.stageV);
+        s.maker = this;
         place(state, bodies, s, w.stageX[2], w.stageV[2]);
         return true;
     }
@@ -285,7 +325,7 @@ public final class RadauIIA extends AdaptiveIntegrator {
         double v = norm(s, w.rightV[0]);
         double turn = x * v < third ? Math.max(LEAST_TURN, Math.min(1, SMOOTH * Math.sqrt(x * v / third))) : 1;
         w.turn = turn;
-        return CALIBRATION * turn * Math.max(x, Math.abs(h) * v / turn);
+        return (s.isOpen ? OPEN_CALIBRATION : CALIBRATION) * turn * Math.max(x, Math.abs(h) * v / turn);
     }
 
     private static double norm(Stages s, double[] values) {

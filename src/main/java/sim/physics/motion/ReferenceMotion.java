@@ -66,6 +66,10 @@ public final class ReferenceMotion implements Serializable {
     private double[] a = {};
     private double[] free = {};
 
+    /** What the steps of a stride miss, by coordinate, and the most of it so far, place and angle by first body of a group. */
+    private double[] missed = {};
+
+    private double[] most = {};
     private double missing;
     private int budget;
     private double work;
@@ -292,16 +296,29 @@ public final class ReferenceMotion implements Serializable {
         return sum;
     }
 
+    /**
+     * How far the bodies are off. What is read from a stride that goes on is not added up: of all that its steps miss, signs
+     * and all, only what is more than before counts.
+     */
     private void compare(IntList those) {
+        boolean goesOn = original.drivenMotion.goesOn(those);
         place = 0;
         angle = 0;
         for (int k = 0; k < those.size; k++) {
             int b = State.BLOCK * those.values[k];
-            double dx = state.x()[b] - x[b];
-            double dy = state.x()[b + 1] - x[b + 1];
-            place = Math.max(place, Math.sqrt(dx * dx + dy * dy));
-            angle = Math.max(angle, Math.abs(state.x()[b + State.THETA] - x[b + State.THETA]));
+            for (int c = b; c < b + State.BLOCK; c++) {
+                missed[c] = state.x()[c] - x[c] + (goesOn ? missed[c] : 0);
+            }
+            place = Math.max(place, Math.sqrt(missed[b] * missed[b] + missed[b + 1] * missed[b + 1]));
+            angle = Math.max(angle, Math.abs(missed[b + State.THETA]));
         }
+        int o = 2 * those.values[0];
+        double placed = goesOn ? most[o] : 0;
+        double turned = goesOn ? most[o + 1] : 0;
+        most[o] = Math.max(placed, place);
+        most[o + 1] = Math.max(turned, angle);
+        place = most[o] - placed;
+        angle = most[o + 1] - turned;
     }
 
     private void prepare() {
@@ -311,6 +328,8 @@ public final class ReferenceMotion implements Serializable {
             v = new double[n];
             f = new double[n];
             a = new double[n];
+            missed = Arrays.copyOf(missed, n);
+            most = Arrays.copyOf(most, 2 * (n / State.BLOCK));
             free = new double[n];
         }
         if (audited != original.getIntegrator()) {

@@ -69,6 +69,12 @@ public final class Spring implements ForceGenerator {
         return b != null && !b.isFixed() && !a.isFixed();
     }
 
+    /** Unless the other body is in no engine, or another one, and moved from there. */
+    @Override
+    public boolean isAutonomous() {
+        return b == null || b.state() == a.state();
+    }
+
     @Override
     public void addForce(Body body, double time, Forces forces) {
         double cosA = Trig.cos(a.getAngle());

@@ -24,6 +24,15 @@ final class Stages implements Serializable {
     /** Accelerations of the stages, or rows of an extrapolation, as a method lays them out. */
     double[] work = {};
 
+    /** Accelerations of the stages that dense output has beyond these, and the end of the step. */
+    double[] more = {};
+
+    double[] endX = {};
+    double[] endV = {};
+
+    /** The method that has made the last step. */
+    AdaptiveIntegrator maker;
+
     /** Number of coordinates. */
     int size;
 
@@ -51,7 +60,13 @@ final class Stages implements Serializable {
     double[] cost = {};
 
     /** Rows that an extrapolation aims at, by the first body of a group; 0: not known. */
-    int[] rows = {};
+    private int[] rows = {};
+
+    /** The same for steps that need not end where the engine's does. */
+    private int[] openRows = {};
+
+    /** Whether this is such a step. */
+    boolean isOpen;
 
     /** What an implicit method keeps, by the first body of a group. */
     private Implicit[] implicit = {};
@@ -101,6 +116,29 @@ final class Stages implements Serializable {
         }
     }
 
+    /** Makes room for stages of dense output, and keeps the end of the step. */
+    void ensureMore(int perCoordinate, IntList bodies, State state) {
+        if (more.length < perCoordinate * size) {
+            more = new double[perCoordinate * size];
+        }
+        if (endX.length < size) {
+            endX = new double[size];
+            endV = new double[size];
+        }
+        for (int k = 0, m = 0; k < bodies.size; k++, m += State.BLOCK) {
+            System.arraycopy(state.x(), State.BLOCK * bodies.values[k], endX, m, State.BLOCK);
+            System.arraycopy(state.v(), State.BLOCK * bodies.values[k], endV, m, State.BLOCK);
+        }
+    }
+
+    /** Puts the bodies back to the end of the step. */
+    void putEnd(IntList bodies, State state) {
+        for (int k = 0, m = 0; k < bodies.size; k++, m += State.BLOCK) {
+            System.arraycopy(endX, m, state.x(), State.BLOCK * bodies.values[k], State.BLOCK);
+            System.arraycopy(endV, m, state.v(), State.BLOCK * bodies.values[k], State.BLOCK);
+        }
+    }
+
     /** The cubics from the start to where the bodies are now. */
     void join(State state, IntList bodies, double h, Path path) {
         for (int k = 0, m = 0; k < bodies.size; k++) {
@@ -115,11 +153,16 @@ final class Stages implements Serializable {
     void ensureRows(int first, int most) {
         if (rows.length <= first) {
             rows = Arrays.copyOf(rows, 2 * first + 8);
+            openRows = Arrays.copyOf(openRows, rows.length);
         }
         if (longer.length <= most) {
             longer = new double[most + 1];
             cost = new double[most + 1];
         }
+    }
+
+    int[] rows() {
+        return isOpen ? openRows : rows;
     }
 
     /** Takes the accelerations at the start. */

@@ -16,6 +16,12 @@ final class TiedMotion implements Serializable {
 
     private static final double HALF = 0.5;
     private static final int MOST_HALVINGS = 14;
+
+    /** The same for a step that goes on beyond the engine's, and how much longer than one that was not too long the next is. */
+    private static final int FEW_HALVINGS = 6;
+
+    private static final double LONGER = 1.25;
+
     private static final int MOST_PARTS = 1 << MOST_HALVINGS;
 
     /** Parts of a step that are too long and yet gone; with more the pose is one that lets nothing pass. */
@@ -335,6 +341,32 @@ final class TiedMotion implements Serializable {
             }
             limit = HALF * done;
         }
+    }
+
+    /**
+     * One step of a method that chooses it, wherever the engine's ends; a shorter one if its correction is rough.
+     *
+     * @return how far; 0 if none is short enough, and nothing has changed
+     */
+    double goOn(Motion motion, AdaptiveIntegrator method, IntList group, double t, double wanted, Path path) {
+        begin(group);
+        double limit = 0;
+        for (int halvings = 0; halvings <= FEW_HALVINGS; halvings++) {
+            ties.begin(group, !motion.hasForces());
+            double done = halvings == 0
+                    ? method.goOn(motion, state, group, t, wanted, path)
+                    : method.advance(motion, state, group, t, limit, path);
+            if (ties.project(group)) {
+                int first = group.values[0];
+                path.proposed[first] = halvings == 0 ? path.proposed[first] : Math.min(path.proposed[first], LONGER * done);
+                join(motion, group, done, path);
+                return done;
+            }
+            again(group);
+            limit = HALF * done;
+        }
+        path.proposed[group.values[0]] = limit;
+        return 0;
     }
 
     /** Goes on where no step is short enough. */

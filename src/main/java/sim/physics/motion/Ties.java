@@ -199,6 +199,15 @@ public interface Ties extends Serializable {
     boolean isSwitched(IntList bodies);
 
     /**
+     * Whether a group's ties depend on its state alone, act always, and are kept by {@link #project}, so that a step may be
+     * followed piece by piece.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @return false if an author's code has part in them
+     */
+    boolean isAutonomous(IntList bodies);
+
+    /**
      * Decides which of the ties of {@link #isSwitched} act from now on, and gives the bodies the velocities that those
      * ask for.
      *

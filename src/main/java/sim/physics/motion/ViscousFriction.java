@@ -35,6 +35,11 @@ public final class ViscousFriction implements ForceGenerator {
     }
 
     @Override
+    public boolean isAutonomous() {
+        return true;
+    }
+
+    @Override
     public void addForce(Body body, double time, Forces forces) {
         double drag = body.getSurfaceFriction() * g * body.getMass();
         forces.add(body, -drag * body.getVelocityX(), -drag * body.getVelocityY());
