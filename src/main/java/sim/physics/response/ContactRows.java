@@ -71,6 +71,15 @@ final class ContactRows implements Serializable {
         return first + (b < 0 ? 0 : w[2 * b] + armB * armB * w[2 * b + 1]);
     }
 
+    /** What a unit along the tangent does to the velocity along the normal, and the other way round. */
+    double crossMobility(int p, double[] w) {
+        int o = STRIDE * p;
+        int a = bodies[2 * p];
+        int b = bodies[2 * p + 1];
+        double first = a < 0 ? 0 : data[o + LEVER_A] * data[o + ARM_A] * w[2 * a + 1];
+        return first + (b < 0 ? 0 : data[o + LEVER_B] * data[o + ARM_B] * w[2 * b + 1]);
+    }
+
     /** Whether a point is one of a body's. */
     boolean isOf(int p, int body) {
         return bodies[2 * p] == body || bodies[2 * p + 1] == body;

@@ -33,7 +33,7 @@ final class HeapFace implements Serializable {
     int solve(HeapSystem s, double right) {
         ensure(s);
         double square = begin(s);
-        int most = 3 * s.bodyCount() + 10;
+        int most = 12 * s.bodyCount() + 10;
         int k = 0;
         while (k < most && square > 0) {
             k++;

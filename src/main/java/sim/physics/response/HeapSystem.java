@@ -21,18 +21,21 @@ final class HeapSystem implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values per point. */
-    private static final int STRIDE = 6;
+    static final int STRIDE = 7;
 
-    private static final int BOUND = 0;
-    private static final int FRICTION = 1;
-    private static final int MOBILITY_N = 2;
-    private static final int MOBILITY_T = 3;
-    private static final int IMPULSE_N = 4;
-    private static final int IMPULSE_T = 5;
+    static final int BOUND = 0;
+    static final int FRICTION = 1;
+    static final int MOBILITY_N = 2;
+    static final int MOBILITY_T = 3;
+    static final int IMPULSE_N = 4;
+    static final int IMPULSE_T = 5;
+
+    /** What a unit of impulse along the tangent does to the velocity along the normal. */
+    static final int CROSS = 6;
 
     private static final int SWEEPS = 6;
     private static final int LEAST_SWEEPS = 20;
-    private static final int WORK = 20_000;
+    private static final int WORK = 50_000;
 
     /** The work on one of several solutions in turn, where the last one need not be the best. */
     private static final int LITTLE_WORK = 1000;
@@ -64,6 +67,8 @@ final class HeapSystem implements Serializable {
     /** Null until a body is tied to others. */
     private HeapReplies replies;
 
+    private boolean tied;
+
     /** Inverse masses of 1. */
     private double[] units = {};
 
@@ -76,7 +81,8 @@ final class HeapSystem implements Serializable {
     /** Least normal velocities, while others are in their place, or impulses. */
     private double[] kept = {};
 
-    private double[] data = new double[8 * STRIDE];
+    double[] data = new double[8 * STRIDE];
+    private final HeapRelaxation relaxation = new HeapRelaxation();
     private final ContactRows rows = new ContactRows();
 
     HeapSystem() {
@@ -85,6 +91,7 @@ final class HeapSystem implements Serializable {
 
     void clear() {
         points = 0;
+        tied = false;
         enough = Double.POSITIVE_INFINITY;
         count = 0;
         if (replies != null) {
@@ -122,6 +129,7 @@ final class HeapSystem implements Serializable {
         data[o + FRICTION] = c.friction;
         data[o + MOBILITY_N] = c.normalMobility();
         data[o + MOBILITY_T] = c.tangentMobility();
+        data[o + CROSS] = rows.crossMobility(points, w);
         data[o + IMPULSE_N] = 0;
         data[o + IMPULSE_T] = 0;
         if (replies != null) {
@@ -132,6 +140,7 @@ final class HeapSystem implements Serializable {
 
     /** The replies of bodies that are tied to others, to points that were added. */
     HeapReplies replies() {
+        tied = true;
         if (replies == null) {
             replies = new HeapReplies();
             for (int p = 0; p < points; p++) {
@@ -139,6 +148,11 @@ final class HeapSystem implements Serializable {
             }
         }
         return replies;
+    }
+
+    /** Whether bodies are tied to others. */
+    boolean isTied() {
+        return tied;
     }
 
     /** Takes note that replies of a point have been set. */
@@ -164,6 +178,7 @@ final class HeapSystem implements Serializable {
             if (rows.isOf(p, place)) {
                 data[STRIDE * p + MOBILITY_N] = orNone(rows.normalMobility(p, w));
                 data[STRIDE * p + MOBILITY_T] = orNone(rows.tangentMobility(p, w));
+                data[STRIDE * p + CROSS] = rows.crossMobility(p, w);
             }
         }
     }
@@ -209,11 +224,11 @@ final class HeapSystem implements Serializable {
         return data[STRIDE * p + IMPULSE_T];
     }
 
-    private double normal(int p) {
+    double normal(int p) {
         return normal(p, v);
     }
 
-    private double tangent(int p) {
+    double tangent(int p) {
         return tangent(p, v);
     }
 
@@ -259,7 +274,7 @@ final class HeapSystem implements Serializable {
         data[STRIDE * p + IMPULSE_T] += jt;
     }
 
-    private void apply(int p, double jn, double jt) {
+    void apply(int p, double jn, double jt) {
         push(p, jn, jt, v);
     }
 
@@ -302,12 +317,12 @@ final class HeapSystem implements Serializable {
 
     /** Adds what all points' impulses would do to bodies that nothing ties. */
     void pushAlone(double[] v) {
-        HeapReplies tied = replies;
+        HeapReplies those = replies;
         replies = null;
         for (int p = 0; p < points; p++) {
             push(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], v);
         }
-        replies = tied;
+        replies = those;
     }
 
     /** Whether a point closes faster than it may. */
@@ -360,7 +375,7 @@ final class HeapSystem implements Serializable {
             for (int k = 0; k < SWEEPS; k++) {
                 change = 0;
                 for (int p = 0; p < points; p++) {
-                    change = Math.max(change, relax(p));
+                    change = Math.max(change, relaxation.relax(this, p));
                 }
                 if (change <= RIGHT * scale || left < late && change <= enough) {
                     return true;
@@ -369,7 +384,7 @@ final class HeapSystem implements Serializable {
             left -= SWEEPS + face.solve(this, RIGHT * scale);
         }
         for (int p = 0; p < points; p++) {
-            change = Math.max(change, relax(p));
+            change = Math.max(change, relaxation.relax(this, p));
         }
         return change <= NEARLY * scale;
     }
@@ -429,31 +444,5 @@ final class HeapSystem implements Serializable {
             v[3 * k + 1] = fixed ? 0 : py / mass;
             v[3 * k + 2] = 0;
         }
-    }
-
-    /** Makes one point right; returns by how much its velocity has changed. */
-    private double relax(int p) {
-        int o = STRIDE * p;
-        double old = data[o + IMPULSE_N];
-        double jn = Math.max(0, old + (data[o + BOUND] - normal(p)) / data[o + MOBILITY_N]);
-        double change = 0;
-        if (jn != old) {
-            data[o + IMPULSE_N] = jn;
-            apply(p, jn - old, 0);
-            change = Math.abs(jn - old) * data[o + MOBILITY_N];
-        }
-        double most = data[o + FRICTION] * jn;
-        double rubbed = data[o + IMPULSE_T];
-        if (most == 0 && rubbed == 0) {
-            return change;
-        }
-        double jt = rubbed - tangent(p) / data[o + MOBILITY_T];
-        jt = Math.max(-most, Math.min(most, jt));
-        if (jt != rubbed) {
-            data[o + IMPULSE_T] = jt;
-            apply(p, 0, jt - rubbed);
-            change = Math.max(change, Math.abs(jt - rubbed) * data[o + MOBILITY_T]);
-        }
-        return change;
     }
 }
