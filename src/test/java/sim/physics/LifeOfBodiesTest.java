@@ -51,6 +51,24 @@ class LifeOfBodiesTest {
         assertThat(b.getX()).isCloseTo(-45, within(1e-13));
     }
 
+    /** Its box has stayed behind in the meantime, and it goes back to where that is from the other side. */
+    @Test
+    void aBodyThatCollidesAgainOnItsWayBackMeetsWhatIsThere() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.1);
+        Body stone = engine.add(new Body(new Circle(1)).at(-20, 0));
+        Body ghost = engine.add(new Body(new Circle(1)).at(0, 0));
+        run(engine, 3);
+        ghost.setCollisionGroup(0, 0);
+        ghost.setVelocity(-30, 0);
+        run(engine, 10);
+        ghost.setCollisionGroup(1, -1);
+        ghost.setVelocity(2, 0);
+        run(engine, 60);
+        assertThat(engine.getImpacts()).isEqualTo(1);
+        assertThat(stone.getX()).isCloseTo(-20 + 4, within(1e-12));
+    }
+
     @Test
     void aBodyThatPassesThroughOthersMeetsThemWhenItIsToldTo() {
         PhysicsEngine engine = new PhysicsEngine();
