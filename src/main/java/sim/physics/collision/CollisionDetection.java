@@ -200,10 +200,15 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         notes.set(body, BodyNotes.IDLE, !watched);
     }
 
-    /** Lets the pairs of bodies that get new trajectories at the start of the step wait until all have theirs. */
+    /**
+     * Lets the pairs of bodies that get new trajectories at the start of the step wait until all have theirs. Those that
+     * wait still, because an author's force has failed in the last step, do so on.
+     */
     public void gather() {
+        if (!gathers) {
+            gathered.clear();
+        }
         gathers = true;
-        gathered.clear();
     }
 
     /**
