@@ -145,8 +145,8 @@ final class Admission implements Presence, Serializable {
         boolean moves = trajectories.isDriven(index) || !trajectories.isAt(index, tau, state);
         motion.admit(index, tau);
         if (detection.knows(index)) {
-            detection.refilter(index);
-            detection.moved(index, tau, moves || state.body(index).isFixed(), -1);
+            boolean isOutOfBox = detection.refilter(index);
+            detection.moved(index, tau, moves || isOutOfBox || state.body(index).isFixed(), -1);
         } else {
             detection.add(index, tau);
         }

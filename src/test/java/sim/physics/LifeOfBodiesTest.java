@@ -3,6 +3,7 @@
 package sim.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import com.sun.management.ThreadMXBean;
@@ -14,6 +15,8 @@ import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.SortAndSweep;
 import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
+import sim.physics.motion.Forces;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.SurfaceFriction;
 import sim.physics.response.CollisionListener;
@@ -49,6 +52,57 @@ class LifeOfBodiesTest {
         b.setPosition(-50, 0);
         run(engine, 5);
         assertThat(b.getX()).isCloseTo(-45, within(1e-13));
+    }
+
+    /** Its box has stayed behind in the meantime, and it goes back to where that is from the other side. */
+    @Test
+    void aBodyThatCollidesAgainOnItsWayBackMeetsWhatIsThere() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.1);
+        Body stone = engine.add(new Body(new Circle(1)).at(-20, 0));
+        Body ghost = engine.add(new Body(new Circle(1)).at(0, 0));
+        run(engine, 3);
+        ghost.setCollisionGroup(0, 0);
+        ghost.setVelocity(-30, 0);
+        run(engine, 10);
+        ghost.setCollisionGroup(1, -1);
+        ghost.setVelocity(2, 0);
+        run(engine, 60);
+        assertThat(engine.getImpacts()).isEqualTo(1);
+        assertThat(stone.getX()).isCloseTo(-20 + 4, within(1e-12));
+    }
+
+    /** What was written before a step that fails in an author's force is known in the next one. */
+    @Test
+    void aVelocityThatWasSetBeforeAStepThatFailedIsMinded() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.1);
+        Body driven = engine.add(new Body(new Circle(0.5)).at(0, 50));
+        boolean[] fails = {false};
+        engine.add(new ForceGenerator() {
+            @Override
+            public boolean actsOn(Body body) {
+                return body == driven;
+            }
+
+            @Override
+            public void addForce(Body body, double time, Forces forces) {
+                if (fails[0]) {
+                    throw new IllegalStateException("no force");
+                }
+            }
+        });
+        Body ram = engine.add(new Body(new Rectangle(1, 1)).at(0, 0).moving(0.001, 0));
+        Body stone = engine.add(new Body(new Rectangle(1, 1)).at(1.4, 0));
+        run(engine, 5);
+        ram.setVelocity(3, 0);
+        fails[0] = true;
+        assertThatThrownBy(engine::step).hasMessage("no force");
+        fails[0] = false;
+        run(engine, 20);
+        assertThat(engine.getImpacts()).isEqualTo(1);
+        assertThat(engine.getDeepestPenetration()).isZero();
+        assertThat(stone.getX()).isGreaterThan(6);
     }
 
     @Test

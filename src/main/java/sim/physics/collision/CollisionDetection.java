@@ -200,10 +200,15 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         notes.set(body, BodyNotes.IDLE, !watched);
     }
 
-    /** Lets the pairs of bodies that get new trajectories at the start of the step wait until all have theirs. */
+    /**
+     * Lets the pairs of bodies that get new trajectories at the start of the step wait until all have theirs. Those that
+     * wait still, because an author's force has failed in the last step, do so on.
+     */
     public void gather() {
+        if (!gathers) {
+            gathered.clear();
+        }
         gathers = true;
-        gathered.clear();
     }
 
     /**
@@ -270,14 +275,17 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
      * Applies the filter again to the pairs of a body; they are looked at when it has moved.
      *
      * @param body index
+     * @return whether it needs a new box wherever it is: its last one did not follow it while it could collide with nobody
      */
-    public void refilter(int body) {
+    public boolean refilter(int body) {
+        boolean wasAloof = notes.has(body, BodyNotes.ALOOF);
         enclosures.admit(body, state.body(body));
         for (int k = 0; k < pairs.countOf(body); k++) {
             int p = pairs.of(body, k);
             marks.ignore(p, filter.forbids(state, pairs.first(p), pairs.second(p)));
             attend(p);
         }
+        return wasAloof && !notes.has(body, BodyNotes.ALOOF);
     }
 
     /**

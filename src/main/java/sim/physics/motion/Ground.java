@@ -148,10 +148,11 @@ public final class Ground implements Serializable {
      * @param vx velocity
      * @param vy velocity
      * @param omega angular velocity
+     * @param isStatic whether it is that of the onset of the motion, which static friction resists
      * @param out takes force x, force y and torque
      */
-    public void friction(int body, double vx, double vy, double omega, double[] out) {
-        motion.generators.surface.friction(state.body(body), vx, vy, omega, theta(body), out);
+    public void friction(int body, double vx, double vy, double omega, boolean isStatic, double[] out) {
+        motion.generators.surface.friction(state.body(body), vx, vy, omega, theta(body), isStatic, out);
     }
 
     private double theta(int body) {

@@ -55,8 +55,14 @@ public final class SurfaceFriction implements ForceGenerator {
 
     /** Takes the force and torque on a body to out. */
     void friction(Body body, double vx, double vy, double omega, double theta, double[] out) {
+        friction(body, vx, vy, omega, theta, false, out);
+    }
+
+    /** The same; with the static coefficient at the onset of a motion. */
+    void friction(Body body, double vx, double vy, double omega, double theta, boolean isStatic, double[] out) {
         body.surfacePatch().friction(vx, vy, omega, theta, out);
-        double weight = body.getSurfaceFriction() * body.getMass() * gravity;
+        double coefficient = isStatic ? body.getSurfaceStaticFriction() : body.getSurfaceFriction();
+        double weight = coefficient * body.getMass() * gravity;
         out[State.X] *= weight;
         out[State.Y] *= weight;
         out[State.THETA] *= weight;

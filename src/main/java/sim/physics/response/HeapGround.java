@@ -26,6 +26,9 @@ final class HeapGround implements Serializable {
     /** Change of velocity, relative to itself, at which the direction of friction is right. */
     private static final double RIGHT = 1e-4;
 
+    /** Speed that may be but the closing of a gap, relative to that which the plane takes from a body in the time. */
+    private static final double LITTLE = 1e-3;
+
     private final Ground plane;
     private double length;
 
@@ -39,6 +42,14 @@ final class HeapGround implements Serializable {
     private boolean[] isHeld = {};
 
     private boolean[] moves = {};
+
+    /** Of those that did not: whether they were held in this solution, and torn off; whether they have moved in it since. */
+    private boolean[] isTorn = {};
+
+    private boolean[] slips = {};
+
+    /** Whether something of that is new. */
+    private boolean isNew;
 
     /** Inverse masses and moments of inertia, 2 each; impulses of the plane, 3 each. */
     private double[] w = {};
@@ -61,6 +72,8 @@ final class HeapGround implements Serializable {
             bodies = new int[2 * most];
             isHeld = new boolean[2 * most];
             moves = new boolean[2 * most];
+            isTorn = new boolean[2 * most];
+            slips = new boolean[2 * most];
             w = new double[4 * most];
             impulses = new double[6 * most];
         }
@@ -72,6 +85,8 @@ final class HeapGround implements Serializable {
         bodies[count] = body;
         moves[count] = v[at] != 0 || v[at + 1] != 0 || v[at + 2] != 0;
         isHeld[count] = false;
+        isTorn[count] = false;
+        slips[count] = false;
         w[2 * count] = s.w[2 * place];
         w[2 * count + 1] = s.w[2 * place + 1];
         Arrays.fill(impulses, 3 * count, 3 * count + 3, 0);
@@ -79,7 +94,10 @@ final class HeapGround implements Serializable {
     }
 
     /**
-     * Finds the impulses of the plane.
+     * Finds the impulses of the plane. A body at rest that has been torn off is not held again in this solution: what
+     * pushes a sliding body may be less than what static friction bears, and bodies that push each other would be let go and
+     * held by turns. As long as it does not move all the same, because others before it are held, static friction bears what
+     * it can of the load.
      *
      * @param s has the velocities from which directions are taken where they are not 0
      * @param free velocities without impulses
@@ -88,15 +106,25 @@ final class HeapGround implements Serializable {
      */
     double find(HeapSystem s, double[] free, double[] momenta) {
         double change = 0;
+        isNew = false;
         for (int k = 0; k < count; k++) {
             int at = 3 * places[k];
             double wt = w[2 * k];
             double wr = w[2 * k + 1];
+            double speed = norm(s.v[at], s.v[at + 1], s.v[at + 2], wt, wr);
+            if (isTorn[k] && !slips[k] && speed > LITTLE * length * plane.deceleration(bodies[k])) {
+                slips[k] = true;
+                isNew = true;
+            }
             double vx = free[at] + wt * momenta[at];
             double vy = free[at + 1] + wt * momenta[at + 1];
             double omega = free[at + 2] + wr * momenta[at + 2];
-            
-            boolean held = plane.holds(bodies[k], vx / (length * wt), vy / (length * wt), omega / (length * wr), moves[k]);
+            boolean held = !isTorn[k]
+                    && plane.holds(bodies[k], vx / (length * wt), vy / (length * wt), omega / (length * wr), moves[k]);
+            if (isHeld[k] && !held && !moves[k]) {
+                isTorn[k] = true;
+                isNew = true;
+            }
             if (held != isHeld[k]) {
                 isHeld[k] = held;
                 s.setMobile(places[k], !held, wt, wr);
@@ -109,6 +137,11 @@ final class HeapGround implements Serializable {
         return change;
     }
 
+    /** Whether the last impulses were found for a body that was torn off only then, or has only then moved. */
+    boolean isNew() {
+        return isNew;
+    }
+
     /** Finds the friction of a sliding body from its velocity without it; returns by how much that has changed, relative to itself. */
     private double slide(int k, double[] v, double vx, double vy, double omega) {
         int at = 3 * places[k];
@@ -119,7 +152,7 @@ final class HeapGround implements Serializable {
         double dy = known ? v[at + 1] : vy;
         double turn = known ? v[at + 2] : omega;
         for (int n = 0; n < REPETITIONS; n++) {
-            plane.friction(bodies[k], dx, dy, turn, force);
+            plane.friction(bodies[k], dx, dy, turn, isTorn[k] && !slips[k], force);
             double nx = vx + length * wt * force[0];
             double ny = vy + length * wt * force[1];
             double spin = omega + length * wr * force[2];
@@ -147,7 +180,8 @@ final class HeapGround implements Serializable {
         for (int c = 0; c < 3; c++) {
             impulses[3 * k + c] = length * force[c];
         }
-        return norm(wt * cx, wt * cy, wr * turned, wt, wr) / (length * norm(wt * force[0], wt * force[1], wr * force[2], wt, wr));
+        double changed = norm(wt * cx, wt * cy, wr * turned, wt, wr);
+        return changed == 0 ? 0 : changed / (length * norm(wt * force[0], wt * force[1], wr * force[2], wt, wr));
     }
 
     /** Size of a velocity: √(2 T / m). */
@@ -166,13 +200,13 @@ final class HeapGround implements Serializable {
         }
     }
 
-    /** Holds bodies that friction would give energy; true if there are any. */
-    boolean stopWhatTurnsBack(HeapSystem s) {
+    /** Holds bodies that friction would give energy, and those that were torn off but did not move; true if there are any. */
+    boolean stop(HeapSystem s) {
         boolean any = false;
         for (int k = 0; k < count; k++) {
             int at = 3 * places[k];
             double power = impulses[3 * k] * s.v[at] + impulses[3 * k + 1] * s.v[at + 1] + impulses[3 * k + 2] * s.v[at + 2];
-            if (!isHeld[k] && power > 0) {
+            if (!isHeld[k] && (power > 0 || isTorn[k] && !slips[k])) {
                 isHeld[k] = true;
                 s.setMobile(places[k], false, w[2 * k], w[2 * k + 1]);
                 any = true;

@@ -329,7 +329,10 @@ public final class Heaps implements Serializable {
     public IntList settle(double tau) {
         for (int k = 0; k < dirty.size; k++) {
             int body = dirty.values[k];
-            if (by.lies[body] && isDriven(body) && !isCalm(motion.companions(body))) {
+            if (by.lies[body] && trajectories.isDriven(body) && !motion.isSupportable()) {
+                part(body); // since it came to lie there a force has been added that couples bodies
+                changed.add(body);
+            } else if (by.lies[body] && isDriven(body) && !isCalm(motion.companions(body))) {
                 giveUp(body);
                 changed.add(body);
             } else if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {

@@ -24,6 +24,9 @@ final class RubbedHeap implements Serializable {
     /** Times that the friction of the plane and the contacts are solved for by turns, and its change at which that is enough. */
     private static final int TURNS = 8;
 
+    /** Times that are left at least after a body at rest has been torn off: in a row that is pushed one after the other is. */
+    private static final int MORE = 3;
+
     private static final double SAME = 3e-3;
 
     /** Times that what turning and sliding take of gaps is looked at. */
@@ -79,17 +82,18 @@ final class RubbedHeap implements Serializable {
         boolean right = true;
         boolean raised = false;
         System.arraycopy(free, 0, system.v, 0, 3 * heap.size); // a first guess of how they move
-        for (int turn = 0; turn < TURNS; turn++) {
+        for (int turn = 0, turns = TURNS; turn < turns; turn++) {
             system.momenta(momenta);
             double change = ground.find(system, free, momenta);
             if (turn > 0 && change <= SAME && !raised) {
                 break;
             }
+            turns = ground.isNew() ? Math.max(turns, turn + 1 + MORE) : turns;
             ground.apply(system, free);
             right = system.solveInTurn(scale);
             raised = turn < RAISES && bends.raise(system, before, length);
         }
-        if (ground.stopWhatTurnsBack(system)) {
+        if (ground.stop(system)) {
             ground.apply(system, free);
             right = system.solveInTurn(scale);
         }
@@ -131,8 +135,16 @@ final class RubbedHeap implements Serializable {
         System.arraycopy(system.v, 3 * k, before, 3 * k, State.BLOCK);
     }
 
-    /** Whether no body of the heap has moved, or does so now, or is pushed. */
+    /**
+     * Whether no body of the heap has moved, or does so now, or is pushed. Where generators of authors act this is not known
+     * beyond the solution: their forces may change with time, and nobody else would ask for them again.
+     */
     boolean isStill(IntList heap) {
+        for (int k = 0; k < heap.size; k++) {
+            if (motion.ground().isDrivenByOthers(heap.values[k])) {
+                return false;
+            }
+        }
         for (int k = 0; k < 3 * heap.size; k++) {
             if (before[k] != 0 || system.v[k] != 0 || free[k] != 0) {
                 return false;

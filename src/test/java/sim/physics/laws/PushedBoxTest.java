@@ -5,13 +5,21 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
+import sim.physics.Scenes;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
+import sim.physics.motion.Spring;
 import sim.physics.motion.SurfaceFriction;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
@@ -43,6 +51,29 @@ class PushedBoxTest {
         @Override
         public void addForce(Body body, double time, Forces forces) {
             forces.add(body, fx, fy);
+        }
+    }
+
+    /** A force on a robot in every third second, from the first on. */
+    private static final class Pulses implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        private final Body robot;
+        private final double fx;
+
+        Pulses(Body robot, double fx) {
+            this.robot = robot;
+            this.fx = fx;
+        }
+
+        @Override
+        public boolean actsOn(Body body) {
+            return body == robot;
+        }
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            forces.add(body, (long) time % 3 == 0 ? fx : 0, 0);
         }
     }
 
@@ -108,6 +139,60 @@ class PushedBoxTest {
         assertThat(c * box.getVelocityY() - s * box.getVelocityX()).isCloseTo(0, within(1e-9));
         assertThat(Math.hypot(box.getX() - robot.getX(), box.getY() - robot.getY())).isCloseTo(1, within(1e-6));
         assertThat(engine.getImpacts()).isEqualTo(impacts);
+    }
+
+    /**
+     * A row of boxes at rest sets off when its robot pushes more than static friction bears of all of them together, and then
+     * goes on against kinetic friction; also if the robot has friction of its own.
+     */
+    @ParameterizedTest
+    @CsvSource({"1, 0, 1.05", "1, 0.1, 1.05", "1, 0.1, 1.3", "2, 0, 0.95", "2, 0, 1.05", "5, 0, 0.95", "5, 0, 1.05", "12, 0, 1.05"})
+    void aRowSetsOffBeyondItsStaticFriction(int boxes, double own, double share) {
+        build(new Body(new Rectangle(1, 1)).at(1, 0), 1 / 60.0);
+        robot.setSurfaceFriction(own);
+        for (int k = 1; k < boxes; k++) {
+            Body next = engine.add(new Body(new Rectangle(1, 1)).at(1 + k, 0));
+            next.setMass(2);
+            next.setSurfaceFriction(MU, 0.4);
+            next.setRestitution(0);
+        }
+        double bears = own * 3 * G + boxes * 0.4 * 2 * G;
+        run(200, own * 3 * G + 2, 0);
+        assertThat(engine.kineticEnergy()).isLessThan(1e-12);
+        run(120, share * bears, 0);
+        double pull = share < 1 ? 0 : share * bears - own * 3 * G - boxes * MU * 2 * G;
+        assertThat(robot.getVelocityX()).isCloseTo(2 * pull / (3 + 2 * boxes), within(1e-6));
+        assertThat(box.getVelocityX()).isCloseTo(robot.getVelocityX(), within(1e-6));
+    }
+
+    /** A robot that its author's force lets stand for a while, together with the box, is pushed on by it later. */
+    @Test
+    void aForceThatReturnsIsFelt() {
+        build(new Body(new Rectangle(1, 1)).at(1, 0), 1 / 60.0);
+        robot.setSurfaceFriction(0.1);
+        engine.add(new Pulses(robot, 14));
+        run(150, 0, 0);
+        assertThat(engine.kineticEnergy()).isZero();
+        double x = box.getX();
+        run(30 + 60, 0, 0);
+        assertThat(box.getVelocityX()).isCloseTo((14 - 0.1 * 3 * G - MU * 2 * G) / 5, within(0.01));
+        assertThat(box.getX() - x).isGreaterThan(0.1);
+    }
+
+    /** A spring between others that is added and removed while a robot pushes takes nothing from the box's friction. */
+    @Test
+    void frictionStaysWhereForcesAreCoupled() {
+        build(new Body(new Rectangle(1, 1)).at(1, 0), 1 / 60.0);
+        Body one = engine.add(new Body(new Circle(0.5)).at(0, 10));
+        Body other = engine.add(new Body(new Circle(0.5)).at(3, 10));
+        engine.add(new Thrust(robot, 14, 0));
+        run(60, 0, 0);
+        Spring spring = new Spring(one, 0, 0, other, 0, 0, 2, 5, 0);
+        engine.add(spring);
+        run(60, 0, 0);
+        engine.remove(spring);
+        run(60, 0, 0);
+        assertThat(box.getVelocityX()).isCloseTo(3 * (14 - MU * 2 * G) / 5, within(0.01));
     }
 
     /** When the push ends, the two slide apart and the box stops where Coulomb friction lets it: v² / 2 μ g. */
@@ -179,5 +264,71 @@ class PushedBoxTest {
             }
             last = error;
         }
+    }
+
+    /** Twenty robots that push fifteen boxes between walls, as far as a step; they steer by where they are. */
+    private static void steer(PhysicsEngine crowd, int from, int to) {
+        for (int k = from; k < to; k++) {
+            for (Body body : crowd.bodies()) {
+                if (body.getMass() == 1) {
+                    double round = 0.05 * (k / 20) + body.getY();
+                    double fx = 8 * StrictMath.cos(round) - 4 * body.getX();
+                    double fy = 8 * StrictMath.sin(round) - 4 * body.getY();
+                    body.addForce(fx - 2 * body.getVelocityX(), fy - 2 * body.getVelocityY());
+                }
+            }
+            crowd.step();
+        }
+    }
+
+    private static PhysicsEngine crowd(int threads) {
+        PhysicsEngine crowd = new PhysicsEngine();
+        crowd.setTimeStep(0.02);
+        crowd.setThreads(threads);
+        crowd.add(new SurfaceFriction(G));
+        for (int side = -1; side <= 1; side += 2) {
+            crowd.add(Body.fixed(new Rectangle(8, 1)).at(0, 3.5 * side));
+            crowd.add(Body.fixed(new Rectangle(1, 8)).at(3.5 * side, 0));
+        }
+        for (int k = 0; k < 35; k++) {
+            boolean isBox = k % 7 % 2 == 1;
+            Body body = crowd.add(new Body(isBox ? new Rectangle(0.5, 0.4) : new Circle(0.2)));
+            body.at(0.9 * (k % 6) - 2.25, 0.9 * (k / 6) - 2.25, 0.3 * k);
+            body.setMass(isBox ? 2 : 1);
+            body.setSurfaceFriction(isBox ? 0.3 : 0.05 * (k % 3), isBox ? 0.4 : 0.05 * (k % 3));
+            body.setFriction(0.3);
+            body.setRestitution(0.2 * (k % 2));
+        }
+        return crowd;
+    }
+
+    private static PhysicsEngine copy(PhysicsEngine engine) throws IOException, ClassNotFoundException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+            out.writeObject(engine);
+        }
+        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
+            return (PhysicsEngine) in.readObject();
+        }
+    }
+
+    /** A crowd that pushes goes on bit for bit from a checkpoint, whenever it is taken, and with any number of threads. */
+    @Test
+    void aCrowdGoesOnFromACheckpointBitForBit() throws IOException, ClassNotFoundException {
+        PhysicsEngine straight = crowd(1);
+        PhysicsEngine shared = crowd(3);
+        steer(straight, 0, 100);
+        steer(shared, 0, 100);
+        PhysicsEngine restored = copy(straight);
+        for (int k = 100; k < 160; k++) {
+            steer(straight, k, k + 1);
+            steer(shared, k, k + 1);
+            restored = copy(restored);
+            steer(restored, k, k + 1);
+            assertThat(Scenes.hash(restored)).isEqualTo(Scenes.hash(straight));
+            assertThat(Scenes.hash(shared)).isEqualTo(Scenes.hash(straight));
+        }
+        assertThat(straight.getImpacts()).isEqualTo(restored.getImpacts()).isGreaterThan(100);
+        assertThat(straight.contacts()).isNotEmpty();
     }
 }
