@@ -15,10 +15,12 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
+import sim.physics.response.LastingContact;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 import sim.physics.shape.Shape;
@@ -80,6 +82,21 @@ class HeapTest {
         long looks = engine.getNarrowPhaseEvaluations();
         run(1000);
         assertThat(engine.getNarrowPhaseEvaluations()).isEqualTo(looks);
+    }
+
+    /** The forces of a tall stack are solved for exactly, else it would creep and be solved for in each step for ever. */
+    @ParameterizedTest
+    @ValueSource(ints = {50, 80})
+    void aTallStackComesToRestToo(int height) {
+        stack(height, 0.2, 0.5, 0);
+        run(150);
+        assertThat(engine.kineticEnergy()).isZero();
+        long looks = engine.getNarrowPhaseEvaluations();
+        run(300);
+        assertThat(engine.getNarrowPhaseEvaluations()).isEqualTo(looks);
+        double weight = height * engine.bodies().get(1).getMass() * G;
+        double borne = engine.contacts(engine.bodies().get(0)).stream().mapToDouble(LastingContact::normalForce).sum();
+        assertThat(borne).isCloseTo(weight, within(1e-6 * weight));
     }
 
     @Test
