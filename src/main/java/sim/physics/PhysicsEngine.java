@@ -865,25 +865,27 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * The pairs of bodies that collide and overlap where they are now. Bodies that were added overlapping are driven
-     * apart only by their own motion; better call {@link #separate()} before the first step.
+     * The pairs of bodies that collide and overlap where they are now; bodies with a joint between them do not. What
+     * touches or lies on one another may be there with a depth of rounding, see {@link #getDeepestPenetration()}. Bodies
+     * that were added overlapping are driven apart only by their own motion; better call {@link #separate()} before the
+     * first step.
      *
      * @return one entry a pair, deepest first
      */
     public List<Overlap> overlaps() {
-        return new Overlaps(detection.filter()).find(bodies());
+        return (stepping ? new Overlaps(detection.filter()) : admission.overlaps()).find(bodies());
     }
 
     /**
      * Moves overlapping bodies apart, each pair by the least way and the lighter body the farther, without gain of
-     * kinetic energy.
+     * kinetic energy. Joints that this opens are closed, and what overlaps then is parted again.
      *
      * @return number of sweeps over all pairs, 0 if nothing overlapped
-     * @throws IllegalStateException if there is no room
+     * @throws IllegalStateException if there is no room; the bodies stay where the attempt left them
      */
     public int separate() {
         requireBetweenSteps("bodies were to be separated");
-        return new Overlaps(detection.filter()).separate(bodies());
+        return admission.separate(bodies());
     }
 
     /**
