@@ -468,6 +468,7 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if it was added before
      */
     public void add(ForceGenerator generator) {
+        Objects.requireNonNull(generator, "generator");
         asksAuthors = true;
         if (!motion.add(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
@@ -539,6 +540,7 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if one was added already, if there is no such place, or within a step
      */
     public void assemble(Constraint... those) {
+        Objects.requireNonNull(those, "those");
         requireBetweenSteps("constraints were to be assembled");
         for (Constraint constraint : those) {
             checkBodies(constraint);
@@ -621,7 +623,7 @@ public final class PhysicsEngine implements Steppable {
      * @param stabilization projection unless set
      */
     public void setStabilization(Stabilization stabilization) {
-        constraints().setStabilization(stabilization);
+        constraints().setStabilization(Objects.requireNonNull(stabilization, "stabilization"));
     }
 
     /**
@@ -630,8 +632,8 @@ public final class PhysicsEngine implements Steppable {
      * @param listener not null
      */
     public void addListener(CollisionListener listener) {
-        asksAuthors = true;
         response.listeners().add(Objects.requireNonNull(listener, "listener"));
+        asksAuthors = true;
     }
 
     /**
@@ -825,8 +827,8 @@ public final class PhysicsEngine implements Steppable {
      * @param solver not null
      */
     public void setImpulseSolver(ImpulseSolver solver) {
-        asksAuthors = true;
         response.setSolver(solver);
+        asksAuthors = true;
     }
 
     /**
@@ -836,8 +838,8 @@ public final class PhysicsEngine implements Steppable {
      * @param friction the geometric mean unless set
      */
     public void setPairRules(PairRule restitution, PairRule friction) {
-        asksAuthors = true;
         response.setRules(restitution, friction);
+        asksAuthors = true;
     }
 
     /**
@@ -978,6 +980,7 @@ public final class PhysicsEngine implements Steppable {
      * @return stops the engine
      */
     public Repeating scheduleOn(Schedule schedule) {
+        Objects.requireNonNull(schedule, "schedule");
         Repeating repeating = new Repeating(this, ORDERING, 1);
         schedule.scheduleOnce(schedule.getTime() < Schedule.EPOCH ? Schedule.EPOCH : schedule.getTime() + 1, ORDERING, repeating);
         return repeating;
