@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.List;
 import sim.physics.collision.CollisionDetection;
+import sim.physics.collision.Overlaps;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
@@ -25,6 +26,9 @@ import sim.physics.response.RestingContacts;
  */
 final class Admission implements Presence, Serializable {
     private static final long serialVersionUID = 1L;
+
+    /** How often joints are closed while bodies are parted, before there is thought to be no room. */
+    private static final int MAX_ROUNDS = 10_000;
 
     private final State state;
     private final Trajectories trajectories;
@@ -318,6 +322,31 @@ final class Admission implements Presence, Serializable {
             regroup();
             throw e;
         }
+    }
+
+    /** What finds and parts overlaps between steps; it knows which bodies joints let overlap, also the newest. */
+    Overlaps overlaps() {
+        if (constraints != null && constraints.isChanged()) {
+            regroup();
+        }
+        return new Overlaps(detection.filter());
+    }
+
+    /** Parts overlapping bodies between steps. Where that opens joints, both are done in turn until nothing is left to do. */
+    int separate(List<Body> bodies) {
+        Overlaps overlaps = overlaps();
+        int sweeps = overlaps.separate(bodies);
+        int rounds = 0;
+        for (int more = sweeps; more > 0 && constraints != null; sweeps += more) {
+            close(0);
+            state.placedAll();
+            if (++rounds > MAX_ROUNDS) {
+                throw new IllegalStateException(overlaps.find(bodies).size() + " pairs of bodies still overlap after "
+                        + MAX_ROUNDS + " rounds of parting them and closing their joints: is there room?");
+            }
+            more = overlaps.separate(bodies);
+        }
+        return sweeps;
     }
 
     /** Removes a body, with its constraints if that has not been done yet. */

@@ -468,6 +468,7 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if it was added before
      */
     public void add(ForceGenerator generator) {
+        Objects.requireNonNull(generator, "generator");
         asksAuthors = true;
         if (!motion.add(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
@@ -539,6 +540,7 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if one was added already, if there is no such place, or within a step
      */
     public void assemble(Constraint... those) {
+        Objects.requireNonNull(those, "those");
         requireBetweenSteps("constraints were to be assembled");
         for (Constraint constraint : those) {
             checkBodies(constraint);
@@ -621,7 +623,7 @@ public final class PhysicsEngine implements Steppable {
      * @param stabilization projection unless set
      */
     public void setStabilization(Stabilization stabilization) {
-        constraints().setStabilization(stabilization);
+        constraints().setStabilization(Objects.requireNonNull(stabilization, "stabilization"));
     }
 
     /**
@@ -630,8 +632,8 @@ public final class PhysicsEngine implements Steppable {
      * @param listener not null
      */
     public void addListener(CollisionListener listener) {
-        asksAuthors = true;
         response.listeners().add(Objects.requireNonNull(listener, "listener"));
+        asksAuthors = true;
     }
 
     /**
@@ -825,8 +827,8 @@ public final class PhysicsEngine implements Steppable {
      * @param solver not null
      */
     public void setImpulseSolver(ImpulseSolver solver) {
-        asksAuthors = true;
         response.setSolver(solver);
+        asksAuthors = true;
     }
 
     /**
@@ -836,8 +838,8 @@ public final class PhysicsEngine implements Steppable {
      * @param friction the geometric mean unless set
      */
     public void setPairRules(PairRule restitution, PairRule friction) {
-        asksAuthors = true;
         response.setRules(restitution, friction);
+        asksAuthors = true;
     }
 
     /**
@@ -865,25 +867,27 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * The pairs of bodies that collide and overlap where they are now. Bodies that were added overlapping are driven
-     * apart only by their own motion; better call {@link #separate()} before the first step.
+     * The pairs of bodies that collide and overlap where they are now; bodies with a joint between them do not. What
+     * touches or lies on one another may be there with a depth of rounding, see {@link #getDeepestPenetration()}. Bodies
+     * that were added overlapping are driven apart only by their own motion; better call {@link #separate()} before the
+     * first step.
      *
      * @return one entry a pair, deepest first
      */
     public List<Overlap> overlaps() {
-        return new Overlaps(detection.filter()).find(bodies());
+        return (stepping ? new Overlaps(detection.filter()) : admission.overlaps()).find(bodies());
     }
 
     /**
      * Moves overlapping bodies apart, each pair by the least way and the lighter body the farther, without gain of
-     * kinetic energy.
+     * kinetic energy. Joints that this opens are closed, and what overlaps then is parted again.
      *
      * @return number of sweeps over all pairs, 0 if nothing overlapped
-     * @throws IllegalStateException if there is no room
+     * @throws IllegalStateException if there is no room; the bodies stay where the attempt left them
      */
     public int separate() {
         requireBetweenSteps("bodies were to be separated");
-        return new Overlaps(detection.filter()).separate(bodies());
+        return admission.separate(bodies());
     }
 
     /**
@@ -976,6 +980,7 @@ public final class PhysicsEngine implements Steppable {
      * @return stops the engine
      */
     public Repeating scheduleOn(Schedule schedule) {
+        Objects.requireNonNull(schedule, "schedule");
         Repeating repeating = new Repeating(this, ORDERING, 1);
         schedule.scheduleOnce(schedule.getTime() < Schedule.EPOCH ? Schedule.EPOCH : schedule.getTime() + 1, ORDERING, repeating);
         return repeating;

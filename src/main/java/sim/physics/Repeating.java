@@ -6,6 +6,7 @@ import java.util.Objects;
 import sim.engine.SimState;
 import sim.engine.Steppable;
 import sim.engine.Stoppable;
+import sim.physics.internal.Check;
 
 /**
  * Repeats a Steppable on MASON's schedule by scheduling itself again, because the schedule's own methods for that
@@ -23,12 +24,13 @@ public final class Repeating implements Steppable, Stoppable {
      *
      * @param target what to repeat
      * @param ordering its ordering
-     * @param interval schedule time between repetitions
+     * @param interval schedule time between repetitions, greater than 0
+     * @throws IllegalArgumentException if the interval is not a finite number greater than 0
      */
     public Repeating(Steppable target, int ordering, double interval) {
         this.target = Objects.requireNonNull(target, "target");
         this.ordering = ordering;
-        this.interval = interval;
+        this.interval = Check.positive("interval", interval);
     }
 
     @Override

@@ -4,10 +4,13 @@ package sim.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import sim.physics.collision.Overlap;
+import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
@@ -44,6 +47,25 @@ class OverlapTest {
             engine.step();
         }
         assertThat(Scenes.smallestGap(engine)).isGreaterThan(-1e-9);
+    }
+
+    @Test
+    void jointedBodiesArePartedFromOthersAndStayJointed() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.01);
+        Body ground = engine.add(Body.fixed(new Rectangle(200, 2)).at(0, -1));
+        Body chassis = engine.add(new Body(new Rectangle(3, 0.5)).at(0, 0.6));
+        Body wheel = engine.add(new Body(new Circle(0.4)).at(-1, 0.2));
+        PinJoint pin = engine.add(new PinJoint(chassis, wheel, -1, 0.2));
+        assertThat(engine.overlaps()).extracting(Overlap::a, Overlap::b).containsExactly(tuple(ground, wheel));
+        engine.separate();
+        assertThat(engine.overlaps()).isEmpty();
+        double apart = Math.hypot(wheel.getX() - chassis.getX(), wheel.getY() - chassis.getY());
+        assertThat(apart).isCloseTo(Math.hypot(1, 0.4), within(1e-12));
+        double y = wheel.getY();
+        engine.step(); // closes joints: there was nothing left to close
+        assertThat(wheel.getY()).isCloseTo(y, within(1e-12));
+        assertThat(engine.contains(pin)).isTrue();
     }
 
     @Test

@@ -5,13 +5,21 @@ package sim.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 
+import java.awt.Color;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import sim.physics.constraint.Constraint;
+import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.Stabilization;
+import sim.physics.mason.Picture;
 import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.SurfaceFriction;
+import sim.physics.query.Queries;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
 import sim.physics.shape.Circle;
@@ -79,6 +87,74 @@ class RefusalTest {
         refused("time step is NaN", () -> engine.setTimeStep(Double.NaN));
         refused("fixed", () -> wall.setVelocity(1, 0));
         refused("fixed", () -> wall.setMass(1));
+    }
+
+    @Test
+    void whatOverflowsChangesNeitherPartOfABody() {
+        refused("torque is", () -> body.addForceAt(0, 1e300, 1e300, 0));
+        refused("angular velocity is", () -> body.addImpulseAt(1, 1e300, 1e300, 0));
+        engine.step();
+        assertThat(body.getVelocityX()).isEqualTo(1); // no force is left over
+        assertThat(body.getVelocityY()).isEqualTo(2);
+    }
+
+    @Test
+    void whatIsAskedWrongly() {
+        Queries queries = engine.queries();
+        refused("highX is -1.0: it must not be less than lowX, 0.0", () -> queries.inBox(0, 0, -1, 1, null));
+        refused("highY is NaN", () -> queries.inBox(0, 0, 1, Double.NaN, null));
+        refused("count is -1", () -> queries.nearest(0, 0, -1, null));
+        refused("distance is -1.0", () -> queries.within(0, 0, -1, null));
+        refused("range is -1.0", () -> queries.rayCast(0, 0, 1, 0, -1, null));
+        refused("direction is (0.0, 0.0)", () -> queries.rayCast(0, 0, 0, 0, 1, null));
+        refused("halfAngle is 4.0", () -> queries.visible(0, 0, 0, 4, 1, null));
+    }
+
+    @Test
+    void intervalsGainsAndPictures() {
+        refused("interval is 0.0", () -> new Repeating(engine, 0, 0));
+        refused("interval is NaN", () -> new Repeating(engine, 0, Double.NaN));
+        refused("position gain is NaN", () -> new Stabilization(true, Double.NaN, 0));
+        refused("velocity gain is -1.0", () -> Stabilization.feedback(0, -1));
+        refused("x is NaN", () -> new Picture(Double.NaN, 0, 1, 1, 1, Color.BLACK, b -> null));
+        refused("scale is 0.0", () -> new Picture(0, 0, 1, 1, 0, Color.BLACK, b -> null));
+        refused("height is -1.0", () -> new Picture(0, 0, 1, -1, 1, Color.BLACK, b -> null));
+    }
+
+    @Test
+    void nothingAtAll() {
+        Queries queries = engine.queries();
+        missing("body", () -> engine.add((Body) null));
+        missing("body", () -> engine.remove((Body) null));
+        missing("generator", () -> engine.add((ForceGenerator) null));
+        missing("constraint", () -> engine.add((Constraint) null));
+        missing("those", () -> engine.assemble((Constraint[]) null));
+        missing("constraint", () -> engine.assemble((Constraint) null));
+        missing("integrator", () -> engine.setIntegrator(null));
+        missing("solver", () -> engine.setConstraintSolver(null));
+        missing("solver", () -> engine.setImpulseSolver(null));
+        missing("stabilization", () -> engine.setStabilization(null));
+        missing("listener", () -> engine.addListener(null));
+        missing("listener", () -> engine.addContactListener(null));
+        missing("broadPhase", () -> engine.setBroadPhase(null));
+        missing("schedule", () -> engine.scheduleOn(null));
+        missing("shape", () -> new Body(null));
+        missing("xy", () -> new Polygon((double[]) null));
+        missing("only the second body", () -> new PinJoint(null, body, 0, 0));
+        missing("target", () -> new Repeating(null, 0, 1));
+        missing("body", () -> queries.distance(null, 0, 0));
+        missing("into", () -> queries.within(0, 0, 1, null, null));
+        missing("into", () -> queries.nearest(0, 0, 1, null, null));
+        missing("into", () -> queries.inBox(0, 0, 1, 1, null, null));
+        missing("into", () -> queries.rayCast(0, 0, 1, 0, 1, null, null));
+        missing("distances", () -> queries.fan(0, 0, 0, 1, 1, null, null));
+    }
+
+    private void missing(String name, ThrowingCallable call) {
+        long before = Scenes.hash(engine);
+        assertThatNullPointerException().isThrownBy(call).withMessageContaining(name).withMessageNotContaining("invoke");
+        assertThat(Scenes.hash(engine)).isEqualTo(before);
+        assertThat(engine.allConstraints()).isEmpty();
     }
 
     @Test

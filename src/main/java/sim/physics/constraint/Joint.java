@@ -25,7 +25,7 @@ public abstract class Joint implements Constraint {
      * @throws IllegalArgumentException if both are the same
      */
     Joint(Body a, Body b) {
-        this.a = Objects.requireNonNull(a, "a");
+        this.a = Objects.requireNonNull(a, "a: only the second body of a joint may be null, for the world");
         this.b = b;
         if (a == b) {
             throw new IllegalArgumentException("b is " + b + ": a joint needs two different bodies");

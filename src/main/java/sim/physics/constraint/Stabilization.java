@@ -15,6 +15,19 @@ import sim.physics.internal.Check;
  */
 public record Stabilization(boolean isFeedback, double position, double velocity) implements Serializable {
     /**
+     * Checks the gains.
+     *
+     * @param isFeedback false: projection
+     * @param position gain of C, 1/time², not negative
+     * @param velocity gain of Ċ, 1/time, not negative
+     * @throws IllegalArgumentException if one is negative or not finite
+     */
+    public Stabilization {
+        Check.notNegative("position gain", position);
+        Check.notNegative("velocity gain", velocity);
+    }
+
+    /**
      * Projection onto C = 0 and Ċ = 0 after each step: joints stay closed to rounding, and the order of the integrator
      * is kept.
      *
@@ -35,8 +48,6 @@ public record Stabilization(boolean isFeedback, double position, double velocity
      * @throws IllegalArgumentException if one is negative or not finite
      */
     public static Stabilization feedback(double position, double velocity) {
-        Check.notNegative("position gain", position);
-        Check.notNegative("velocity gain", velocity);
         return new Stabilization(true, position, velocity);
     }
 }

@@ -13,6 +13,7 @@ import java.util.Objects;
 import java.util.function.Function;
 import javax.imageio.ImageIO;
 import sim.physics.PhysicsEngine;
+import sim.physics.internal.Check;
 import sim.physics.motion.Body;
 
 /** Draws an engine's bodies without a display, for runs on machines that have none. */
@@ -35,6 +36,7 @@ public final class Picture {
      * @param scale pixels per unit of length
      * @param background colour of the ground
      * @param colors colour of each body, null for one that is not drawn
+     * @throws IllegalArgumentException if a number is not finite, or a size or the scale not greater than 0
      */
     public Picture(
             double x,
@@ -44,11 +46,11 @@ public final class Picture {
             double scale,
             Color background,
             Function<Body, Color> colors) {
-        this.x = x;
-        this.y = y;
-        this.width = width;
-        this.height = height;
-        this.scale = scale;
+        this.x = Check.finite("x", x);
+        this.y = Check.finite("y", y);
+        this.width = Check.positive("width", width);
+        this.height = Check.positive("height", height);
+        this.scale = Check.positive("scale", scale);
         this.background = Objects.requireNonNull(background, "background");
         this.colors = Objects.requireNonNull(colors, "colors");
     }

@@ -454,8 +454,11 @@ public class Body implements Serializable {
     public final void addForceAt(double fx, double fy, double px, double py) {
         Check.finite("px", px);
         Check.finite("py", py);
+        Check.finite("fx", fx);
+        Check.finite("fy", fy);
+        double torque = Check.finite("torque", (px - getX()) * fy - (py - getY()) * fx);
         addForce(fx, fy);
-        addTorque((px - getX()) * fy - (py - getY()) * fx);
+        addTorque(torque);
     }
 
     /**
@@ -487,8 +490,9 @@ public class Body implements Serializable {
         Check.finite("py", py);
         requireMovable("impulse", true);
         double turn = (px - getX()) * ry - (py - getY()) * rx;
+        double omega = Check.finite("angular velocity", getAngularVelocity() + turn / inertia); // (24)
         setVelocity(getVelocityX() + rx / mass, getVelocityY() + ry / mass); // (18)
-        setAngularVelocity(getAngularVelocity() + turn / inertia); // (24)
+        setAngularVelocity(omega);
     }
 
     /**

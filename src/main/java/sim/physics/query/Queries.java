@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Predicate;
 import sim.physics.internal.Check;
 import sim.physics.internal.Trig;
@@ -55,7 +56,7 @@ public final class Queries {
      * @param laying the question, counted since all bodies may have moved, that lays the grid
      */
     Queries(State state, int few, int laying) {
-        this.state = state;
+        this.state = Objects.requireNonNull(state, "state");
         Census census = new Census(state);
         cells = new Cells(census, few, laying);
         ray = new RayWalk(census, cells);
@@ -110,6 +111,7 @@ public final class Queries {
             double range,
             Predicate<? super Body> filter,
             RayHit into) {
+        Objects.requireNonNull(into, "into");
         RayWalk answer = cast(x, y, directionX, directionY, range, filter, null);
         if (answer.body == null) {
             into.set(null, 0, 0, 0, 0, range);
@@ -192,6 +194,7 @@ public final class Queries {
             double x, double y, double from, double to, double range, Predicate<? super Body> filter, double[] distances) {
         Check.finite("from", from);
         Check.finite("to", to);
+        Objects.requireNonNull(distances, "distances");
         double step = distances.length < 2 ? 0 : (to - from) / (distances.length - 1);
         for (int k = 0; k < distances.length; k++) {
             double angle = from + k * step;
@@ -209,6 +212,7 @@ public final class Queries {
      * @return length; 0 inside
      */
     public double distance(Body body, double x, double y) {
+        Objects.requireNonNull(body, "body");
         outline.of(body);
         return outline.distance(Check.finite("x", x), Check.finite("y", y));
     }
@@ -243,6 +247,7 @@ public final class Queries {
         Check.finite("x", x);
         Check.finite("y", y);
         Check.notNegative("distance", distance);
+        Objects.requireNonNull(into, "into");
         if (busy) {
             inner().within(x, y, distance, filter, into);
             return;
@@ -284,7 +289,10 @@ public final class Queries {
     public void nearest(double x, double y, int count, Predicate<? super Body> filter, List<? super Body> into) {
         Check.finite("x", x);
         Check.finite("y", y);
-        Check.notNegative("count", count);
+        if (count < 0) {
+            throw new IllegalArgumentException("count is " + count + ": it must not be negative");
+        }
+        Objects.requireNonNull(into, "into");
         if (busy) {
             inner().nearest(x, y, count, filter, into);
             return;
@@ -329,8 +337,9 @@ public final class Queries {
             double lowX, double lowY, double highX, double highY, Predicate<? super Body> filter, List<? super Body> into) {
         Check.finite("lowX", lowX);
         Check.finite("lowY", lowY);
-        Check.notNegative("highX - lowX", Check.finite("highX", highX) - lowX);
-        Check.notNegative("highY - lowY", Check.finite("highY", highY) - lowY);
+        checkSides("X", lowX, highX);
+        checkSides("Y", lowY, highY);
+        Objects.requireNonNull(into, "into");
         if (busy) {
             inner().inBox(lowX, lowY, highX, highY, filter, into);
             return;
@@ -340,6 +349,14 @@ public final class Queries {
             surroundings.inBox(lowX, lowY, highX, highY, filter, into);
         } finally {
             busy = false;
+        }
+    }
+
+    private static void checkSides(String axis, double low, double high) {
+        Check.finite("high" + axis, high);
+        if (high < low) {
+            throw new IllegalArgumentException(
+                    "high" + axis + " is " + high + ": it must not be less than low" + axis + ", " + low);
         }
     }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.shape;
 
+import java.util.Objects;
 import sim.physics.internal.Check;
 import sim.physics.internal.Trig;
 
@@ -28,7 +29,7 @@ public final class Polygon extends Shape {
      *     or underflows; the message names the vertex
      */
     public Polygon(double... xy) {
-        this(PolygonMass.centred(xy.clone()));
+        this(PolygonMass.centred(Objects.requireNonNull(xy, "xy").clone()));
     }
 
     private Polygon(PolygonMass mass) {
