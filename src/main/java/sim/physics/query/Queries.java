@@ -337,8 +337,8 @@ public final class Queries {
             double lowX, double lowY, double highX, double highY, Predicate<? super Body> filter, List<? super Body> into) {
         Check.finite("lowX", lowX);
         Check.finite("lowY", lowY);
-        checkSides("X", lowX, highX);
-        checkSides("Y", lowY, highY);
+        checkSides("X", lowX, Check.finite("highX", highX));
+        checkSides("Y", lowY, Check.finite("highY", highY));
         Objects.requireNonNull(into, "into");
         if (busy) {
             inner().inBox(lowX, lowY, highX, highY, filter, into);
@@ -353,7 +353,6 @@ public final class Queries {
     }
 
     private static void checkSides(String axis, double low, double high) {
-        Check.finite("high" + axis, high);
         if (high < low) {
             throw new IllegalArgumentException(
                     "high" + axis + " is " + high + ": it must not be less than low" + axis + ", " + low);
