@@ -3,6 +3,7 @@
 package sim.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.assertThatNullPointerException;
@@ -215,5 +216,21 @@ class RefusalTest {
                     }
                 })
                 .withMessageContaining("within its own step");
+    }
+
+    @Test
+    void aForceOfAGeneratorThatIsNotFiniteIsRefusedWhereItIsGiven() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.add(new Body(new Circle(1)).at(0, 5));
+        engine.add(Body.fixed(new Rectangle(50, 1)).at(0, 3.5)); // a step in which they meet did not end
+        ForceGenerator endless = (body, time, forces) -> forces.add(body, time > 1.5 ? Double.POSITIVE_INFINITY : 1, 0);
+        engine.add(endless);
+        engine.step();
+        assertThatThrownBy(engine::step)
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("fx is Infinity: it must be finite");
+        engine.remove(endless);
+        engine.add((ForceGenerator) (body, time, forces) -> forces.addTorque(body, Double.NaN));
+        assertThatThrownBy(engine::step).hasMessage("torque is NaN: it must be finite");
     }
 }

@@ -3,6 +3,7 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
+import sim.physics.internal.Check;
 
 /** Takes the forces of a {@link ForceGenerator} and adds them to the force vector F. */
 public final class Forces implements Serializable {
@@ -23,8 +24,11 @@ public final class Forces implements Serializable {
      * @param body the body that it acts on
      * @param fx force
      * @param fy force
+     * @throws IllegalArgumentException for NaN or infinity
      */
     public void add(Body body, double fx, double fy) {
+        Check.finite("fx", fx);
+        Check.finite("fy", fy);
         double[] f = state.f();
         int b = State.BLOCK * body.index();
         f[b + State.X] += fx;
@@ -36,8 +40,10 @@ public final class Forces implements Serializable {
      *
      * @param body the body that it acts on
      * @param torque force·length
+     * @throws IllegalArgumentException for NaN or infinity
      */
     public void addTorque(Body body, double torque) {
+        Check.finite("torque", torque);
         state.f()[State.BLOCK * body.index() + State.THETA] += torque;
     }
 
@@ -49,8 +55,11 @@ public final class Forces implements Serializable {
      * @param fy force
      * @param px point, in world coordinates
      * @param py point, in world coordinates
+     * @throws IllegalArgumentException for NaN or infinity
      */
     public void addAt(Body body, double fx, double fy, double px, double py) {
+        Check.finite("px", px);
+        Check.finite("py", py);
         add(body, fx, fy);
         addTorque(body, (px - body.getX()) * fy - (py - body.getY()) * fx);
     }
