@@ -188,7 +188,7 @@ final class Heap implements Serializable {
                 }
             }
         }
-        isRubbed &= !isTied;
+        isRubbed = !isTied && (isRubbed || isDriven && most() > MOST); // only such heaps can be stopped
         isDriven &= !isRubbed;
         double h = trajectories.h();
         double length = spin * h > TURN ? TURN / spin : h;
@@ -339,10 +339,8 @@ final class Heap implements Serializable {
     }
 
     private void solve(double tau) {
-        int most = 0;
         for (int k = 0; k < heap.size; k++) {
             scale = Math.max(scale, speed(k));
-            most = Math.max(most, by.turns[heap.values[k]]);
         }
         boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : system.solve(scale, true);
         if (!by.afford(heap, system.gained())) {
@@ -353,10 +351,19 @@ final class Heap implements Serializable {
         if (isRubbed) {
             rubbing.end();
         }
-        halts = most > MOST && !isDriven;
+        halts = most() > MOST && !isDriven;
         if (halts) {
             system.halt();
         }
+    }
+
+    /** How often something has happened in this step to a body of the heap, at most. */
+    private int most() {
+        int most = 0;
+        for (int k = 0; k < heap.size; k++) {
+            most = Math.max(most, by.turns[heap.values[k]]);
+        }
+        return most;
     }
 
     private double speed(int k) {

@@ -31,6 +31,9 @@ public final class Heaps implements Serializable {
 
     private static final int MOST_TIED = 40;
 
+    /** The same for bodies that are not driven. */
+    private static final int MOST_OF_ALL = 300;
+
     /** Times that forces on it may be found in a step before that. */
     private static final int MOST_ENDS = 40;
 
@@ -106,18 +109,17 @@ public final class Heaps implements Serializable {
         if (trajectories.isDriven(body) && !motion.isSupportable()) {
             return false;
         }
-        if (!isDriven(body)) {
-            return true;
-        }
         boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
-        return !paused && isCalm(motion.companions(body));
+        return !paused && (!isDriven(body) || isCalm(motion.companions(body)));
     }
 
     /** Whether so much has happened to a driven body in this step that it is to lie on nothing. */
     private boolean isTooOften(int body) {
+        if (!isDriven(body)) {
+            return by.turns[body] > MOST_OF_ALL; // on driven ones that cannot be stopped, as free heaps are
+        }
         boolean tied = motion.isTied(body);
-        return isDriven(body)
-                && (by.turns[body] > (tied ? MOST_TIED : MOST) || by.ends[body] > (tied ? MOST_ENDS_TIED : MOST_ENDS));
+        return by.turns[body] > (tied ? MOST_TIED : MOST) || by.ends[body] > (tied ? MOST_ENDS_TIED : MOST_ENDS);
     }
 
     /** Whether the integrator moves a body also when it lies on others. */
@@ -136,8 +138,15 @@ public final class Heaps implements Serializable {
         return most * trajectories.h() <= CALM;
     }
 
-    /** Ends the lasting of all pairs of a driven body, and of those that move with it, for the rest of the step. */
+    /** Ends the lasting of all pairs of a body, and of those that move with it, for some steps. */
     private void giveUp(int body) {
+        if (!trajectories.isDriven(body)) {
+            by.giveUp(body, trajectories.step());
+            motion.support(body, 0, 0, 0);
+            motion.ground().resume(body);
+            part(body);
+            return;
+        }
         IntList group = motion.companions(body);
         for (int k = 0; k < group.size; k++) {
             int one = group.values[k];

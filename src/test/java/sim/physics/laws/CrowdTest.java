@@ -13,8 +13,11 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
+import sim.physics.motion.Forces;
 import sim.physics.motion.SurfaceFriction;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
@@ -146,5 +149,50 @@ class CrowdTest {
             engine.step();
         }
         assertThat(disc.getVelocityX()).isCloseTo(-1, within(1e-12));
+    }
+
+    /** Discs that a generator drives, and boxes, all put anywhere, one into the other, without friction on the plane. */
+    @ParameterizedTest
+    @ValueSource(longs = {0, 1, 2, 3})
+    void stepsEndWhereDrivenBodiesAreJammedIntoOneAnother(long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        engine.setTimeStep(0.02);
+        for (int end = 0; end < 2; end++) {
+            engine.add(Body.fixed(new Rectangle(1, 6)).at(5 * end - 0.5, 2));
+            engine.add(Body.fixed(new Rectangle(6, 1)).at(2, 5 * end - 0.5));
+        }
+        for (int k = 0; k < 24; k++) {
+            Body body = new Body(k < 8 ? new Circle(0.2) : new Rectangle(0.3 + 0.3 * random.nextDouble(), 0.3));
+            body.setMass(1 + k % 2);
+            body.setFriction(0.3);
+            body.setRestitution(0.2 * (k % 2));
+            all.add(engine.add(body.at(
+                    0.4 + 3.2 * random.nextDouble(), 0.4 + 3.2 * random.nextDouble(), 6 * random.nextDouble())));
+        }
+        engine.add(new ForceGenerator() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public boolean actsOn(Body body) {
+                return body.getShape() instanceof Circle;
+            }
+
+            @Override
+            public void addForce(Body body, double time, Forces forces) {
+                double heading = body.getMass() * Math.floor(time);
+                forces.add(
+                        body,
+                        8 * StrictMath.cos(heading) - 2 * body.getVelocityX(),
+                        8 * StrictMath.sin(heading) - 2 * body.getVelocityY());
+            }
+        });
+        assertTimeoutPreemptively(Duration.ofSeconds(60), () -> {
+            for (int k = 0; k < 150; k++) {
+                engine.step();
+            }
+        });
+        for (Body body : all) {
+            assertThat(Math.hypot(body.getVelocityX(), body.getVelocityY())).isLessThan(10);
+        }
     }
 }
