@@ -181,8 +181,8 @@ public final class CollisionResponse implements Serializable {
     }
 
     private boolean isWedged(int pair, int a, int b, double tau) {
-        boolean driven = trajectories.isDriven(a) || trajectories.isDriven(b);
-        return driven && wedged.meet(pair, tau, manifold.gap, heaps.size(a, b));
+        boolean deep = manifold.gap < -Tolerances.OVERLAP * Math.min(trajectories.radius(a), trajectories.radius(b));
+        return (deep || trajectories.isDriven(a) || trajectories.isDriven(b)) && wedged.meet(pair, tau, manifold.gap, heaps.size(a, b));
     }
 
     /** Whether a lasting pair is left to its heap, because a bounce at the loaded points would be short, or one too many. */

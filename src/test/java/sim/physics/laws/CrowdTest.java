@@ -13,11 +13,11 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
+import sim.physics.motion.Gravity;
 import sim.physics.motion.SurfaceFriction;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
@@ -153,10 +153,11 @@ class CrowdTest {
 
     /** Discs that a generator drives, and boxes, all put anywhere, one into the other, without friction on the plane. */
     @ParameterizedTest
-    @ValueSource(longs = {0, 1, 2, 3})
-    void stepsEndWhereDrivenBodiesAreJammedIntoOneAnother(long seed) {
+    @CsvSource({"0, 0", "1, 0", "2, 0", "3, 9.81", "4, 9.81"})
+    void stepsEndWhereBodiesAreJammedIntoOneAnother(long seed, double gravity) {
         SplittableRandom random = new SplittableRandom(seed);
         engine.setTimeStep(0.02);
+        engine.add(new Gravity(0, -gravity));
         for (int end = 0; end < 2; end++) {
             engine.add(Body.fixed(new Rectangle(1, 6)).at(5 * end - 0.5, 2));
             engine.add(Body.fixed(new Rectangle(6, 1)).at(2, 5 * end - 0.5));
@@ -192,7 +193,7 @@ class CrowdTest {
             }
         });
         for (Body body : all) {
-            assertThat(Math.hypot(body.getVelocityX(), body.getVelocityY())).isLessThan(10);
+            assertThat(Math.hypot(body.getVelocityX(), body.getVelocityY())).isLessThan(20);
         }
     }
 }
