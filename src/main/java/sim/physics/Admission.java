@@ -136,17 +136,18 @@ final class Admission implements Presence, Serializable {
         if (audit != null) {
             audit.written(index, tau);
         }
-        if (isOnlyPushed(index, tau)) {
+        boolean isThere = trajectories.isAt(index, tau, state); // forces are set in each step, and change no contact
+        if (isThere && isOnlyPushed(index, tau)) {
             resting.again(index);
         } else {
             resting.forget(index);
         }
-        if (isWhereItWas(index, tau)) {
+        if (isThere && heaps.has(index)) {
             heaps.struck(index);
         } else {
             heaps.forget(index);
         }
-        boolean moves = trajectories.isDriven(index) || !trajectories.isAt(index, tau, state);
+        boolean moves = trajectories.isDriven(index) || !isThere;
         motion.admit(index, tau);
         if (detection.knows(index)) {
             boolean isOutOfBox = detection.refilter(index);
@@ -162,17 +163,9 @@ final class Admission implements Presence, Serializable {
         }
     }
 
-    /** Whether a body at rest moves as it did, and nothing is new but the forces on it, which authors set in each step. */
+    /** Whether a body at rest, which is where it was, moves as it did, and nothing is new but the forces on it. */
     private boolean isOnlyPushed(int index, double tau) {
-        return resting.rests(index)
-                && state.isPushed(index)
-                && trajectories.isAt(index, tau, state)
-                && trajectories.movesAs(index, tau, state);
-    }
-
-    /** Whether a body that was written has not been moved: forces are set in each step, and change no contact. */
-    private boolean isWhereItWas(int index, double tau) {
-        return heaps.has(index) && trajectories.isAt(index, tau, state);
+        return resting.rests(index) && state.isPushed(index) && trajectories.movesAs(index, tau, state);
     }
 
     /** Forms islands anew where constraints have changed, and closes the joints of bodies that were written. */

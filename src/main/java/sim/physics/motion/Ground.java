@@ -70,7 +70,7 @@ public final class Ground implements Serializable {
      * @param at where in it
      */
     public void accelerate(int body, double tau, double[] a, int at) {
-        if (!motion.generators.drivesOtherThan(motion.generators.surface, state.body(body))) {
+        if (!isDrivenByOthers(body)) {
             motion.fall(body, a, at);
             return;
         }

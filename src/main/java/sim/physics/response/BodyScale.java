@@ -13,7 +13,7 @@ final class BodyScale implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Bend that counts at most, relative to the smaller body. */
-    static final double MOST_BEND = 1e-3;
+    private static final double MOST_BEND = 1e-3;
 
     private final State state;
     private final Trajectories trajectories;
@@ -65,7 +65,17 @@ final class BodyScale implements Serializable {
         double spinA = manifold.roundA ? point.omegaA * point.armA : 0; // a disc's spin moves no normal
         double spinB = manifold.roundB ? point.omegaB * point.armB : 0;
         double slide = h * Math.abs(point.tangentVelocity() + spinA - spinB);
-        double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * radius(a)) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * radius(b));
-        return Math.min(bend + slide * (turnA + turnB), MOST_BEND * size(a, b));
+        return bend(turnA, radius(a), turnB, radius(b), slide, mostBend(a, b));
+    }
+
+    /** The bend of a contact that counts at most. */
+    double mostBend(int a, int b) {
+        return MOST_BEND * size(a, b);
+    }
+
+    /** What the turns of two bodies, rad, and the way that they slide on one another may take of their gap. */
+    static double bend(double turnA, double radiusA, double turnB, double radiusB, double slide, double most) {
+        double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * radiusA) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * radiusB);
+        return Math.min(bend + slide * (turnA + turnB), most);
     }
 }

@@ -48,7 +48,7 @@ final class HeapBends implements Serializable {
         data[o + ARM_B] = m.roundB ? point.armB : 0;
         data[o + GAP] = m.gaps[k];
         data[o + DEPTH] = depth;
-        data[o + MOST] = BodyScale.MOST_BEND * scales.size(bodyA, bodyB);
+        data[o + MOST] = scales.mostBend(bodyA, bodyB);
     }
 
     /** Raises the least velocities of points that would be too deep at the end of a time; returns whether there are any. */
@@ -59,10 +59,7 @@ final class HeapBends implements Serializable {
             double turnA = time * turn(2 * p, data[o + RADIUS_A], s.v, before);
             double turnB = time * turn(2 * p + 1, data[o + RADIUS_B], s.v, before);
             double slide = time * Math.max(slide(s, p, s.v), slide(s, p, before));
-            double bend = 0.5 * turnA * turnA * data[o + RADIUS_A]
-                    + 0.5 * turnB * turnB * data[o + RADIUS_B]
-                    + slide * (turnA + turnB);
-            bend = Math.min(bend, data[o + MOST]);
+            double bend = BodyScale.bend(turnA, data[o + RADIUS_A], turnB, data[o + RADIUS_B], slide, data[o + MOST]);
             double least = HeapGaps.leastSpeed(data[o + GAP], data[o + DEPTH], bend, time, true, true);
             if (least > s.bound(p)) {
                 s.bound(p, least);

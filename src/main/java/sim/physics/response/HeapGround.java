@@ -56,7 +56,6 @@ final class HeapGround implements Serializable {
 
     private double[] impulses = {};
 
-    private final double[] direction = new double[3];
     private final double[] force = new double[3];
 
     HeapGround(Ground plane) {

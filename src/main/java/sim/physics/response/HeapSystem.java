@@ -195,10 +195,7 @@ final class HeapSystem implements Serializable {
             Arrays.fill(units, 1);
         }
         Arrays.fill(out, 0, 3 * count, 0);
-        for (int p = 0; p < points; p++) {
-            rows.pushFirst(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], units, out);
-            rows.pushSecond(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], units, out);
-        }
+        pushAlone(units, out);
     }
 
     /** Sets the least normal velocity of a point. */
@@ -317,12 +314,14 @@ final class HeapSystem implements Serializable {
 
     /** Adds what all points' impulses would do to bodies that nothing ties. */
     void pushAlone(double[] v) {
-        HeapReplies those = replies;
-        replies = null;
+        pushAlone(w, v);
+    }
+
+    private void pushAlone(double[] w, double[] v) {
         for (int p = 0; p < points; p++) {
-            push(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], v);
+            rows.pushSecond(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
+            rows.pushFirst(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
         }
-        replies = those;
     }
 
     /** Whether a point closes faster than it may. */

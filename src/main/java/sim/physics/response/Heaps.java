@@ -113,7 +113,7 @@ public final class Heaps implements Serializable {
         return !paused && (!isDriven(body) || isCalm(motion.companions(body)));
     }
 
-    /** Whether so much has happened to a driven body in this step that it is to lie on nothing. */
+    /** Whether so much has happened to a body in this step that it is to lie on nothing. */
     private boolean isTooOften(int body) {
         if (!isDriven(body)) {
             return by.turns[body] > MOST_OF_ALL; // on driven ones that cannot be stopped, as free heaps are

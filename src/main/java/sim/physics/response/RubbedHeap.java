@@ -21,12 +21,13 @@ import sim.physics.motion.Trajectories;
 final class RubbedHeap implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Times that the friction of the plane and the contacts are solved for by turns, and its change at which that is enough. */
+    /** Times that the friction of the plane and the contacts are solved for by turns. */
     private static final int TURNS = 8;
 
     /** Times that are left at least after a body at rest has been torn off: in a row that is pushed one after the other is. */
     private static final int MORE = 3;
 
+    /** Change of the friction of the plane, relative to itself, at which they are right. */
     private static final double SAME = 3e-3;
 
     /** Times that what turning and sliding take of gaps is looked at. */

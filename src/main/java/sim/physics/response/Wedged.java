@@ -9,9 +9,9 @@ import sim.physics.internal.IntList;
 import sim.physics.motion.Trajectories;
 
 /**
- * Pairs of bodies, driven or put into one another, that meet again and again at one instant, being too deep for an impulse at their
- * points to part them. They may be as deep as they are for the rest of the step, and a little deeper each time that they
- * meet so once more; so time goes on. From the next step on they may only be as deep as they still are.
+ * Pairs of bodies, driven or put into one another, that meet again and again at one instant, being too deep for an impulse
+ * at their points to part them. They may be as deep as they are for the rest of the step, and a little deeper each time that
+ * they meet so once more; so time goes on. From the next step on they may only be as deep as they still are.
  */
 final class Wedged implements Serializable {
     private static final long serialVersionUID = 1L;

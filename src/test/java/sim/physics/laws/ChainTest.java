@@ -43,7 +43,8 @@ class ChainTest {
         };
     }
 
-    private static double gap(Body[] rods) {
+    /** The largest gap of a chain of rods of length 1 that begins at the origin. */
+    static double gap(Body[] rods) {
         double x = 0;
         double y = 0;
         double worst = 0;

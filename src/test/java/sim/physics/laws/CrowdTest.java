@@ -65,13 +65,18 @@ class CrowdTest {
     private final List<Wanderer> robots = new ArrayList<>();
     private final List<Body> all = new ArrayList<>();
 
+    /** Four walls around a square. */
+    private void walls(double side) {
+        for (int end = 0; end < 2; end++) {
+            engine.add(Body.fixed(new Rectangle(1, side + 2)).at(end * (side + 1) - 0.5, side / 2));
+            engine.add(Body.fixed(new Rectangle(side + 2, 1)).at(side / 2, end * (side + 1) - 0.5));
+        }
+    }
+
     private void build(long seed, double restitution) {
         engine.setTimeStep(1.0 / 60);
         engine.add(new SurfaceFriction(9.81));
-        for (int end = 0; end < 2; end++) {
-            engine.add(Body.fixed(new Rectangle(1, SIDE + 2)).at(end * (SIDE + 1) - 0.5, SIDE / 2));
-            engine.add(Body.fixed(new Rectangle(SIDE + 2, 1)).at(SIDE / 2, end * (SIDE + 1) - 0.5));
-        }
+        walls(SIDE);
         SplittableRandom random = new SplittableRandom(seed);
         for (int k = 0; k < 35; k++) {
             Body body;
@@ -158,10 +163,7 @@ class CrowdTest {
         SplittableRandom random = new SplittableRandom(seed);
         engine.setTimeStep(0.02);
         engine.add(new Gravity(0, -gravity));
-        for (int end = 0; end < 2; end++) {
-            engine.add(Body.fixed(new Rectangle(1, 6)).at(5 * end - 0.5, 2));
-            engine.add(Body.fixed(new Rectangle(6, 1)).at(2, 5 * end - 0.5));
-        }
+        walls(4);
         for (int k = 0; k < 24; k++) {
             Body body = new Body(k < 8 ? new Circle(0.2) : new Rectangle(0.3 + 0.3 * random.nextDouble(), 0.3));
             body.setMass(1 + k % 2);

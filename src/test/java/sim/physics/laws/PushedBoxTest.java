@@ -21,6 +21,7 @@ import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
 import sim.physics.motion.Spring;
 import sim.physics.motion.SurfaceFriction;
+import sim.physics.references.PushedBox;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -248,7 +249,7 @@ class PushedBoxTest {
      */
     @Test
     void pushingBesideTheMiddleIsOfFirstOrder() {
-        double[] exact = new PushedBoxReference(MU * G, 8, 0.15).solve(0.25, 4000);
+        double[] exact = new PushedBox(MU * G, 8, 0.15).solve(0.25, 4000);
         double last = 0;
         for (int n = 16; n <= 128; n *= 2) {
             engine = new PhysicsEngine();

@@ -69,17 +69,9 @@ class TautChainTest {
     }
 
     private double gap() {
-        double most = 0;
-        double x = 0;
-        double y = 0;
-        for (Body rod : rods) {
-            double cos = 0.5 * StrictMath.cos(rod.getAngle());
-            double sin = 0.5 * StrictMath.sin(rod.getAngle());
-            most = Math.max(most, StrictMath.hypot(rod.getX() - cos - x, rod.getY() - sin - y));
-            x = rod.getX() + cos;
-            y = rod.getY() + sin;
-        }
-        return Math.max(most, Math.abs(end - x));
+        Body last = rods[rods.length - 1];
+        double tip = last.getX() + 0.5 * StrictMath.cos(last.getAngle());
+        return Math.max(ChainTest.gap(rods), Math.abs(end - tip));
     }
 
     private double energy(double g) {

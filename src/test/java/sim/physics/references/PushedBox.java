@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
-package sim.physics.laws;
+package sim.physics.references;
 
 /**
  * A disc of radius ½ and mass 3 that a constant force pushes along x against a square of side 1 and mass 2, which slides on a
  * plane with friction; the contact has none. RK4 for the equations of motion with a multiplier for C = n·(d − b) + 1 = 0, n the
  * square's axis, and Gauss's quadrature for the friction.
  */
-final class PushedBoxReference {
+public final class PushedBox {
     private static final double[] NODES = {
         -0.9602898564975363, -0.7966664774136267, -0.5255324099163290, -0.1834346424956498,
         0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363
@@ -21,14 +21,27 @@ final class PushedBoxReference {
     private final double push;
     private final double[] start;
 
-    PushedBoxReference(double deceleration, double push, double offset) {
+    /**
+     * Makes it.
+     *
+     * @param deceleration that friction gives a square which does not turn, length/time²
+     * @param push force on the disc
+     * @param offset of the disc from the middle of the side
+     */
+    public PushedBox(double deceleration, double push, double offset) {
         this.deceleration = deceleration;
         this.push = push;
         this.start = new double[] {1, 0, 0, 0, offset, 1, 0, 0, 1, 0};
     }
 
-    /** Positions of the square (x, y, θ) and of the disc (x, y), then their velocities. */
-    double[] solve(double time, int steps) {
+    /**
+     * Integrates.
+     *
+     * @param time to go
+     * @param steps number of steps
+     * @return positions of the square (x, y, θ) and of the disc (x, y), then their velocities
+     */
+    public double[] solve(double time, int steps) {
         double h = time / steps;
         double[] y = start.clone();
         for (int k = 0; k < steps; k++) {
