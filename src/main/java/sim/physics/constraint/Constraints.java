@@ -13,6 +13,7 @@ import sim.physics.matrix.BlockSparseMatrix;
 import sim.physics.motion.Body;
 import sim.physics.motion.Loads;
 import sim.physics.motion.State;
+import sim.physics.motion.SwitchedTies;
 import sim.physics.motion.Ties;
 
 /**
@@ -356,6 +357,11 @@ public final class Constraints implements Ties, Serializable {
         one.switches.release();
         one.evaluate(state);
         solver.prepare(one, state.w().values());
+    }
+
+    @Override
+    public SwitchedTies switched(IntList bodies) {
+        return of[bodies.values[0]].switches;
     }
 
     @Override

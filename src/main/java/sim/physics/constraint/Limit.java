@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import sim.physics.internal.Check;
 import sim.physics.motion.Body;
+import sim.physics.motion.SwitchedRow;
 
 /**
  * Stops of a joint: a coordinate stays between two bounds. It hits a bound as bodies hit one another, with a restitution,
@@ -126,6 +127,13 @@ public final class Limit extends Switched {
     @Override
     void hold(double q) {
         isOn |= side != 0 && watch(q, 0) <= 1;
+    }
+
+    @Override
+    void describe(SwitchedRow to, double q) {
+        to.isMotor = false;
+        to.aboveLower = q - lower;
+        to.belowUpper = upper - q;
     }
 
     @Override

@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import sim.physics.internal.Check;
 import sim.physics.motion.Body;
+import sim.physics.motion.SwitchedRow;
 
 /**
  * A motor: it brings a coordinate to a speed and keeps it there, with a force or torque that is never greater than its
@@ -121,12 +122,20 @@ public final class Motor extends Switched {
 
     @Override
     double watch(double q, double now) {
-        return (speed - now) * Math.signum(force) / (REACHED * scale);
+        double unit = Math.max(scale, Math.abs(speed)) > 0 ? Math.max(scale, Math.abs(speed)) : Math.abs(now);
+        return unit > 0 ? (speed - now) * Math.signum(force) / (REACHED * unit) : 0; // a brake that yields from rest
     }
 
     @Override
     void hold(double q) {
         // a motor that is off has not reached its speed
+    }
+
+    @Override
+    void describe(SwitchedRow to, double q) {
+        to.isMotor = true;
+        to.speed = speed;
+        to.limit = limit;
     }
 
     @Override

@@ -4,6 +4,8 @@ package sim.physics.constraint;
 
 import java.util.Objects;
 import sim.physics.motion.Body;
+import sim.physics.motion.State;
+import sim.physics.motion.SwitchedRow;
 
 /**
  * A constraint of one row, on a coordinate q of two bodies, that acts at some times only: its force is bounded, or it
@@ -17,6 +19,12 @@ abstract class Switched implements Constraint {
 
     /** Part of a bound within which a force has reached it. */
     private static final double BEARS = 1e-11;
+
+    /** How nearly the two bodies' parts of a row are opposite, relative to themselves. */
+    private static final double MEETS = 1e-9;
+
+    /** Acceleration that is none, relative to its parts. */
+    private static final double PASSES = 1e-11;
 
     private final Constraint coordinate;
 
@@ -34,6 +42,10 @@ abstract class Switched implements Constraint {
     private double strongest;
 
     private double value;
+
+    /** J̇ ẋ at the last evaluation. */
+    private double bend;
+
     private final double[] row = new double[6];
 
     Switched(Constraint coordinate) {
@@ -76,6 +88,7 @@ abstract class Switched implements Constraint {
     public final void evaluate(Equations equations) {
         coordinate.evaluate(equations);
         value = equations.c[0];
+        bend = equations.rate[0];
         System.arraycopy(equations.jA, 0, row, 0, 3);
         System.arraycopy(equations.jB, 0, row, 3, 3);
         equations.c[0] = isOnNow ? gap(value) : 0;
@@ -100,6 +113,22 @@ abstract class Switched implements Constraint {
         return sum;
     }
 
+    /**
+     * Whether accelerations move the coordinate beyond what the row keeps, while it pushes with a bound of its force that way:
+     * up with the greatest one, down with the least.
+     */
+    final boolean passes(double[] a, int blockA, int blockB) {
+        double sum = bend;
+        double size = Math.abs(bend);
+        for (int k = 0; k < 3; k++) {
+            double first = blockA < 0 ? 0 : row[k] * a[blockA + k];
+            double second = blockB < 0 ? 0 : row[3 + k] * a[blockB + k];
+            sum += first + second;
+            size += Math.abs(first) + Math.abs(second);
+        }
+        return forceNow == least() ? sum < -PASSES * size : sum > PASSES * size;
+    }
+
     /** u += W rowᵀ force. */
     final void push(double f, double[] w, double[] u, int blockA, int blockB) {
         for (int k = 0; k < 3; k++) {
@@ -115,6 +144,33 @@ abstract class Switched implements Constraint {
     final Reaction reaction(double f) {
         return new Reaction(row[0] * f, row[1] * f, row[2] * f);
     }
+
+    /**
+     * Describes the row as one of two points, or of a turn, from its last evaluation; false if it is no such row.
+     *
+     * @param blockA block of the first body, −1 for what cannot move
+     * @param blockB the same of the second one
+     */
+    final boolean describe(SwitchedRow to, int blockA, int blockB) {
+        boolean both = blockA >= 0 && blockB >= 0;
+        double most = Math.max(Math.abs(row[0]), Math.abs(row[1]));
+        if (both && (Math.abs(row[0] + row[3]) > MEETS * most || Math.abs(row[1] + row[4]) > MEETS * most)) {
+            return false;
+        }
+        to.first = blockA < 0 ? -1 : blockA / State.BLOCK;
+        to.second = blockB < 0 ? -1 : blockB / State.BLOCK;
+        to.nx = blockB < 0 ? -row[0] : row[3];
+        to.ny = blockB < 0 ? -row[1] : row[4];
+        to.firstLever = -row[2];
+        to.secondLever = row[5];
+        to.force = isOn ? 0 : force;
+        to.size = isAngle(0) ? 1 : getSize();
+        describe(to, value);
+        return true;
+    }
+
+    /** Says what the row asks for. */
+    abstract void describe(SwitchedRow to, double q);
 
     /** Copies all that changes with time. */
     final void keep(double[] to, int at) {

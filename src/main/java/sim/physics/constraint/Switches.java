@@ -2,20 +2,29 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.constraint;
 
-import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import sim.physics.motion.State;
+import sim.physics.motion.SwitchedRow;
+import sim.physics.motion.SwitchedTies;
 
 /** The motors and stops of an island: which of their rows act, and when that must be decided anew. */
-final class Switches implements Serializable {
+final class Switches implements SwitchedTies {
     private static final long serialVersionUID = 1L;
+
+    /** Times that all rows may change that are wrong, and then one of them. */
+    private static final int ALL_AT_ONCE = 6;
+
+    private static final int ONE_BY_ONE = 100;
 
     private final Island island;
     private final Switched[] rows;
     private final int[] nodes;
     private double[] free = {};
+
+    /** Whether all push with forces that were found elsewhere. */
+    private boolean isFrozen;
 
     /** Whether forces are kept within their bounds, and whether one that acts has been out of them. */
     private boolean isLimited = true;
@@ -42,6 +51,33 @@ final class Switches implements Serializable {
 
     boolean isEmpty() {
         return rows.length == 0;
+    }
+
+    @Override
+    public int size() {
+        return rows.length;
+    }
+
+    @Override
+    public boolean read(int k, SwitchedRow row) {
+        return rows[k].describe(row, island.blockA[nodes[k]], island.blockB[nodes[k]]);
+    }
+
+    @Override
+    public void freeze(int k, double force) {
+        isFrozen = true;
+        rows[k].isOn = false;
+        rows[k].force = force;
+    }
+
+    @Override
+    public void thaw() {
+        isFrozen = false;
+    }
+
+    @Override
+    public boolean isFrozen() {
+        return isFrozen;
     }
 
     /** The right side of the velocity equations; null: 0. */
@@ -75,7 +111,10 @@ final class Switches implements Serializable {
         }
     }
 
-    /** Accelerations at a stage: rows whose force would be out of its bounds do not act, and push with that bound. */
+    /**
+     * Accelerations at a stage: rows whose force would be out of its bounds do not act, and push with that bound, unless the
+     * motion would pass with that what they keep. Changed one at a time, if all at once do not come to an end (Murty 1974).
+     */
     void accelerate(State state, ConstraintSolver solver, double[] a) {
         double[] w = state.w().values();
         keep(a);
@@ -84,7 +123,7 @@ final class Switches implements Serializable {
             s.forceNow = s.force;
         }
         boolean changed = true;
-        while (changed) {
+        for (int turn = 0; changed && turn < ALL_AT_ONCE + ONE_BY_ONE; turn++) {
             changed = false;
             restore(a);
             island.evaluate(state);
@@ -94,11 +133,22 @@ final class Switches implements Serializable {
                 }
             }
             solver.accelerate(island, state, a);
-            for (int k = 0; k < rows.length && isLimited; k++) {
-                changed |= rows[k].isOnNow && limit(rows[k], island.lambda[2 * nodes[k]]);
+            for (int k = 0; k < rows.length && isLimited && !(changed && turn >= ALL_AT_ONCE); k++) {
+                changed |= rows[k].isOnNow ? limit(rows[k], island.lambda[2 * nodes[k]]) : rows[k].isOn && holds(k, a);
             }
-            isOverloaded |= changed;
         }
+        for (Switched s : rows) {
+            isOverloaded |= s.isOn && !s.isOnNow;
+        }
+    }
+
+    /** Whether a row is to act again that was overloaded: with the force of its bound, its coordinate would go that way. */
+    private boolean holds(int k, double[] a) {
+        if (!rows[k].passes(a, island.blockA[nodes[k]], island.blockB[nodes[k]])) {
+            return false;
+        }
+        rows[k].isOnNow = true;
+        return true;
     }
 
     /** Sets whether forces are kept within their bounds; returns whether one has been out of them since this was last set. */
@@ -129,7 +179,7 @@ final class Switches implements Serializable {
 
     static boolean any(List<Island> islands) {
         for (int k = 0; k < islands.size(); k++) {
-            if (!islands.get(k).switches.isEmpty()) {
+            if (!islands.get(k).switches.isEmpty() && !islands.get(k).switches.isFrozen) {
                 return true;
             }
         }
@@ -242,8 +292,10 @@ final class Switches implements Serializable {
         for (int k = 0; k < rows.length; k++) {
             if (!rows[k].isOn && rows[k].force != 0) {
                 double rate = rows[k].speed(a, island.blockA[nodes[k]], island.blockB[nodes[k]]);
-                double time = (rows[k].target() - speed(k, state)) / rate;
-                least = time > 0 ? Math.min(least, time) : least;
+                double now = speed(k, state);
+                double time = (rows[k].target() - now) / rate;
+                boolean isBefore = rows[k].watch(rows[k].value(), now) > 1; // or it yields, at its speed
+                least = time > 0 && isBefore ? Math.min(least, time) : least;
             }
         }
         return least;

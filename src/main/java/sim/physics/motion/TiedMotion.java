@@ -221,7 +221,7 @@ final class TiedMotion implements Serializable {
         double fb = atHigh;
         double time = high;
         for (int k = 0; k < 60 && b - a > 0x1p-50 * high; k++) {
-            time = k % 8 == 7 || Double.isInfinite(fa) ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
+            time = k % 8 == 7 || Double.isInfinite(fa) || Double.isInfinite(fb) ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
             again(group);
             advance(motion, group, t, time, path);
             double f = ties.watch(group);

@@ -191,10 +191,18 @@ public interface Ties extends Serializable {
     void close(IntList bodies, double h);
 
     /**
-     * Whether a group has ties that act at some times only, motors and stops.
+     * The ties of an island that act at some times only, motors and stops.
+     *
+     * @param island all bodies of an island
+     * @return live; empty if all ties act always
+     */
+    SwitchedTies switched(IntList island);
+
+    /**
+     * Whether a group has such ties which decide by themselves when they act.
      *
      * @param bodies all bodies of an island, or of all islands
-     * @return false if all ties act always
+     * @return false if all ties act always, or push with forces that were found elsewhere
      */
     boolean isSwitched(IntList bodies);
 

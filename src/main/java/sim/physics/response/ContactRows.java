@@ -32,6 +32,11 @@ final class ContactRows implements Serializable {
 
     /** Sets a point, which may be the next one. */
     void set(int p, int a, int b, Impact c) {
+        set(p, a, b, c.nx, c.ny, c.leverA, c.leverB, c.armA, c.armB);
+    }
+
+    /** Sets a row along any normal, of whatever length, and one along the tangent; the latter means nothing without arms. */
+    void set(int p, int a, int b, double nx, double ny, double leverA, double leverB, double armA, double armB) {
         if (bodies.length < 2 * p + 2) {
             bodies = Arrays.copyOf(bodies, 4 * p + 4);
             data = Arrays.copyOf(data, STRIDE * (2 * p + 2));
@@ -39,12 +44,35 @@ final class ContactRows implements Serializable {
         bodies[2 * p] = a;
         bodies[2 * p + 1] = b;
         int o = STRIDE * p;
-        data[o + NX] = c.nx;
-        data[o + NY] = c.ny;
-        data[o + LEVER_A] = c.leverA;
-        data[o + LEVER_B] = c.leverB;
-        data[o + ARM_A] = c.armA;
-        data[o + ARM_B] = c.armB;
+        data[o + NX] = nx;
+        data[o + NY] = ny;
+        data[o + LEVER_A] = leverA;
+        data[o + LEVER_B] = leverB;
+        data[o + ARM_A] = armA;
+        data[o + ARM_B] = armB;
+    }
+
+    /** The first body of a point, or with side 1 its second one; −1 for what cannot move. */
+    int body(int p, int side) {
+        return bodies[2 * p + side];
+    }
+
+    double nx(int p) {
+        return data[STRIDE * p + NX];
+    }
+
+    double ny(int p) {
+        return data[STRIDE * p + NY];
+    }
+
+    /** What turns a body when an impulse acts along a point's normal. */
+    double lever(int p, int side) {
+        return data[STRIDE * p + LEVER_A + side];
+    }
+
+    /** The same along its tangent. */
+    double arm(int p, int side) {
+        return data[STRIDE * p + ARM_A + side];
     }
 
     /** Whether one of a point's bodies cannot move. */
@@ -56,6 +84,15 @@ final class ContactRows implements Serializable {
     double normalMobility(int p, double[] w) {
         int o = STRIDE * p;
         return mobility(p, w, data[o + LEVER_A], data[o + LEVER_B]);
+    }
+
+    /** The same for a normal of any length, given its square. */
+    double normalMobility(int p, double[] w, double square) {
+        int o = STRIDE * p;
+        int a = bodies[2 * p];
+        int b = bodies[2 * p + 1];
+        double first = a < 0 ? 0 : square * w[2 * a] + data[o + LEVER_A] * data[o + LEVER_A] * w[2 * a + 1];
+        return first + (b < 0 ? 0 : square * w[2 * b] + data[o + LEVER_B] * data[o + LEVER_B] * w[2 * b + 1]);
     }
 
     /** The same along its tangent. */

@@ -35,6 +35,11 @@ final class DrivenHeap implements Serializable {
     private final double[] fall = new double[State.BLOCK];
     private double[] alone = {};
 
+    /** Null while nothing ties bodies of the heap together. */
+    private transient Ties ties;
+
+    private final HeapSwitches switches;
+
     DrivenHeap(
             State state,
             Trajectories trajectories,
@@ -50,10 +55,11 @@ final class DrivenHeap implements Serializable {
         this.system = system;
         this.notes = notes;
         this.scales = scales;
+        this.switches = new HeapSwitches(by, system);
     }
 
     /** Takes from bodies what forces have given them for the time that is left: it is found anew, with those of driven ones. */
-    void unpay(IntList heap, double tau, Ties ties) {
+    void unpay(IntList heap, double tau, Ties those) {
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             motion.ground().resume(body);
@@ -61,9 +67,9 @@ final class DrivenHeap implements Serializable {
                 by.unpay(body, tau, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX);
             }
             by.paidUntil[body] = 0;
-            if (motion.isTied(body) && isFirst(body)) {
-                motion.restore(ties.island(body));
-                ties.prepareImpact(ties.island(body));
+            if (isFirstTied(body)) {
+                motion.restore(those.island(body));
+                those.prepareImpact(those.island(body));
             }
         }
     }
@@ -73,12 +79,42 @@ final class DrivenHeap implements Serializable {
         return trajectories.isDriven(body) && motion.companions(body).values[0] == body;
     }
 
+    /**
+     * Takes in the motors and stops of tied bodies, and finds what impulses do to these, as their ties are prepared.
+     *
+     * @param length of the time for which forces are to act
+     */
+    void gather(IntList heap, Ties those, double length) {
+        ties = those;
+        switches.clear();
+        for (int k = 0; k < heap.size; k++) {
+            if (isFirstTied(heap.values[k])) {
+                switches.gather(ties.switched(ties.island(heap.values[k])), length);
+            }
+        }
+        for (int p = 0; p < system.size(); p++) {
+            for (int side = 0; side < 2; side++) {
+                int k = system.rows().body(p, side);
+                if (k >= 0 && motion.isTied(heap.values[k])) {
+                    int first = by.place[ties.island(heap.values[k]).values[0]] - 1;
+                    system.replies().find(system.rows(), p, side, first, ties, heap.values[k], state.x().length);
+                }
+            }
+            system.measure(p);
+        }
+    }
+
+    private boolean isFirstTied(int body) {
+        return motion.isTied(body) && isFirst(body);
+    }
+
     /** Solves for the forces of driven bodies, which change with the way that they make under them; returns the largest speed. */
     double drive(IntList heap, double length, double scale) {
         double most = scale;
-        for (int p = 0; p < system.size(); p++) {
+        for (int p = 0; p < system.contacts(); p++) {
             notes.start(p, length);
         }
+        switches.start();
         probe(heap, length);
         for (int k = 1; k < PROBES; k++) {
             for (int b = 0; b < heap.size; b++) {
@@ -104,9 +140,7 @@ final class DrivenHeap implements Serializable {
     private void probe(IntList heap, double length) {
         double[] d = trajectories.data();
         double[] pushes = pushes(heap);
-        for (int k = 0; k < heap.size; k++) {
-            support(heap.values[k], k, length, pushes);
-        }
+        support(heap, length, pushes);
         double share = 1;
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
@@ -125,10 +159,17 @@ final class DrivenHeap implements Serializable {
         system.unpush();
     }
 
-    /** Lets a driven body be pushed evenly over a time. */
-    void support(int body, int k, double time, double[] pushes) {
-        if (trajectories.isDriven(body)) {
-            motion.support(body, pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
+    /** Lets driven bodies, and their motors and stops, be pushed evenly over a time. */
+    void support(IntList heap, double time, double[] pushes) {
+        int from = 0;
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            if (trajectories.isDriven(body)) {
+                motion.support(body, pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
+            }
+            if (isFirstTied(body)) {
+                from += switches.freeze(ties.switched(ties.island(body)), from, time);
+            }
         }
     }
 

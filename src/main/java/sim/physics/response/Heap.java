@@ -133,6 +133,13 @@ final class Heap implements Serializable {
         motion.support(body, -fall[0], -fall[1], -fall[2]);
     }
 
+    /** Lets the motors and stops of a body that lies on nothing any more decide by themselves. */
+    void thaw(int body) {
+        if (motion.isTied(body)) {
+            ties.switched(ties.island(body)).thaw();
+        }
+    }
+
     void setTies(Ties those) {
         ties = those;
     }
@@ -147,6 +154,9 @@ final class Heap implements Serializable {
         }
         isFresh |= isEven();
         gather(tau);
+        if (isDriven) {
+            driving.gather(heap, ties, until - tau);
+        }
         if (isEven()) {
             strike();
         }
@@ -300,11 +310,6 @@ final class Heap implements Serializable {
             response.load(manifold, pair, k, point);
             int p = system.size();
             system.add(number(a), number(b), point);
-            if (isDriven) {
-                reply(p, 0, a, -1, point.leverA, point.armA);
-                reply(p, 1, b, 1, point.leverB, point.armB);
-                system.measure(p);
-            }
             notes.add(pair, k);
             double bend = scales.bend(manifold, point, a, b, left);
             system.bound(p, HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven()));
@@ -314,14 +319,6 @@ final class Heap implements Serializable {
             if (isFresh && !isEven()) {
                 notes.start(p, left);
             }
-        }
-    }
-
-    /** Finds what a point's impulses do to a body that is tied to others. */
-    private void reply(int p, int side, int body, double sign, double lever, double arm) {
-        if (motion.isTied(body)) {
-            int first = by.place[ties.island(body).values[0]] - 1;
-            system.replies().find(2 * p + side, first, ties, body, state.x().length, sign, point, lever, arm);
         }
     }
 
@@ -394,7 +391,7 @@ final class Heap implements Serializable {
             pull = Math.max(pull, pull(heap.values[k]));
             most = Math.max(most, speed(k));
         }
-        boolean still = system.size() > 0 && !halts && isFresh && !isEven() && most <= STILL * pull * (until - tau);
+        boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && most <= STILL * pull * (until - tau);
         if (!still && until < trajectories.h()) {
             detection.plan(heap.values[0], until);
         }
@@ -402,7 +399,9 @@ final class Heap implements Serializable {
             bear(until - tau, STILL * pull * (until - tau));
         }
         double[] d = trajectories.data();
-        double[] pushes = isDriven ? driving.pushes(heap) : null;
+        if (isDriven && !(system.contacts() == 0 && isFresh)) {
+            driving.support(heap, until - tau, driving.pushes(heap));
+        }
         boolean stands = isRubbed && !halts && rubbing.isStill(heap);
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
@@ -411,10 +410,11 @@ final class Heap implements Serializable {
             if (still) {
                 Arrays.fill(system.v, 3 * k, 3 * k + 3, 0);
             }
-            if (system.size() == 0 && isFresh) {
+            if (system.contacts() == 0 && isFresh) {
                 by.lies[body] = false;
                 motion.support(body, 0, 0, 0);
                 motion.ground().resume(body);
+                thaw(body);
                 changed.add(body);
                 continue;
             }
@@ -427,7 +427,6 @@ final class Heap implements Serializable {
                 continue;
             }
             if (trajectories.isDriven(body)) {
-                driving.support(body, k, until - tau, pushes);
                 by.paidUntil[body] = until;
                 changed.add(body);
                 continue;

@@ -133,8 +133,9 @@ final class HeapFace implements Serializable {
         for (int p = 0; p < s.size(); p++) {
             double n = direction[2 * p];
             double t = direction[2 * p + 1];
-            if (isOn[2 * p] && n < 0) {
-                most = Math.min(most, -s.normalImpulse(p) / n);
+            if (isOn[2 * p] && n != 0) {
+                double bound = n < 0 ? s.leastImpulse(p) : s.mostImpulse(p);
+                most = Math.min(most, (bound - s.normalImpulse(p)) / n);
             }
             if (isOn[2 * p + 1]) {
                 double limit = s.friction(p) * s.normalImpulse(p);

@@ -42,7 +42,7 @@ final class HeapNotes implements Serializable {
             return;
         }
         press(time);
-        for (int p = 0; p < system.size(); p++) {
+        for (int p = 0; p < system.contacts(); p++) {
             double fn = right ? system.normalImpulse(p) / time : 0;
             double ft = right ? system.tangentImpulse(p) / time : 0;
             ledger.setStart(origin.values[p] / 2, origin.values[p] % 2, fn, ft);
@@ -51,7 +51,7 @@ final class HeapNotes implements Serializable {
 
     /** Notes the forces that the points bear for a time. */
     void press(double time) {
-        for (int p = 0; p < system.size(); p++) {
+        for (int p = 0; p < system.contacts(); p++) {
             int pair = origin.values[p] / 2;
             double fn = system.normalImpulse(p) / time;
             ledger.press(pair, origin.values[p] % 2, fn, system.tangentImpulse(p) / time);
@@ -60,7 +60,7 @@ final class HeapNotes implements Serializable {
 
     /** Notes that the impulses of the points have acted at once, that many times. */
     void strike(double times) {
-        for (int p = 0; p < system.size(); p++) {
+        for (int p = 0; p < system.contacts(); p++) {
             int pair = origin.values[p] / 2;
             double jn = times * system.normalImpulse(p);
             ledger.strike(pair, origin.values[p] % 2, jn, times * system.tangentImpulse(p));

@@ -27,7 +27,7 @@ final class HeapRelaxation implements Serializable {
         double jt = data[o + HeapSystem.IMPULSE_T];
         double gap = s.normal(p) - data[o + HeapSystem.BOUND];
         if (data[o + HeapSystem.FRICTION] == 0) {
-            double next = Math.max(0, jn - gap / n);
+            double next = Math.max(data[o + HeapSystem.LEAST], Math.min(data[o + HeapSystem.MOST], jn - gap / n));
             return next == jn && jt == 0 ? 0 : set(s, p, next, 0);
         }
         double t = data[o + HeapSystem.MOBILITY_T];

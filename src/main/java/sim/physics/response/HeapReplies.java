@@ -47,18 +47,18 @@ final class HeapReplies implements Serializable {
     /**
      * Finds what units of impulse at a side of a point do to a tied body and its companions.
      *
-     * @param side its number
      * @param first number in the heap of the first one of the island
+     * @param body whose side of the point it is
      * @param length of the vector of all velocities
-     * @param sign of the impulse on this body
      */
-    void find(int side, int first, Ties ties, int body, int length, double sign, Impact point, double lever, double arm) {
+    void find(ContactRows rows, int p, int side, int first, Ties ties, int body, int length) {
         IntList island = ties.island(body);
         velocities = velocities.length < length ? new double[length] : velocities;
-        ties.reply(body, sign * point.nx, sign * point.ny, sign * lever, velocities);
-        set(side, first, island, false);
-        ties.reply(body, -sign * point.ny, sign * point.nx, sign * arm, velocities);
-        set(side, first, island, true);
+        double sign = side == 0 ? -1 : 1;
+        ties.reply(body, sign * rows.nx(p), sign * rows.ny(p), sign * rows.lever(p, side), velocities);
+        set(2 * p + side, first, island, false);
+        ties.reply(body, -sign * rows.ny(p), sign * rows.nx(p), sign * rows.arm(p, side), velocities);
+        set(2 * p + side, first, island, true);
     }
 
     /** Sets the replies of a side: of an island whose bodies have consecutive numbers in the heap. */

@@ -4,6 +4,7 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.motion.SwitchedRow;
 
 /**
  * The contact points of a heap and the impulses that they bear in one step: the complementarity problem of Moreau's time
@@ -21,7 +22,7 @@ final class HeapSystem implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values per point. */
-    static final int STRIDE = 7;
+    static final int STRIDE = 9;
 
     static final int BOUND = 0;
     static final int FRICTION = 1;
@@ -32,6 +33,11 @@ final class HeapSystem implements Serializable {
 
     /** What a unit of impulse along the tangent does to the velocity along the normal. */
     static final int CROSS = 6;
+
+    /** The least and the greatest impulse along the normal: 0 and infinite but for motors. */
+    static final int LEAST = 7;
+
+    static final int MOST = 8;
 
     private static final int SWEEPS = 6;
     private static final int LEAST_SWEEPS = 20;
@@ -60,7 +66,10 @@ final class HeapSystem implements Serializable {
 
     double[] v = new double[24];
 
+    /** All points, and those of contacts: the others are motors and stops, with a normal of their own and no friction. */
     private int points;
+
+    private int contacts;
     private int count;
     private final HeapFace face = new HeapFace();
 
@@ -68,6 +77,7 @@ final class HeapSystem implements Serializable {
     private HeapReplies replies;
 
     private boolean tied;
+    private final HeapMatrix matrix = new HeapMatrix();
 
     /** Inverse masses of 1. */
     private double[] units = {};
@@ -77,6 +87,8 @@ final class HeapSystem implements Serializable {
 
     /** The velocities without impulses. */
     private double[] free = {};
+
+    private double[] scratch = {};
 
     /** Least normal velocities, while others are in their place, or impulses. */
     private double[] kept = {};
@@ -91,7 +103,9 @@ final class HeapSystem implements Serializable {
 
     void clear() {
         points = 0;
+        contacts = 0;
         tied = false;
+        matrix.forget();
         enough = Double.POSITIVE_INFINITY;
         count = 0;
         if (replies != null) {
@@ -119,23 +133,63 @@ final class HeapSystem implements Serializable {
         return points;
     }
 
-    /** Adds a point between two bodies, −1 for what cannot move. */
+    int contacts() {
+        return contacts;
+    }
+
+    /** Adds a contact's point between two bodies, −1 for what cannot move. */
     void add(int a, int b, Impact c) {
         rows.set(points, a, b, c);
+        add(c.friction, c.normalMobility(), c.tangentMobility(), 0, Double.POSITIVE_INFINITY);
+        contacts = points;
+    }
+
+    /** Adds a motor or a stop, behind all contacts, between two bodies of the heap; sign −1 for the upper stop. */
+    void add(int a, int b, SwitchedRow row, double sign, double least, double most) {
+        rows.set(points, a, b, sign * row.nx, sign * row.ny, sign * row.firstLever, sign * row.secondLever, 0, 0);
+        add(0, rows.normalMobility(points, w, row.nx * row.nx + row.ny * row.ny), Double.POSITIVE_INFINITY, least, most);
+    }
+
+    private void add(double friction, double alongNormal, double alongTangent, double least, double most) {
         int o = STRIDE * points;
         if (data.length < o + STRIDE) {
             data = Arrays.copyOf(data, 2 * o + STRIDE);
         }
-        data[o + FRICTION] = c.friction;
-        data[o + MOBILITY_N] = c.normalMobility();
-        data[o + MOBILITY_T] = c.tangentMobility();
+        data[o + FRICTION] = friction;
+        data[o + MOBILITY_N] = alongNormal;
+        data[o + MOBILITY_T] = alongTangent;
         data[o + CROSS] = rows.crossMobility(points, w);
         data[o + IMPULSE_N] = 0;
         data[o + IMPULSE_T] = 0;
+        data[o + LEAST] = least;
+        data[o + MOST] = most;
         if (replies != null) {
             replies.clear(points);
         }
         points++;
+    }
+
+    void removeLast() {
+        points--;
+    }
+
+    /** Whether a point is a motor: its bound is a speed that it is to have, and its impulse may have either sign. */
+    boolean isMotor(int p) {
+        return data[STRIDE * p + MOST] < Double.POSITIVE_INFINITY;
+    }
+
+    /** Lets a motor give impulses up to a bound, either way. */
+    void setMost(int p, double impulse) {
+        data[STRIDE * p + LEAST] = -impulse;
+        data[STRIDE * p + MOST] = impulse;
+    }
+
+    double leastImpulse(int p) {
+        return data[STRIDE * p + LEAST];
+    }
+
+    double mostImpulse(int p) {
+        return data[STRIDE * p + MOST];
     }
 
     /** The replies of bodies that are tied to others, to points that were added. */
@@ -150,6 +204,10 @@ final class HeapSystem implements Serializable {
         return replies;
     }
 
+    ContactRows rows() {
+        return rows;
+    }
+
     /** Whether bodies are tied to others. */
     boolean isTied() {
         return tied;
@@ -157,17 +215,28 @@ final class HeapSystem implements Serializable {
 
     /** Takes note that replies of a point have been set. */
     void measure(int p) {
-        double[] alone = new double[3 * count];
-        push(p, 1, 0, alone);
-        measure(STRIDE * p + MOBILITY_N, normal(p, alone));
-        Arrays.fill(alone, 0);
-        push(p, 0, 1, alone);
-        measure(STRIDE * p + MOBILITY_T, tangent(p, alone));
+        double[] v = scratch();
+        Arrays.fill(v, 0, 3 * count, 0);
+        push(p, 1, 0, v);
+        measure(STRIDE * p + MOBILITY_N, normal(p, v));
+        if (p < contacts) {
+            Arrays.fill(v, 0, 3 * count, 0);
+            push(p, 0, 1, v);
+            measure(STRIDE * p + MOBILITY_T, tangent(p, v));
+        }
     }
 
     /** A body that its ties hold where it is can be given no impulse. */
     private void measure(int at, double mobility) {
         data[at] = mobility > IMMOBILE * data[at] ? mobility : Double.POSITIVE_INFINITY;
+    }
+
+    /** Room for velocities that nobody keeps. */
+    double[] scratch() {
+        if (scratch.length < 3 * count) {
+            scratch = new double[v.length];
+        }
+        return scratch;
     }
 
     /** Lets a body be moved, or be as good as fixed; given its own inverse mass and moment of inertia. */
@@ -245,7 +314,9 @@ final class HeapSystem implements Serializable {
 
     /** Whether a point's normal row is an equation now, and its tangential one. */
     boolean isClosed(int p) {
-        return data[STRIDE * p + IMPULSE_N] > 0 && data[STRIDE * p + MOBILITY_N] < Double.POSITIVE_INFINITY;
+        double impulse = data[STRIDE * p + IMPULSE_N];
+        boolean isBetween = impulse > data[STRIDE * p + LEAST] && impulse < data[STRIDE * p + MOST];
+        return isBetween && data[STRIDE * p + MOBILITY_N] < Double.POSITIVE_INFINITY;
     }
 
     boolean isStuck(int p) {
@@ -299,10 +370,15 @@ final class HeapSystem implements Serializable {
         double most = 0;
         for (int p = 0; p < points; p++) {
             int o = STRIDE * p;
-            most = Math.max(most, Math.abs(data[o + IMPULSE_N] - kept[2 * p]) * data[o + MOBILITY_N]);
-            most = Math.max(most, Math.abs(data[o + IMPULSE_T] - kept[2 * p + 1]) * data[o + MOBILITY_T]);
+            most = Math.max(most, change(data[o + IMPULSE_N] - kept[2 * p], data[o + MOBILITY_N]));
+            most = Math.max(most, change(data[o + IMPULSE_T] - kept[2 * p + 1], data[o + MOBILITY_T]));
         }
         return most;
+    }
+
+    /** What a change of an impulse does; where mobility is infinite there is none. */
+    private static double change(double impulse, double mobility) {
+        return impulse == 0 ? 0 : Math.abs(impulse) * mobility;
     }
 
     /** Takes from the velocities what the points' impulses do. */
@@ -312,13 +388,13 @@ final class HeapSystem implements Serializable {
         }
     }
 
-    /** Adds what all points' impulses would do to bodies that nothing ties. */
+    /** Adds what all contacts' impulses would do to bodies that nothing ties. */
     void pushAlone(double[] v) {
         pushAlone(w, v);
     }
 
     private void pushAlone(double[] w, double[] v) {
-        for (int p = 0; p < points; p++) {
+        for (int p = 0; p < contacts; p++) {
             rows.pushSecond(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
             rows.pushFirst(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
         }
@@ -327,7 +403,7 @@ final class HeapSystem implements Serializable {
     /** Whether a point closes faster than it may. */
     boolean isStruck(double speed) {
         for (int p = 0; p < points; p++) {
-            if (normal(p) < Math.min(0, data[STRIDE * p + BOUND]) - speed) {
+            if (!isMotor(p) && normal(p) < Math.min(0, data[STRIDE * p + BOUND]) - speed) {
                 return true;
             }
         }
@@ -367,6 +443,10 @@ final class HeapSystem implements Serializable {
 
     private boolean solve(double scale, boolean regains, int work) {
         begin(regains);
+        if (tied && matrix.assemble(this)) {
+            return matrix.solve(this, RIGHT * scale, enough, scale);
+        }
+        applyAll();
         int left = Math.max(LEAST_SWEEPS, work / Math.max(1, points));
         int late = (int) ((1 - ENDLESS) * left);
         double change = 0;
@@ -399,18 +479,33 @@ final class HeapSystem implements Serializable {
         }
         for (int p = 0; p < points; p++) {
             int o = STRIDE * p;
-            if (!regains) {
+            if (!regains && !isMotor(p)) {
                 data[o + BOUND] = Math.min(0, data[o + BOUND]);
             }
+        }
+    }
+
+    private void applyAll() {
+        for (int p = 0; p < points; p++) {
+            int o = STRIDE * p;
             if (data[o + IMPULSE_N] != 0 || data[o + IMPULSE_T] != 0) {
                 apply(p, data[o + IMPULSE_N], data[o + IMPULSE_T]);
             }
         }
     }
 
-    /** Kinetic energy that the bodies have more than without impulses. */
+    /** Twice the kinetic energy that the bodies have more than without impulses; without that of motors. */
     double gained() {
         double sum = 0;
+        for (int p = 0; tied && p < points; p++) {
+            int o = STRIDE * p;
+            double along = data[o + IMPULSE_N] == 0 || isMotor(p) ? 0 : data[o + IMPULSE_N] * (normal(p, v) + normal(p, free));
+            double across = data[o + IMPULSE_T] == 0 ? 0 : data[o + IMPULSE_T] * (tangent(p, v) + tangent(p, free));
+            sum += along + across;
+        }
+        if (tied) {
+            return sum;
+        }
         for (int k = 0; k < count; k++) {
             if (w[2 * k] == 0) {
                 continue; // held

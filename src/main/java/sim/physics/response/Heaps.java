@@ -40,7 +40,7 @@ public final class Heaps implements Serializable {
     private static final int MOST_ENDS_TIED = 300;
 
     /** Turn of driven bodies in a step, rad, up to which they may lie on something. */
-    private static final double CALM = 0.03;
+    private static final double CALM = 0.5;
 
     private final State state;
     private final Trajectories trajectories;
@@ -326,6 +326,7 @@ public final class Heaps implements Serializable {
         }
         if (has(body)) {
             by.lies[body] = false;
+            heap.thaw(body);
         }
     }
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+
+/**
+ * A tie of {@link SwitchedTies}: a coordinate q of two bodies, which a motor brings to a speed with a bounded force, or that
+ * stays between two stops. Its rate is n · (v₂ − v₁) + l₂ ω₂ − l₁ ω₁, as the normal velocity of a contact is.
+ */
+public final class SwitchedRow implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Indices of the bodies; −1 for what cannot move. */
+    public int first;
+
+    /** The same for the second one. */
+    public int second;
+
+    /** n. */
+    public double nx;
+
+    /** n. */
+    public double ny;
+
+    /** l₁. */
+    public double firstLever;
+
+    /** l₂. */
+    public double secondLever;
+
+    /** The force with which it pushes while frozen, else 0. */
+    public double force;
+
+    /** Whether it is a motor; else it is a pair of stops. */
+    public boolean isMotor;
+
+    /** The speed of a motor, and the greatest force either way. */
+    public double speed;
+
+    /** The greatest force either way. */
+    public double limit;
+
+    /** How far q is above its lower stop, which may be infinitely far. */
+    public double aboveLower;
+
+    /** How far q is below its upper stop. */
+    public double belowUpper;
+
+    /** The size of the coordinate: of what it measures, length, or 1 for angles. */
+    public double size;
+
+    /** Makes a row that has not been read. */
+    public SwitchedRow() {
+        // filled by read
+    }
+}

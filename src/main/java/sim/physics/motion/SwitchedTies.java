@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+
+/**
+ * The ties of an island that act at some times only, motors and stops. They decide by themselves when they act, or are
+ * <i>frozen</i>: then they push with given forces, which somebody has found who knows what else acts.
+ */
+public interface SwitchedTies extends Serializable {
+    /**
+     * How many there are.
+     *
+     * @return not negative
+     */
+    int size();
+
+    /**
+     * Reads one, as it was when the island was last prepared for its replies.
+     *
+     * @param k which
+     * @param row takes it
+     * @return false if its row is not one of two points, or of a turn, so that it cannot be read
+     */
+    boolean read(int k, SwitchedRow row);
+
+    /**
+     * Lets one push with a constant force from now on, until {@link #thaw}.
+     *
+     * @param k which
+     * @param force along its coordinate
+     */
+    void freeze(int k, double force);
+
+    /** Lets all decide by themselves again. */
+    void thaw();
+
+    /**
+     * Whether they push with given forces.
+     *
+     * @return true from {@link #freeze} to {@link #thaw}
+     */
+    boolean isFrozen();
+}

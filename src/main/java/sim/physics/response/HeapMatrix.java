@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/**
+ * Solves a {@link HeapSystem} of not too many rows as a whole, where ties reply: each row's impulse moves all others then, so
+ * that a matrix of what they do to one another costs no more than bodies do, and sweeps over it cost little. Sweeps of
+ * projected relaxation guess which rows are at a bound; the others are equations, which are solved by elimination, friction
+ * that slides following its normal impulse (a Newton method on the natural map of the problem: Alart and Curnier 1991). What
+ * turns out to be at another bound is put there, and so on.
+ *
+ * <p>Where impulses are not unique, the system is made a little heavier on its diagonal, and refined until that has no
+ * effect: of all changes that do the same, about the smallest is taken.
+ */
+final class HeapMatrix implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Rows for which this is worth it. */
+    private static final int MOST = 120;
+
+    private static final int ROUNDS = 40;
+    private static final int SWEEPS = 8;
+    private static final int NEWTON_STEPS = 12;
+    private static final int REFINEMENTS = 3;
+    private static final double WEIGHT = 1e-9;
+
+    /** Error at which the impulses may start the next solution, as a part of the scale. */
+    private static final double NEARLY = 1e-6;
+
+    private boolean isAssembled;
+
+    /** Number of rows, and of each point's normal and tangential one, or −1. */
+    private int rows;
+
+    private int[] normal = {};
+    private int[] tangent = {};
+
+    /** By rows: the normal row of a tangential one, or −1; and its friction. */
+    private int[] bearer = {};
+
+    private double[] friction = {};
+
+    /** What a unit at a row does to all, row after row. */
+    private double[] replies = {};
+
+    /** By rows: bounds of velocities and of impulses, impulses, velocities; and the best impulses so far. */
+    private double[] bound = {};
+
+    private double[] least = {};
+    private double[] most = {};
+    private double[] impulse = {};
+    private double[] velocity = {};
+    private double[] best = {};
+
+    /** The velocities without impulses; and the bound at which a row is, −1 or +1, 0 for none. */
+    private double[] without = {};
+
+    private double[] side = {};
+
+    /** The equations. */
+    private int[] unknown = {};
+
+    private double[] matrix = {};
+    private double[] factors = {};
+    private int[] pivots = {};
+    private double[] right = {};
+    private double[] solution = {};
+    private double[] rest = {};
+
+    HeapMatrix() {
+        // grows with the heaps
+    }
+
+    /** Takes note that what rows do has changed. */
+    void forget() {
+        isAssembled = false;
+    }
+
+    /** Assembles the rows of a system; false if they are too many. */
+    boolean assemble(HeapSystem s) {
+        if (isAssembled) {
+            return true;
+        }
+        if (s.size() > MOST) {
+            return false;
+        }
+        number(s);
+        if (rows > MOST) {
+            return false;
+        }
+        double[] v = s.scratch();
+        for (int p = 0; p < s.size(); p++) {
+            if (normal[p] >= 0) {
+                Arrays.fill(v, 0);
+                s.push(p, 1, 0, v);
+                column(s, v, normal[p]);
+            }
+            if (tangent[p] >= 0) {
+                Arrays.fill(v, 0);
+                s.push(p, 0, 1, v);
+                column(s, v, tangent[p]);
+            }
+        }
+        isAssembled = true;
+        return true;
+    }
+
+    private void number(HeapSystem s) {
+        if (normal.length < s.size()) {
+            normal = new int[2 * s.size()];
+            tangent = new int[2 * s.size()];
+        }
+        rows = 0;
+        for (int p = 0; p < s.size(); p++) {
+            boolean moves = s.normalMobility(p) < Double.POSITIVE_INFINITY;
+            normal[p] = moves ? rows++ : -1;
+            boolean rubs = moves && s.friction(p) > 0 && s.tangentMobility(p) < Double.POSITIVE_INFINITY;
+            tangent[p] = rubs ? rows++ : -1;
+        }
+        if (bearer.length < rows) {
+            int n = 2 * rows;
+            bearer = new int[n];
+            friction = new double[n];
+            bound = new double[n];
+            least = new double[n];
+            most = new double[n];
+            impulse = new double[n];
+            velocity = new double[n];
+            best = new double[n];
+            without = new double[n];
+            side = new double[n];
+            unknown = new int[n];
+            pivots = new int[n];
+            right = new double[n];
+            solution = new double[n];
+            rest = new double[n];
+            replies = new double[n * n];
+            matrix = new double[n * n];
+            factors = new double[n * n];
+        }
+        for (int p = 0; p < s.size(); p++) {
+            if (normal[p] >= 0) {
+                bearer[normal[p]] = -1;
+            }
+            if (tangent[p] >= 0) {
+                bearer[tangent[p]] = normal[p];
+                friction[tangent[p]] = s.friction(p);
+            }
+        }
+    }
+
+    private void column(HeapSystem s, double[] v, int column) {
+        for (int q = 0; q < s.size(); q++) {
+            if (normal[q] >= 0) {
+                replies[column * rows + normal[q]] = s.normal(q, v);
+            }
+            if (tangent[q] >= 0) {
+                replies[column * rows + tangent[q]] = s.tangent(q, v);
+            }
+        }
+    }
+
+    /**
+     * Solves for the impulses, from those that the system has; its velocities are those without any.
+     *
+     * @param exact error of velocities at which they are right
+     * @param enough error that is good enough in the end
+     * @param scale speed beside which errors are judged
+     * @return whether they are right or nearly so
+     */
+    boolean solve(HeapSystem s, double exact, double enough, double scale) {
+        take(s);
+        double least = Double.POSITIVE_INFINITY;
+        for (int round = 0; round < ROUNDS; round++) {
+            for (int k = 0; k < SWEEPS; k++) {
+                sweep();
+            }
+            least = keep(least);
+            for (int k = 0; k < NEWTON_STEPS && least > exact; k++) {
+                if (!newton()) {
+                    break;
+                }
+                least = keep(least);
+            }
+            if (least <= exact || round > ROUNDS / 2 && least <= enough) {
+                break;
+            }
+            restore();
+        }
+        give(s);
+        return least <= NEARLY * scale;
+    }
+
+    private void take(HeapSystem s) {
+        for (int p = 0; p < s.size(); p++) {
+            if (normal[p] >= 0) {
+                int i = normal[p];
+                bound[i] = s.bound(p);
+                least[i] = s.leastImpulse(p);
+                most[i] = s.mostImpulse(p);
+                impulse[i] = Math.max(least[i], Math.min(most[i], s.normalImpulse(p)));
+                velocity[i] = s.normal(p, s.v);
+            }
+            if (tangent[p] >= 0) {
+                int i = tangent[p];
+                bound[i] = 0;
+                impulse[i] = s.tangentImpulse(p);
+                velocity[i] = s.tangent(p, s.v);
+            }
+        }
+        System.arraycopy(velocity, 0, without, 0, rows);
+        evaluate();
+    }
+
+    /** Velocities by the impulses. */
+    private void evaluate() {
+        System.arraycopy(without, 0, velocity, 0, rows);
+        for (int i = 0; i < rows; i++) {
+            push(i, impulse[i]);
+        }
+    }
+
+    private void push(int column, double change) {
+        int o = column * rows;
+        for (int k = 0; change != 0 && k < rows; k++) {
+            velocity[k] += change * replies[o + k];
+        }
+    }
+
+    private double own(int row) {
+        return replies[row * rows + row];
+    }
+
+    private double lower(int row) {
+        return bearer[row] < 0 ? least[row] : -friction[row] * impulse[bearer[row]];
+    }
+
+    private double upper(int row) {
+        return bearer[row] < 0 ? most[row] : friction[row] * impulse[bearer[row]];
+    }
+
+    /** The impulse that makes a row right while others keep theirs, within its bounds. */
+    private double wanted(int row) {
+        double free = impulse[row] - (velocity[row] - bound[row]) / own(row);
+        return Math.max(lower(row), Math.min(upper(row), free));
+    }
+
+    private void sweep() {
+        for (int i = 0; i < rows; i++) {
+            double change = wanted(i) - impulse[i];
+            impulse[i] += change;
+            push(i, change);
+        }
+    }
+
+    /** Keeps the impulses if they are the best so far; returns the least error of velocities so far. */
+    private double keep(double before) {
+        double worst = 0;
+        for (int i = 0; i < rows; i++) {
+            worst = Math.max(worst, Math.abs(wanted(i) - impulse[i]) * own(i));
+        }
+        if (!(worst < before)) {
+            return before;
+        }
+        System.arraycopy(impulse, 0, best, 0, rows);
+        return worst;
+    }
+
+    private void restore() {
+        System.arraycopy(best, 0, impulse, 0, rows);
+        evaluate();
+    }
+
+    private void give(HeapSystem s) {
+        for (int p = 0; p < s.size(); p++) {
+            double jn = normal[p] < 0 ? 0 : best[normal[p]];
+            double jt = tangent[p] < 0 ? 0 : best[tangent[p]];
+            s.start(p, jn, jt);
+            s.apply(p, jn, jt);
+        }
+    }
+
+    /** Solves the rows that are at no bound as equations; false if they cannot be solved. */
+    private boolean newton() {
+        int n = 0;
+        for (int i = 0; i < rows; i++) {
+            double free = impulse[i] - (velocity[i] - bound[i]) / own(i);
+            double up = bearer[i] < 0 ? most[i] : friction[i] * Math.max(0, rest[bearer[i]]);
+            double down = bearer[i] < 0 ? least[i] : -up;
+            boolean isFree = free > down && free < up && (bearer[i] < 0 || unknown[bearer[i]] >= 0);
+            rest[i] = free;
+            unknown[i] = isFree ? n++ : -1;
+            side[i] = isFree ? 0 : free <= down ? -1 : 1;
+        }
+        for (int i = 0; i < rows; i++) {
+            if (bearer[i] < 0 && unknown[i] < 0) {
+                set(i, side[i] < 0 ? least[i] : most[i]);
+            }
+        }
+        slide(true);
+        assemble(n);
+        if (!eliminate(n)) {
+            return false;
+        }
+        for (int i = 0; i < rows; i++) {
+            if (unknown[i] >= 0) {
+                impulse[i] += solution[unknown[i]];
+            }
+        }
+        slide(false);
+        evaluate();
+        return true;
+    }
+
+    /** Lets friction that slides follow what bears it. */
+    private void slide(boolean pushes) {
+        for (int i = 0; i < rows; i++) {
+            if (bearer[i] >= 0 && unknown[i] < 0) {
+                double next = side[i] * friction[i] * impulse[bearer[i]];
+                if (pushes) {
+                    push(i, next - impulse[i]);
+                }
+                impulse[i] = next;
+            }
+        }
+    }
+
+    private void set(int row, double value) {
+        push(row, value - impulse[row]);
+        impulse[row] = value;
+    }
+
+    private void assemble(int n) {
+        for (int j = 0; j < rows; j++) {
+            int column = unknown[j];
+            for (int i = 0; column >= 0 && i < rows; i++) {
+                if (unknown[i] >= 0) {
+                    matrix[unknown[i] * n + column] = replies[j * rows + i];
+                }
+            }
+        }
+        for (int j = 0; j < rows; j++) {
+            int column = bearer[j] >= 0 && unknown[j] < 0 ? unknown[bearer[j]] : -1;
+            for (int i = 0; column >= 0 && i < rows; i++) {
+                if (unknown[i] >= 0) {
+                    matrix[unknown[i] * n + column] += side[j] * friction[j] * replies[j * rows + i];
+                }
+            }
+        }
+        for (int i = 0; i < rows; i++) {
+            if (unknown[i] >= 0) {
+                right[unknown[i]] = bound[i] - velocity[i];
+                rest[unknown[i]] = own(i);
+            }
+        }
+    }
+
+    /** Solves by elimination, of a matrix a little heavier, and refines; false if it is singular even so. */
+    private boolean eliminate(int n) {
+        System.arraycopy(matrix, 0, factors, 0, n * n);
+        for (int k = 0; k < n; k++) {
+            factors[k * n + k] += WEIGHT * rest[k];
+        }
+        for (int k = 0; k < n; k++) {
+            int pivot = k;
+            for (int row = k + 1; row < n; row++) {
+                pivot = Math.abs(factors[row * n + k]) > Math.abs(factors[pivot * n + k]) ? row : pivot;
+            }
+            pivots[k] = pivot;
+            for (int m = 0; pivot != k && m < n; m++) {
+                double swap = factors[k * n + m];
+                factors[k * n + m] = factors[pivot * n + m];
+                factors[pivot * n + m] = swap;
+            }
+            double own = factors[k * n + k];
+            if (!(Math.abs(own) > 0) || Double.isInfinite(own)) {
+                return false;
+            }
+            for (int row = k + 1; row < n; row++) {
+                double f = factors[row * n + k] / own;
+                factors[row * n + k] = f;
+                for (int m = k + 1; f != 0 && m < n; m++) {
+                    factors[row * n + m] -= f * factors[k * n + m];
+                }
+            }
+        }
+        Arrays.fill(solution, 0, n, 0);
+        for (int pass = 0; pass <= REFINEMENTS; pass++) {
+            for (int row = 0; row < n; row++) {
+                double sum = right[row];
+                for (int m = 0; m < n; m++) {
+                    sum -= matrix[row * n + m] * solution[m];
+                }
+                rest[row] = sum;
+            }
+            substitute(n);
+            for (int k = 0; k < n; k++) {
+                solution[k] += rest[k];
+            }
+        }
+        return true;
+    }
+
+    private void substitute(int n) {
+        for (int k = 0; k < n; k++) {
+            double swap = rest[k];
+            rest[k] = rest[pivots[k]];
+            rest[pivots[k]] = swap;
+        }
+        for (int row = 0; row < n; row++) {
+            double sum = rest[row];
+            for (int m = 0; m < row; m++) {
+                sum -= factors[row * n + m] * rest[m];
+            }
+            rest[row] = sum;
+        }
+        for (int row = n - 1; row >= 0; row--) {
+            double sum = rest[row];
+            for (int m = row + 1; m < n; m++) {
+                sum -= factors[row * n + m] * rest[m];
+            }
+            rest[row] = sum / factors[row * n + row];
+        }
+    }
+}

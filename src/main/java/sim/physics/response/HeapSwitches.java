@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.internal.IntList;
+import sim.physics.motion.SwitchedRow;
+import sim.physics.motion.SwitchedTies;
+
+/**
+ * The motors and stops of bodies in a heap. What a wheel gets from the ground and what its motor gives depend on each
+ * other, and both are bounded: they are solved for together, and then push evenly for the time of the solution, as contacts
+ * do. So no motor yields or reaches its speed within that time, and nothing has to be searched for.
+ */
+final class HeapSwitches implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** A stop is looked at if it may be reached by this turn, rad, or part of its size, or in this many times the time. */
+    private static final double NEAR = 0.05;
+
+    private static final double TIMES = 3;
+
+    private final HeapBodies by;
+    private final HeapSystem system;
+    private final SwitchedRow row = new SwitchedRow();
+
+    /** By point behind the contacts: its number in its island, and which way it is read. */
+    private final IntList number = new IntList();
+
+    private final IntList sign = new IntList();
+
+    /** The same: its first impulse; of motors the greatest one. */
+    private double[] first = {};
+
+    private double[] greatest = {};
+
+    HeapSwitches(HeapBodies by, HeapSystem system) {
+        this.by = by;
+        this.system = system;
+    }
+
+    void clear() {
+        number.clear();
+        sign.clear();
+    }
+
+    /** Takes in the motors and stops of an island that is prepared for its replies, at the velocities of the system. */
+    void gather(SwitchedTies switched, double length) {
+        if (!isReadable(switched)) {
+            return; // they go on deciding by themselves
+        }
+        for (int k = 0; k < switched.size(); k++) {
+            switched.read(k, row);
+            if (row.isMotor) {
+                add(k, 1, row.speed, length);
+            } else {
+                stop(k, 1, row.aboveLower, length);
+                stop(k, -1, row.belowUpper, length);
+            }
+        }
+    }
+
+    private boolean isReadable(SwitchedTies switched) {
+        boolean all = switched.size() > 0;
+        for (int k = 0; all && k < switched.size(); k++) {
+            all = switched.read(k, row);
+        }
+        return all;
+    }
+
+    private void stop(int k, int way, double gap, double length) {
+        if (gap == Double.POSITIVE_INFINITY) {
+            return;
+        }
+        add(k, way, -gap / length, length);
+        int p = system.size() - 1;
+        if (gap > NEAR * row.size && gap > -TIMES * length * system.normal(p)) {
+            system.removeLast();
+            number.size--;
+            sign.size--;
+        }
+    }
+
+    private void add(int k, int way, double bound, double length) {
+        int at = number.size;
+        number.add(k);
+        sign.add(way);
+        if (first.length <= at) {
+            first = Arrays.copyOf(first, 2 * at + 2);
+            greatest = Arrays.copyOf(greatest, 2 * at + 2);
+        }
+        first[at] = way * length * row.force;
+        greatest[at] = row.isMotor ? length * row.limit : Double.POSITIVE_INFINITY;
+        system.add(place(row.first), place(row.second), row, way, 0, row.isMotor ? 0 : Double.POSITIVE_INFINITY);
+        system.bound(system.size() - 1, bound);
+    }
+
+    private int place(int body) {
+        return body < 0 ? -1 : by.place[body] - 1;
+    }
+
+    /** Starts from the last forces; from now on motors may act. */
+    void start() {
+        for (int k = 0; k < number.size; k++) {
+            int p = system.contacts() + k;
+            if (greatest[k] < Double.POSITIVE_INFINITY) {
+                system.setMost(p, greatest[k]);
+            }
+            system.start(p, first[k], 0);
+        }
+    }
+
+    /** Lets the motors and stops of an island push as has been found, evenly over a time; returns how many points it has. */
+    int freeze(SwitchedTies switched, int from, double length) {
+        if (!isReadable(switched)) {
+            return 0;
+        }
+        int at = from;
+        for (int k = 0; k < switched.size(); k++) {
+            double impulse = 0;
+            while (at < number.size && number.values[at] == k) {
+                impulse += sign.values[at] * system.normalImpulse(system.contacts() + at);
+                at++;
+            }
+            switched.freeze(k, impulse / length);
+        }
+        return at - from;
+    }
+}
