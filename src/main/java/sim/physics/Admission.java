@@ -187,6 +187,11 @@ final class Admission implements Presence, Serializable {
             for (int k = 0; k < concerned.size; k++) {
                 bring(concerned.values[k], tau);
             }
+            for (int index = 0; motion.mayCouple() && index < state.size(); index++) {
+                if (state.body(index) != null) {
+                    bring(index, tau); // what moves together may be others from now on
+                }
+            }
             constraints.regroup();
         }
         close(tau);
@@ -289,7 +294,13 @@ final class Admission implements Presence, Serializable {
         for (int k = 0; k < concerned.size; k++) {
             state.touch(concerned.values[k]);
         }
+        boolean was = motion.isCoupled();
         constraints.regroup();
+        for (int index = 0; was != motion.isCoupled() && index < state.size(); index++) {
+            if (state.body(index) != null) {
+                state.touch(index);
+            }
+        }
     }
 
     /** Adds constraints between steps and closes them; if that cannot be, all is as before. */

@@ -3,6 +3,7 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
+import java.util.List;
 
 /**
  * A source of forces, evaluated at every stage of the integrator: the f and τ of (5) and (6).
@@ -39,6 +40,16 @@ public interface ForceGenerator extends Serializable {
      */
     default boolean isCoupled() {
         return false;
+    }
+
+    /**
+     * The bodies that a generator couples, if these are always the same few: while joints tie all of them together, directly
+     * or through others, it couples nothing more than they do, and other bodies move as without it.
+     *
+     * @return null, unless overridden: it may couple any bodies
+     */
+    default List<Body> getCoupledBodies() {
+        return null;
     }
 
     /**

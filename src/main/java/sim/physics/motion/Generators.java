@@ -12,6 +12,9 @@ import sim.physics.internal.IntList;
 final class Generators implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** No version of ties. */
+    private static final long UNKNOWN = -1;
+
     private final List<ForceGenerator> all = new ArrayList<>();
 
     /** Sum of the uniform fields. */
@@ -22,8 +25,13 @@ final class Generators implements Serializable {
     /** Null if there is none. */
     SurfaceFriction surface;
 
-    /** Whether some generator couples bodies. */
+    /** Whether some generator couples bodies, be they tied together or not. */
     boolean coupled;
+
+    /** The same with an island's bodies taken for one, at a version of the ties. */
+    private boolean couplesBeyond;
+
+    private long knownVersion = UNKNOWN;
 
     /** Whether several threads may ask for the forces on different bodies. */
     boolean concurrent = true;
@@ -67,7 +75,38 @@ final class Generators implements Serializable {
             }
         }
         driving = others.toArray(new ForceGenerator[0]);
+        knownVersion = UNKNOWN;
         return true;
+    }
+
+    /** Whether some generator couples bodies that no island of ties has all of; ties may be null. */
+    boolean couplesBeyond(Ties ties) {
+        if (ties == null) {
+            return coupled;
+        }
+        if (knownVersion != ties.version()) {
+            knownVersion = ties.version();
+            couplesBeyond = false;
+            for (ForceGenerator g : driving) {
+                couplesBeyond |= g.isCoupled() && !isWithin(ties, g.getCoupledBodies());
+            }
+        }
+        return couplesBeyond;
+    }
+
+    private static boolean isWithin(Ties ties, List<Body> bodies) {
+        IntList island = null;
+        for (int k = 0; bodies != null && k < bodies.size(); k++) {
+            Body body = bodies.get(k);
+            if (body.state() == null || body.isFixed()) {
+                continue; // it does not move
+            }
+            if (!ties.isTied(body.index()) || island != null && ties.island(body.index()) != island) {
+                return false;
+            }
+            island = ties.island(body.index());
+        }
+        return bodies != null;
     }
 
     /** The accelerations of uniform fields alone. */

@@ -38,7 +38,7 @@ public final class Ground implements Serializable {
      */
     public boolean rubs(int body) {
         SurfaceFriction surface = motion.generators.surface;
-        return surface != null && !motion.generators.coupled && surface.actsOn(state.body(body)) && !motion.isTied(body);
+        return surface != null && !motion.isCoupled() && surface.actsOn(state.body(body)) && !motion.isTied(body);
     }
 
     /**

@@ -277,14 +277,14 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     /**
-     * The bodies that move together with a body, itself included: those that are tied to it, and all driven ones if a
-     * force couples bodies.
+     * The bodies that move together with a body, itself included: those that are tied to it, or all driven ones,
+     * {@link #isCoupled()}.
      *
      * @param body index of a driven body
      * @return valid until the next call
      */
     public IntList companions(int body) {
-        if (generators.coupled) {
+        if (isCoupled()) {
             return driven;
         }
         if (isTied(body)) {
@@ -373,7 +373,25 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      * @return false if forces couple bodies
      */
     public boolean isSupportable() {
-        return !generators.coupled;
+        return !isCoupled();
+    }
+
+    /**
+     * Whether some force couples bodies, be they tied to one another or not.
+     *
+     * @return false if {@link #isCoupled()} is and stays so
+     */
+    public boolean mayCouple() {
+        return generators.coupled;
+    }
+
+    /**
+     * Whether all driven bodies move together, since forces couple bodies that ties do not.
+     *
+     * @return false if each moves alone, or with those that it is tied to
+     */
+    public boolean isCoupled() {
+        return generators.coupled && generators.couplesBeyond(ties);
     }
 
     /** The simulated time of an offset in the present step. */
@@ -382,7 +400,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     boolean isTiedGroup(IntList group) {
-        return ties != null && (generators.coupled || isTied(group.values[0]));
+        return ties != null && (isCoupled() || isTied(group.values[0]));
     }
 
     /** Anchors driven bodies at the start of a step where the last one left them. */

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.motion;
 
+import java.util.List;
 import java.util.Objects;
 import sim.physics.internal.Check;
 import sim.physics.internal.Trig;
@@ -14,7 +15,7 @@ import sim.physics.internal.Trig;
  * </pre>
  *
  * <p>It gives no force where both points are the same. All bodies that an integrator drives move together while there is
- * a spring between two movable ones.
+ * a spring between two movable ones that joints do not tie together.
  */
 public final class Spring implements ForceGenerator {
     private static final long serialVersionUID = 1L;
@@ -67,6 +68,11 @@ public final class Spring implements ForceGenerator {
     @Override
     public boolean isCoupled() {
         return b != null && !b.isFixed() && !a.isFixed();
+    }
+
+    @Override
+    public List<Body> getCoupledBodies() {
+        return b == null ? List.of(a) : List.of(a, b);
     }
 
     /** Unless the other body is in no engine, or another one, and moved from there. */

@@ -78,6 +78,9 @@ final class Heap implements Serializable {
     /** Null while nothing ties bodies together. */
     private Ties ties;
 
+    /** How much of gaps the paths of driven bodies may take while forces hold, relative to the smaller body. */
+    private double sag;
+
     private boolean halts;
     private double scale;
 
@@ -203,6 +206,7 @@ final class Heap implements Serializable {
         double h = trajectories.h();
         double length = spin * h > TURN ? TURN / spin : h;
         length = Math.max(isDriven ? Math.min(length, by.pace(heap, h, h / SOLUTIONS)) : length, h / SOLUTIONS);
+        sag = isDriven ? by.sag[seed] : 0;
         isFresh = !struck;
         until = Math.min(isEven() ? h : paid, tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
@@ -311,7 +315,7 @@ final class Heap implements Serializable {
             int p = system.size();
             system.add(number(a), number(b), point);
             notes.add(pair, k);
-            double bend = scales.bend(manifold, point, a, b, left);
+            double bend = scales.bend(manifold, point, a, b, left) + (isDriven ? size * sag : 0);
             system.bound(p, HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven()));
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);

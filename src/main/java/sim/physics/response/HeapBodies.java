@@ -18,6 +18,13 @@ final class HeapBodies implements Serializable {
     /** By how much longer forces are to hold on driven bodies than last time, if no point has closed. */
     private static final double LONGER = 1.2;
 
+    /** Bounds of the gaps that are kept for that; how much wider they get, and closer again. */
+    private static final double LEAST_SAG = 1e-6;
+
+    private static final double MOST_SAG = 1e-4;
+    private static final double WIDER = 4;
+    private static final double CLOSER = 0.95;
+
     /** Whether a body lies in a heap, stands still there, and is to be solved for. */
     boolean[] lies = {};
 
@@ -36,6 +43,9 @@ final class HeapBodies implements Serializable {
     double[] pace = {};
 
     boolean[] hasClosed = {};
+
+    /** How much the gaps of driven bodies change while forces hold, relative to the smaller body of a pair. */
+    double[] sag = {};
 
     /** The number of the step before which it does not lie on anything, because it was struck too often. */
     double[] givenUp = {};
@@ -75,6 +85,7 @@ final class HeapBodies implements Serializable {
             paid = Arrays.copyOf(paid, 3 * n);
             pace = Arrays.copyOf(pace, n);
             hasClosed = Arrays.copyOf(hasClosed, n);
+            sag = Arrays.copyOf(sag, n);
             givenUp = Arrays.copyOf(givenUp, n);
             givenUpTimes = Arrays.copyOf(givenUpTimes, n);
             turns = Arrays.copyOf(turns, n);
@@ -106,17 +117,26 @@ final class HeapBodies implements Serializable {
         }
     }
 
-    /** For how long forces are to hold on driven bodies: half as long where points have closed too early. */
+    /**
+     * For how long forces are to hold on driven bodies: where points have closed too early, their gaps are to be kept wider,
+     * and when that is not enough, forces hold half as long.
+     */
     double pace(IntList bodies, double h, double shortest) {
         double least = h;
+        double most = 0;
+        boolean closed = false;
         for (int k = 0; k < bodies.size; k++) {
             int body = bodies.values[k];
-            double last = pace[body] == 0 ? h : pace[body];
-            least = Math.min(least, hasClosed[body] ? 0.5 * last : LONGER * last);
+            closed |= hasClosed[body];
+            most = Math.max(most, sag[body]);
+            least = Math.min(least, pace[body] == 0 ? h : pace[body]);
         }
-        least = Math.max(least, shortest); // or it would take long to get longer again
+        boolean isWide = most >= MOST_SAG;
+        least = Math.max(closed && isWide ? 0.5 * least : Math.min(h, LONGER * least), shortest);
+        most = closed ? Math.min(MOST_SAG, Math.max(LEAST_SAG, WIDER * most)) : most > LEAST_SAG ? CLOSER * most : 0;
         for (int k = 0; k < bodies.size; k++) {
             pace[bodies.values[k]] = least;
+            sag[bodies.values[k]] = most;
             hasClosed[bodies.values[k]] = false;
         }
         return least;
