@@ -105,8 +105,8 @@ final class PlasticImpact implements Serializable {
         for (int k = 0; k < points; k++) {
             Impact c = impacts[k];
             boolean alone = replies == null;
-            mobility[2 * k] = alone ? c.normalMobility() : replies.normal(first[k], second[k], c, k);
-            mobility[2 * k + 1] = alone ? c.tangentMobility() : replies.tangent(first[k], second[k], c, points + k);
+            mobility[2 * k] = alone ? c.normalMobility() : replies.normalMobility(first[k], second[k], c, k);
+            mobility[2 * k + 1] = alone ? c.tangentMobility() : replies.tangentMobility(first[k], second[k], c, points + k);
         }
     }
 

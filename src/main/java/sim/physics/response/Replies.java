@@ -14,6 +14,9 @@ import sim.physics.motion.Ties;
 final class Replies implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Mobility that is none but for rounding, relative to that of the bodies without ties. */
+    private static final double IMMOBILE = 1e-12;
+
     private int bodies;
     private int[] body = {};
     private State state;
@@ -85,6 +88,20 @@ final class Replies implements Serializable {
 
     double tangent(int a, int b, Impact c, int point) {
         return part(b, -c.ny, c.nx, c.armB, point) - part(a, -c.ny, c.nx, c.armA, point);
+    }
+
+    /** The mobility of a point along its normal, 0 if ties hold it there and it can be given no impulse. */
+    double normalMobility(int a, int b, Impact c, int point) {
+        return orNone(normal(a, b, c, point), c.normalMobility());
+    }
+
+    /** The same along its tangent. */
+    double tangentMobility(int a, int b, Impact c, int point) {
+        return orNone(tangent(a, b, c, point), c.tangentMobility());
+    }
+
+    private static double orNone(double mobility, double alone) {
+        return mobility > IMMOBILE * alone ? mobility : 0;
     }
 
     private double part(int place, double x, double y, double lever, int point) {

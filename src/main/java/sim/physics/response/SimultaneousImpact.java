@@ -245,6 +245,21 @@ final class SimultaneousImpact implements Serializable {
                 matrix[i * points + j] = coupling(i, j);
             }
         }
+        for (int k = 0; tied && k < points; k++) {
+            if (replies.normalMobility(place(bodyA[k]), place(bodyB[k]), impacts[k], k) == 0) {
+                hold(k);
+            }
+        }
+    }
+
+    /** Takes a point out that ties hold: it neither approaches nor can be given an impulse. */
+    private void hold(int k) {
+        for (int j = 0; j < points; j++) {
+            matrix[k * points + j] = 0;
+            matrix[j * points + k] = 0;
+        }
+        matrix[k * points + k] = impacts[k].normalMobility();
+        rhs[k] = 0;
     }
 
     private double coupling(int i, int j) {
@@ -452,7 +467,7 @@ final class SimultaneousImpact implements Serializable {
             double kt = c.tangentMobility();
             if (tied) {
                 replies.find(k, bodyA[k], bodyB[k], c, true);
-                kt = replies.tangent(a, b, c, k);
+                kt = replies.tangentMobility(a, b, c, k);
             }
             double stop = kt > 0 ? -c.tangentVelocity() / kt : 0;
             double most = c.sticky ? Math.abs(stop) : c.friction * c.jn;

@@ -160,7 +160,7 @@ public final class NarrowPhase implements Serializable {
     public double firstContact(int pair, double tau, double start, double end, double slack) {
         int i = pairs.first(pair);
         int j = pairs.second(pair);
-        if (!continuous || isCircle(i) && isCircle(j)) {
+        if (!continuous) {
             return firstContact(pair, tau, start, end);
         }
         wake();
