@@ -320,7 +320,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void assemble(IntList bodies) {
-        of(bodies).forEach(this::assemble);
+        of(bodies).forEach(island -> projection.assemble(island, state, solver));
     }
 
     @Override
@@ -342,13 +342,6 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public void creep(IntList bodies, double h) {
         projected(bodies).passage.creep.advance(state, solver, projection, h);
-    }
-
-    private void assemble(Island one) {
-        one.invariants.end();
-        if (!projection.project(one, state, solver, false)) {
-            throw projection.failure(one);
-        }
     }
 
     @Override

@@ -87,7 +87,7 @@ public final class Limit extends Switched {
 
     @Override
     double gap(double q) {
-        return q - (side < 0 ? lower : upper);
+        return q - held;
     }
 
     @Override
@@ -99,6 +99,10 @@ public final class Limit extends Switched {
             side = 1;
         }
         force = 0;
+        held = side < 0 ? lower : upper;
+        if (side != 0 && side * (q - held) > reach(held)) {
+            held = q; // it was put there: it goes no farther, and is not torn back
+        }
         double into = now * side; // positive: into the bound
         // a speed that does not take it from there is rounding, and whether it leaves, the forces say
         isOn = side != 0 && into * time >= -reach(side < 0 ? lower : upper);
@@ -121,12 +125,16 @@ public final class Limit extends Switched {
 
     @Override
     double watch(double q, double now) {
-        return Math.min((q - lower) / reach(lower), (upper - q) / reach(upper));
+        double least = side < 0 ? held : lower;
+        double most = side > 0 ? held : upper;
+        return Math.min((q - least) / reach(least), (most - q) / reach(most));
     }
 
     @Override
     void hold(double q) {
-        isOn |= side != 0 && watch(q, 0) <= 1;
+        if (side != 0 && watch(q, 0) <= 1) {
+            isOn = true;
+        }
     }
 
     @Override

@@ -61,6 +61,14 @@ final class Projection implements Serializable {
         return new ConstraintException("constraints " + island.inOrder + " cannot be satisfied", corrections, error);
     }
 
+    /** Projects positions and velocities, however far that is; throws if there are none. */
+    void assemble(Island island, State state, ConstraintSolver solver) {
+        island.invariants.end();
+        if (!project(island, state, solver, false)) {
+            throw failure(island);
+        }
+    }
+
     /**
      * Projects positions and velocities.
      *

@@ -15,7 +15,7 @@ abstract class Switched implements Constraint {
     private static final long serialVersionUID = 1L;
 
     /** Number of values of {@link #keep}. */
-    static final int MEMORY = 12;
+    static final int MEMORY = 13;
 
     /** Part of a bound within which a force has reached it. */
     private static final double BEARS = 1e-11;
@@ -32,6 +32,9 @@ abstract class Switched implements Constraint {
     boolean isOn;
 
     double force;
+
+    /** The value at which a stop holds its coordinate. */
+    double held;
 
     /** The same for one evaluation of the accelerations only. */
     boolean isOnNow;
@@ -181,6 +184,7 @@ abstract class Switched implements Constraint {
         to[at + 4] = value;
         to[at + 5] = remembered();
         System.arraycopy(row, 0, to, at + 6, row.length);
+        to[at + 12] = held;
     }
 
     final void restore(double[] from, int at) {
@@ -191,6 +195,7 @@ abstract class Switched implements Constraint {
         value = from[at + 4];
         remember(from[at + 5]);
         System.arraycopy(from, at + 6, row, 0, row.length);
+        held = from[at + 12];
     }
 
     /** What the row keeps in mind from one decision to the next. */

@@ -368,15 +368,6 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     /**
-     * Whether contact forces may act on driven bodies for a while, beside what drives them.
-     *
-     * @return false if forces couple bodies
-     */
-    public boolean isSupportable() {
-        return !isCoupled();
-    }
-
-    /**
      * Whether some force couples bodies, be they tied to one another or not.
      *
      * @return false if {@link #isCoupled()} is and stays so

@@ -116,15 +116,23 @@ final class TiedMotion implements Serializable {
         if (first < 1) {
             from = leave(motion, group, t, length, path);
             if (from == 0) {
-                again(group);
-                ties.confirm(group, true); // it is pressed against its stop
-                tell(group);
-                motion.acceleration(group, t, path.stage);
-                return strideUntilYield(motion, group, t, most, path);
+                return advancePressed(motion, group, t, most, path);
             }
             first = 1;
         }
         return find(motion, group, t, from, length, first, last, path);
+    }
+
+    /** The same for a group that is pressed against a stop, until it reaches another one. */
+    private double advancePressed(Motion motion, IntList group, double t, double most, Path path) {
+        again(group);
+        ties.confirm(group, true);
+        tell(group);
+        double first = ties.watch(group);
+        motion.acceleration(group, t, path.stage);
+        double length = strideUntilYield(motion, group, t, most, path);
+        double last = ties.watch(group);
+        return last > -HALF || first < 1 ? length : find(motion, group, t, 0, length, first, last, path);
     }
 
     private void tell(IntList group) {

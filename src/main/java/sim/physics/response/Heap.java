@@ -344,9 +344,9 @@ final class Heap implements Serializable {
             scale = Math.max(scale, speed(k));
         }
         boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : system.solve(scale, true);
-        if (!by.afford(heap, system.gained())) {
+        if (!by.afford(heap, HeapEnergy.gained(system))) {
             done = system.solve(scale, false); // regaining gaps must not add energy
-            by.afford(heap, system.gained());
+            by.afford(heap, HeapEnergy.gained(system));
         }
         notes.note(isFresh ? until - tau : 0, done);
         if (isRubbed) {
@@ -354,7 +354,7 @@ final class Heap implements Serializable {
         }
         halts = most() > MOST && !isDriven;
         if (halts) {
-            system.halt();
+            HeapEnergy.halt(system);
         }
     }
 

@@ -97,9 +97,7 @@ final class HeapSystem implements Serializable {
     private final HeapRelaxation relaxation = new HeapRelaxation();
     private final ContactRows rows = new ContactRows();
 
-    HeapSystem() {
-        // grows with the heaps
-    }
+    HeapSystem() {}
 
     void clear() {
         points = 0;
@@ -494,49 +492,8 @@ final class HeapSystem implements Serializable {
         }
     }
 
-    /** Twice the kinetic energy that the bodies have more than without impulses; without that of motors. */
-    double gained() {
-        double sum = 0;
-        for (int p = 0; tied && p < points; p++) {
-            int o = STRIDE * p;
-            double along = data[o + IMPULSE_N] == 0 || isMotor(p) ? 0 : data[o + IMPULSE_N] * (normal(p, v) + normal(p, free));
-            double across = data[o + IMPULSE_T] == 0 ? 0 : data[o + IMPULSE_T] * (tangent(p, v) + tangent(p, free));
-            sum += along + across;
-        }
-        if (tied) {
-            return sum;
-        }
-        for (int k = 0; k < count; k++) {
-            if (w[2 * k] == 0) {
-                continue; // held
-            }
-            double x = v[3 * k] - free[3 * k];
-            double y = v[3 * k + 1] - free[3 * k + 1];
-            double turn = v[3 * k + 2] - free[3 * k + 2];
-            sum += (x * (v[3 * k] + free[3 * k]) + y * (v[3 * k + 1] + free[3 * k + 1])) / w[2 * k];
-            sum += turn * (v[3 * k + 2] + free[3 * k + 2]) / w[2 * k + 1];
-        }
-        return sum;
-    }
-
-    /** Takes all motion relative to one another from the bodies, and all motion if they lie on what cannot move. */
-    void halt() {
-        double mass = 0;
-        double px = 0;
-        double py = 0;
-        for (int k = 0; k < count; k++) {
-            mass += 1 / w[2 * k];
-            px += v[3 * k] / w[2 * k];
-            py += v[3 * k + 1] / w[2 * k];
-        }
-        boolean fixed = false;
-        for (int p = 0; p < points; p++) {
-            fixed |= rows.isOnFixed(p);
-        }
-        for (int k = 0; k < count; k++) {
-            v[3 * k] = fixed ? 0 : px / mass;
-            v[3 * k + 1] = fixed ? 0 : py / mass;
-            v[3 * k + 2] = 0;
-        }
+    /** The velocities without impulses. */
+    double[] free() {
+        return free;
     }
 }

@@ -106,7 +106,7 @@ public final class Heaps implements Serializable {
     }
 
     private boolean mayLie(int body) {
-        if (trajectories.isDriven(body) && !motion.isSupportable()) {
+        if (trajectories.isDriven(body) && motion.isCoupled()) {
             return false;
         }
         boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
@@ -339,7 +339,7 @@ public final class Heaps implements Serializable {
     public IntList settle(double tau) {
         for (int k = 0; k < dirty.size; k++) {
             int body = dirty.values[k];
-            if (by.lies[body] && trajectories.isDriven(body) && !motion.isSupportable()) {
+            if (by.lies[body] && trajectories.isDriven(body) && motion.isCoupled()) {
                 part(body); // since it came to lie there a force has been added that couples bodies
                 changed.add(body);
             } else if (by.lies[body] && isDriven(body) && !isCalm(motion.companions(body))) {
