@@ -27,6 +27,11 @@ public final class Automatic extends AdaptiveIntegrator {
     }
 
     @Override
+    boolean takesTiedCoordinates(IntList bodies, Path path) {
+        return path.stiffness == null || !path.stiffness.isStiff(bodies);
+    }
+
+    @Override
     boolean makeDense(
             EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out) {
         return path.stages.maker.makeDense(equations, state, bodies, t, h, path, out);

@@ -68,6 +68,11 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     }
 
     @Override
+    boolean takesTiedCoordinates(IntList bodies, Path path) {
+        return true;
+    }
+
+    @Override
     double worthwhile() {
         return WORTHWHILE;
     }
@@ -82,7 +87,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out) {
         int rows = path.stages.rows()[bodies.values[0]];
         int inner = rows <= FEW_ROWS ? FEW_NODES : rows <= MORE_ROWS ? MORE_NODES : MOST_NODES;
-        return Bootstrap.make(equations, state, bodies, t, h, path, out, inner, OUTPUT);
+        return Bootstrap.make(t, h, path.stages, out, inner, OUTPUT);
     }
 
     @Override
@@ -92,7 +97,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         s.ensureRows(bodies.values[0], MOST_ROWS);
         int aim = s.rows()[bodies.values[0]] == 0 ? ROWS_AT_FIRST : s.rows()[bodies.values[0]];
         for (int row = 0; ; row++) {
-            midpoint(equations, state, bodies, t, h, path, row);
+            midpoint(t, h, s, row);
             extrapolate(s, row);
             int count = row + 1;
             double fast = row == 0 ? 0 : h * h * s.rate;
@@ -104,7 +109,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             }
             if (count >= aim - 1 && error <= 1) {
                 s.rows()[bodies.values[0]] = next(s, count, Math.min(count, aim));
-                finish(state, bodies, s);
+                finish(s);
                 return true;
             }
             if (count > aim || count >= aim - 1 && !(error <= reach(count, aim + 1))) {
@@ -148,9 +153,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     }
 
     /** A row: 2 (row + 1) small steps; its end, from the start of the step, is put behind those of the other rows. */
-    private static void midpoint(
-            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, int row) {
-        Stages s = path.stages;
+    private static void midpoint(double t, double h, Stages s, int row) {
         int n = 2 * (row + 1);
         double small = h / n;
         double[] y = s.work;
@@ -165,61 +168,50 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             y[v + m] = small * s.a0[m];
         }
         for (int l = 1; l < n; l++) {
-            place(state, bodies, s, x, v);
-            equations.acceleration(bodies, t + l * small, path.stage);
+            place(s, x, v);
+            s.coordinates.accelerate(s.x, s.v, t + l * small, s.a);
             if (row == 0) {
-                keepMiddle(s, path, bodies, x, v);
+                keepMiddle(s, x, v);
             } else if (row == 1 && l == 2) {
-                s.rate = rate(s, path, bodies, x, v, h);
+                s.rate = rate(s, x, v, h);
             }
-            for (int k = 0, m = 0; k < bodies.size; k++) {
-                int b = State.BLOCK * bodies.values[k];
-                for (int end = b + State.BLOCK; b < end; b++, m++) {
-                    double nextX = y[oldX + m] + 2 * small * (s.v0[m] + y[v + m]);
-                    double nextV = y[oldV + m] + 2 * small * path.stage[b];
-                    y[oldX + m] = y[x + m];
-                    y[oldV + m] = y[v + m];
-                    y[x + m] = nextX;
-                    y[v + m] = nextV;
-                }
+            for (int m = 0; m < s.size; m++) {
+                double nextX = y[oldX + m] + 2 * small * (s.v0[m] + y[v + m]);
+                double nextV = y[oldV + m] + 2 * small * s.a[m];
+                y[oldX + m] = y[x + m];
+                y[oldV + m] = y[v + m];
+                y[x + m] = nextX;
+                y[v + m] = nextV;
             }
         }
     }
 
     /** Keeps the middle of the first row, after which the second one passes at the same time. */
-    private static void keepMiddle(Stages s, Path path, IntList bodies, int x, int v) {
+    private static void keepMiddle(Stages s, int x, int v) {
         int at = MIDDLE * s.size;
         System.arraycopy(s.work, x, s.work, at, s.size);
         System.arraycopy(s.work, v, s.work, at + s.size, s.size);
-        for (int k = 0, m = at + 2 * s.size; k < bodies.size; k++, m += State.BLOCK) {
-            System.arraycopy(path.stage, State.BLOCK * bodies.values[k], s.work, m, State.BLOCK);
-        }
+        System.arraycopy(s.a, 0, s.work, at + 2 * s.size, s.size);
     }
 
     /** How fast the accelerations change from one row's middle to the other's: the square of a frequency, at least. */
-    private static double rate(Stages s, Path path, IntList bodies, int x, int v, double h) {
+    private static double rate(Stages s, int x, int v, double h) {
         int at = MIDDLE * s.size;
-        double way = 0;
-        double push = 0;
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                double off = Math.abs(s.work[x + m] - s.work[at + m]);
-                double fast = Math.abs(h * (s.work[v + m] - s.work[at + s.size + m]));
-                way = Math.max(way, s.weight[m] * Math.max(off, fast));
-                push = Math.max(push, s.weight[m] * Math.abs(path.stage[b] - s.work[at + 2 * s.size + m]));
-            }
+        for (int m = 0; m < s.size; m++) {
+            s.offX[m] = s.work[x + m] - s.work[at + m];
+            s.offV[m] = s.work[v + m] - s.work[at + s.size + m];
         }
-        return way > 0 ? push / way : 0;
+        double way = s.norm(s.offX, s.offV, h);
+        for (int m = 0; m < s.size; m++) {
+            s.offX[m] = s.a[m] - s.work[at + 2 * s.size + m];
+        }
+        return way > 0 ? s.norm(s.offX) / way : 0;
     }
 
-    private static void place(State state, IntList bodies, Stages s, int x, int v) {
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                state.x()[b] = s.x0[m] + s.work[x + m];
-                state.v()[b] = s.v0[m] + s.work[v + m];
-            }
+    private static void place(Stages s, int x, int v) {
+        for (int m = 0; m < s.size; m++) {
+            s.x[m] = s.x0[m] + s.work[x + m];
+            s.v[m] = s.v0[m] + s.work[v + m];
         }
     }
 
@@ -241,17 +233,16 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     private static double error(Stages s) {
         double[] y = s.work;
         int n = s.size;
-        double most = 0;
         for (int m = 0; m < n; m++) {
-            double x = Math.abs(y[m] - y[2 * n + m]);
-            double v = Math.abs(s.time * (y[n + m] - y[3 * n + m]));
-            most = Math.max(most, s.weight[m] * Math.max(x, v));
+            s.offX[m] = y[m] - y[2 * n + m];
+            s.offV[m] = y[n + m] - y[3 * n + m];
         }
-        return CAUTION * most;
+        return CAUTION * s.norm(s.offX, s.offV, s.time);
     }
 
-    private static void finish(State state, IntList bodies, Stages s) {
-        place(state, bodies, s, 0, s.size);
+    private static void finish(Stages s) {
+        place(s, 0, s.size);
+        s.coordinates.put(s.x, s.v);
     }
 
     @Override
