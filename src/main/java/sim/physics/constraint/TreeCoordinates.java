@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.internal.SineTable;
 import sim.physics.motion.Loads;
 import sim.physics.motion.State;
@@ -42,10 +43,9 @@ final class TreeCoordinates implements TiedCoordinates, Serializable {
         this.step = step;
         this.tree = tree;
         slot = new int[tree.links];
-        for (int k = 0; k < island.bodies.size; k++) {
-            for (int link = 0; link < tree.links; link++) {
-                slot[link] = tree.block[link] == State.BLOCK * island.bodies.values[k] ? State.BLOCK * k : slot[link];
-            }
+        for (int k = 0; k < tree.links; k++) {
+            int body = tree.block[k] / State.BLOCK;
+            slot[k] = State.BLOCK * Arrays.binarySearch(island.bodies.values, 0, island.bodies.size, body);
         }
     }
 

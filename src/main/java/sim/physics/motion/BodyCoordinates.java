@@ -36,12 +36,9 @@ final class BodyCoordinates implements Coordinates, Serializable {
     public void read(double[] x, double[] v) {
         double[] fromX = state.x();
         double[] fromV = state.v();
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                x[m] = fromX[b];
-                v[m] = fromV[b];
-            }
+        for (int k = 0; k < bodies.size; k++) {
+            copy(fromX, State.BLOCK * bodies.values[k], x, State.BLOCK * k);
+            copy(fromV, State.BLOCK * bodies.values[k], v, State.BLOCK * k);
         }
     }
 
@@ -55,11 +52,8 @@ final class BodyCoordinates implements Coordinates, Serializable {
         put(x, v);
         equations.acceleration(bodies, t, path.stage);
         double[] from = path.stage;
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                a[m] = from[b];
-            }
+        for (int k = 0; k < bodies.size; k++) {
+            copy(from, State.BLOCK * bodies.values[k], a, State.BLOCK * k);
         }
     }
 
@@ -67,22 +61,22 @@ final class BodyCoordinates implements Coordinates, Serializable {
     public void put(double[] x, double[] v) {
         double[] toX = state.x();
         double[] toV = state.v();
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                toX[b] = x[m];
-                toV[b] = v[m];
-            }
+        for (int k = 0; k < bodies.size; k++) {
+            copy(x, State.BLOCK * k, toX, State.BLOCK * bodies.values[k]);
+            copy(v, State.BLOCK * k, toV, State.BLOCK * bodies.values[k]);
         }
+    }
+
+    private static void copy(double[] from, int at, double[] to, int where) {
+        to[where] = from[at];
+        to[where + 1] = from[at + 1];
+        to[where + 2] = from[at + 2];
     }
 
     @Override
     public void accelerations(double[] x, double[] v, double[] a, double[] byBlock) {
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                byBlock[b] = a[m];
-            }
+        for (int k = 0; k < bodies.size; k++) {
+            copy(a, State.BLOCK * k, byBlock, State.BLOCK * bodies.values[k]);
         }
     }
 

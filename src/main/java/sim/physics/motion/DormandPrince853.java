@@ -166,9 +166,7 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
         for (int stage = 1; stage < STAGES; stage++) {
             place(s, h, NODE[stage], STAGE_X[stage], STAGE[stage], stage);
             s.coordinates.accelerate(s.x, s.v, t + NODE[stage] * h, s.a);
-            for (int m = 0; m < s.size; m++) {
-                s.work[STAGES * m + stage] = s.a[m];
-            }
+            take(s.a, s.size, s.work, stage);
         }
         if (path.stiffness != null) {
             path.stiffness.keep(bodies, s);
@@ -189,7 +187,9 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
     /** Where a stage is, or the end of the step. */
     private static void place(Stages s, double h, double node, double[] rowX, double[] rowV, int count) {
         double[] work = s.work;
-        for (int m = 0; m < s.size; m++) {
+        double[] x = s.x;
+        double[] v = s.v;
+        for (int m = 0, size = s.size; m < size; m++) {
             double sumX = 0;
             double sumV = 0;
             for (int j = 0, o = STAGES * m; j < count; j++) {
@@ -197,35 +197,45 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
                 sumX += rowX[j] * a;
                 sumV += rowV[j] * a;
             }
-            s.x[m] = s.x0[m] + h * (node * s.v0[m] + h * sumX);
-            s.v[m] = s.v0[m] + h * sumV;
+            x[m] = s.x0[m] + h * (node * s.v0[m] + h * sumX);
+            v[m] = s.v0[m] + h * sumV;
+        }
+    }
+
+    private static void take(double[] a, int size, double[] work, int stage) {
+        for (int m = 0; m < size; m++) {
+            work[STAGES * m + stage] = a[m];
         }
     }
 
     /** The estimate of the error, in units of what is allowed: of positions, and of velocities times the step. */
     private static double error(Stages s, double h) {
         double time = Math.max(s.haste, Math.min(LONGEST, s.time / Math.abs(h)));
-        double fifth = norm(s, FIFTH_X, FIFTH, time);
-        double third = norm(s, THIRD_X, THIRD, time);
+        double[] work = s.work;
+        double[] x3 = s.x; // has been used
+        double[] v3 = s.v;
+        for (int m = 0, size = s.size; m < size; m++) {
+            double sumX5 = 0;
+            double sumV5 = 0;
+            double sumX3 = 0;
+            double sumV3 = 0;
+            for (int j = 0, o = STAGES * m; j < STAGES; j++) {
+                double a = work[o + j];
+                sumX5 += FIFTH_X[j] * a;
+                sumV5 += FIFTH[j] * a;
+                sumX3 += THIRD_X[j] * a;
+                sumV3 += THIRD[j] * a;
+            }
+            s.offX[m] = sumX5;
+            s.offV[m] = sumV5;
+            x3[m] = sumX3;
+            v3[m] = sumV3;
+        }
+        double fifth = s.norm(s.offX, s.offV, time);
+        double third = s.norm(x3, v3, time);
         double both = fifth * fifth + 0.01 * third * third;
         double calibration = s.isOpen ? OPEN_CALIBRATION : CALIBRATION;
         return both == 0 ? 0 : calibration * h * h * fifth * fifth / Math.sqrt(both);
-    }
-
-    private static double norm(Stages s, double[] rowX, double[] rowV, double time) {
-        double[] work = s.work;
-        for (int m = 0; m < s.size; m++) {
-            double x = 0;
-            double v = 0;
-            for (int j = 0, o = STAGES * m; j < STAGES; j++) {
-                double a = work[o + j];
-                x += rowX[j] * a;
-                v += rowV[j] * a;
-            }
-            s.offX[m] = x;
-            s.offV[m] = v;
-        }
-        return s.norm(s.offX, s.offV, time);
     }
 
     @Override
