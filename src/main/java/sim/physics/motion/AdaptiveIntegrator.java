@@ -118,7 +118,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
             boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
             double proposal = length * stages.factor;
             if (done) {
-                if (coordinates == stages.bodyCoordinates) {
+                if (!stages.isTied()) {
                     stages.join(state, bodies, h < 0 ? -length : length, path);
                 }
                 path.proposed[first] = proposal;

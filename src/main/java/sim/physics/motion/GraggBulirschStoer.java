@@ -36,6 +36,9 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     /** What errors are, over the estimate, in the mean of our scenes. */
     private static final double CAUTION = 1.2;
 
+    /** The same in the angles of a tree of pins. */
+    private static final double TIED_CAUTION = 1.5;
+
     private static final double LEAST_STABLE = 0.3;
     private static final double LEAST = 0.02;
     private static final double MOST = 5;
@@ -237,7 +240,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             s.offX[m] = y[m] - y[2 * n + m];
             s.offV[m] = y[n + m] - y[3 * n + m];
         }
-        return CAUTION * s.norm(s.offX, s.offV, s.time);
+        return (s.isTied() ? TIED_CAUTION : CAUTION) * s.norm(s.offX, s.offV, s.time);
     }
 
     private static void finish(Stages s) {

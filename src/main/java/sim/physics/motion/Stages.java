@@ -112,6 +112,11 @@ final class Stages implements Serializable {
         }
     }
 
+    /** Whether coordinates are those of ties, and not the bodies' own. */
+    boolean isTied() {
+        return coordinates != bodyCoordinates;
+    }
+
     /** Makes room for a group, in whatever coordinates. */
     void ensure(IntList bodies) {
         places = State.BLOCK * bodies.size;

@@ -114,7 +114,7 @@ final class Strides implements Serializable {
             return 0;
         }
         stride.longest = Math.max(stride.longest, LONGER * length);
-        stride.begin(method, state, group, trajectories, tau, path.stages.coordinates != path.stages.bodyCoordinates);
+        stride.begin(method, state, group, trajectories, tau, path.stages.isTied());
         for (int k = 0; k < group.size; k++) {
             firsts[group.values[k]] = first;
         }
