@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -26,6 +27,8 @@ import sim.physics.motion.Gravity;
 import sim.physics.motion.Integrator;
 import sim.physics.motion.RungeKutta4;
 import sim.physics.references.RodChain;
+import sim.physics.response.CollisionListener;
+import sim.physics.response.Contact;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -348,9 +351,56 @@ class TreeCoordinatesTest {
                 engine.step();
             }
             assertThat(engine.getImpacts()).isGreaterThan(1);
-            ends[way] = engine.bodies().stream().flatMapToDouble(b -> java.util.stream.DoubleStream.of(b.getX(), b.getY())).toArray();
+            ends[way] = engine.bodies().stream().flatMapToDouble(b -> DoubleStream.of(b.getX(), b.getY())).toArray();
         }
         assertThat(ends[0]).containsExactly(ends[1], within(1e-6));
+    }
+
+    /** Cuts a pin when something is hit. */
+    private static final class Cuts implements CollisionListener {
+        private static final long serialVersionUID = 1L;
+
+        private final PhysicsEngine engine;
+        private final Constraint pin;
+
+        Cuts(PhysicsEngine engine, Constraint pin) {
+            this.engine = engine;
+            this.pin = pin;
+        }
+
+        @Override
+        public void collided(Contact contact) {
+            if (engine.contains(pin)) {
+                engine.remove(pin);
+            }
+        }
+    }
+
+    /** In the middle of a step the tree becomes two. */
+    @ParameterizedTest
+    @CsvSource({"DOP853, 0.2", "GBS, 0.2", "Automatic, 0.002", "DOP853, 0.002", "RK4, 0.0005"})
+    void whatAnImpactCutsGoesItsWay(String name, double step) {
+        double[][] ends = new double[2][];
+        for (int way = 0; way < 2; way++) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setIntegrator(way == 0 ? method(name, 1e-11) : new DormandPrince853(1e-12));
+            engine.setTimeStep(step);
+            engine.add(new Gravity(0, -G));
+            Scenes.rods(engine, 4, 2);
+            Body peg = engine.add(Body.fixed(new Circle(0.2)).at(3.2, -0.6));
+            peg.setCollisionGroup(2, 3);
+            engine.addListener(new Cuts(engine, engine.allConstraints().get(2)));
+            if (way == 1) {
+                engine.add(new PinChainTest.Nothing());
+            }
+            while (engine.getTime() < 0.5999) {
+                engine.step();
+            }
+            assertThat(engine.getImpacts()).isPositive();
+            assertThat(engine.allConstraints()).hasSize(3);
+            ends[way] = engine.bodies().stream().flatMapToDouble(b -> DoubleStream.of(b.getX(), b.getY(), b.getAngle())).toArray();
+        }
+        assertThat(ends[0]).containsExactly(ends[1], within(1e-7));
     }
 
     /** Whoever moves them, they go the same way to the bit. */
@@ -372,7 +422,7 @@ class TreeCoordinatesTest {
             for (int k = 0; k < 50; k++) {
                 engine.step();
             }
-            ends.add(engine.bodies().stream().flatMapToDouble(b -> java.util.stream.DoubleStream.of(b.getX(), b.getY(), b.getAngle())).toArray());
+            ends.add(engine.bodies().stream().flatMapToDouble(b -> DoubleStream.of(b.getX(), b.getY(), b.getAngle())).toArray());
         }
         assertThat(ends.get(1)).isEqualTo(ends.get(0));
         assertThat(ends.get(2)).isEqualTo(ends.get(0));
