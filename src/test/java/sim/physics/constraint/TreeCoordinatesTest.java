@@ -6,6 +6,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -401,6 +406,35 @@ class TreeCoordinatesTest {
             ends[way] = engine.bodies().stream().flatMapToDouble(b -> DoubleStream.of(b.getX(), b.getY(), b.getAngle())).toArray();
         }
         assertThat(ends[0]).containsExactly(ends[1], within(1e-7));
+    }
+
+    private static PhysicsEngine copy(PhysicsEngine engine) throws IOException, ClassNotFoundException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+            out.writeObject(engine);
+        }
+        return (PhysicsEngine) new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray())).readObject();
+    }
+
+    /** In the middle of strides and at their ends; forces of an author's make the states of stages those of the bodies. */
+    @ParameterizedTest
+    @CsvSource({
+        "RK4, free, 0.002, true", "DOP853, free, 0.002, true", "DOP853, world, 0.03, false", "GBS, base, 0.002, true",
+        "GBS, free, 0.2, false", "Automatic, world, 0.002, false", "Automatic, free, 0.05, true"
+    })
+    void aRestoredTreeGoesOnToTheBit(String name, String hold, double step, boolean isWindy)
+            throws IOException, ClassNotFoundException {
+        Tree tree = new Tree(hold, true, isWindy);
+        tree.engine.setIntegrator(method(name, 1e-7));
+        tree.engine.setTimeStep(step);
+        for (int k = 0; k < 12; k++) {
+            PhysicsEngine restored = copy(tree.engine);
+            tree.run(3);
+            restored.step();
+            restored.step();
+            restored.step();
+            assertThat(Scenes.hash(restored)).as("at %s", tree.engine.getTime()).isEqualTo(Scenes.hash(tree.engine));
+        }
     }
 
     /** Whoever moves them, they go the same way to the bit. */
