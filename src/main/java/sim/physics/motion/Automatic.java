@@ -46,7 +46,8 @@ public final class Automatic extends AdaptiveIntegrator {
         if (!stiffness.isStiff(bodies) && !path.stages.isRetry) {
             stiffness.look(bodies, path.stages);
         }
-        if (stiffness.isStiff(bodies)) {
+        boolean mayBeImplicit = !path.stages.isTied(); // from the next step on, if it has just been found stiff
+        if (mayBeImplicit && stiffness.isStiff(bodies)) {
             boolean done = implicit.attempt(equations, state, bodies, t, h, path);
             if (done) {
                 stiffness.look(bodies, path.stages.implicit(bodies).stiffness(h));

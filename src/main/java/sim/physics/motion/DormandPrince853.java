@@ -167,7 +167,10 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
             s.work[STAGES * m] = s.a0[m];
         }
         for (int stage = 1; stage < STAGES; stage++) {
-            place(s, h, NODE[stage], STAGE_X[stage], STAGE[stage], stage);
+            if (!place(s, h, NODE[stage], STAGE_X[stage], STAGE[stage], stage)) {
+                s.factor = LEAST;
+                return false;
+            }
             s.coordinates.accelerate(s.x, s.v, t + NODE[stage] * h, s.a);
             take(s.a, s.size, s.work, stage);
         }
@@ -187,11 +190,12 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
         return true;
     }
 
-    /** Where a stage is, or the end of the step. */
-    private static void place(Stages s, double h, double node, double[] rowX, double[] rowV, int count) {
+    /** Where a stage is, or the end of the step; false if it is nowhere, so that no force must be asked for there. */
+    private static boolean place(Stages s, double h, double node, double[] rowX, double[] rowV, int count) {
         double[] work = s.work;
         double[] x = s.x;
         double[] v = s.v;
+        double off = 0;
         for (int m = 0, size = s.size; m < size; m++) {
             double sumX = 0;
             double sumV = 0;
@@ -202,7 +206,9 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
             }
             x[m] = s.x0[m] + h * (node * s.v0[m] + h * sumX);
             v[m] = s.v0[m] + h * sumV;
+            off += (x[m] - x[m]) + (v[m] - v[m]);
         }
+        return off == 0; // NaN if something is not finite
     }
 
     private static void take(double[] a, int size, double[] work, int stage) {

@@ -100,7 +100,10 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         s.ensureRows(bodies.values[0], MOST_ROWS);
         int aim = s.rows()[bodies.values[0]] == 0 ? ROWS_AT_FIRST : s.rows()[bodies.values[0]];
         for (int row = 0; ; row++) {
-            midpoint(t, h, s, row);
+            if (!midpoint(t, h, s, row)) {
+                s.factor = LEAST;
+                return false;
+            }
             extrapolate(s, row);
             int count = row + 1;
             double fast = row == 0 ? 0 : h * h * s.rate;
@@ -155,8 +158,11 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         return best;
     }
 
-    /** A row: 2 (row + 1) small steps; its end, from the start of the step, is put behind those of the other rows. */
-    private static void midpoint(double t, double h, Stages s, int row) {
+    /**
+     * A row: 2 (row + 1) small steps; its end, from the start of the step, is put behind those of the other rows. False if one
+     * of them leads nowhere, so that no force must be asked for there.
+     */
+    private static boolean midpoint(double t, double h, Stages s, int row) {
         int n = 2 * (row + 1);
         double small = h / n;
         double[] y = s.work;
@@ -171,7 +177,9 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             y[v + m] = small * s.a0[m];
         }
         for (int l = 1; l < n; l++) {
-            place(s, x, v);
+            if (!place(s, x, v)) {
+                return false;
+            }
             s.coordinates.accelerate(s.x, s.v, t + l * small, s.a);
             if (row == 0) {
                 keepMiddle(s, x, v);
@@ -187,6 +195,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
                 y[v + m] = nextV;
             }
         }
+        return true;
     }
 
     /** Keeps the middle of the first row, after which the second one passes at the same time. */
@@ -211,11 +220,14 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         return way > 0 ? s.norm(s.offX) / way : 0;
     }
 
-    private static void place(Stages s, int x, int v) {
+    private static boolean place(Stages s, int x, int v) {
+        double off = 0;
         for (int m = 0; m < s.size; m++) {
             s.x[m] = s.x0[m] + s.work[x + m];
             s.v[m] = s.v0[m] + s.work[v + m];
+            off += (s.x[m] - s.x[m]) + (s.v[m] - s.v[m]);
         }
+        return off == 0; // NaN if something is not finite
     }
 
     /** Aitken's and Neville's scheme: place i takes the value that is extrapolated from the rows i … row. */

@@ -30,6 +30,7 @@ import sim.physics.motion.Forces;
 import sim.physics.motion.GraggBulirschStoer;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Integrator;
+import sim.physics.motion.RadauIIA;
 import sim.physics.motion.RungeKutta4;
 import sim.physics.references.RodChain;
 import sim.physics.response.CollisionListener;
@@ -359,6 +360,40 @@ class TreeCoordinatesTest {
             ends[way] = engine.bodies().stream().flatMapToDouble(b -> DoubleStream.of(b.getX(), b.getY())).toArray();
         }
         assertThat(ends[0]).containsExactly(ends[1], within(1e-6));
+    }
+
+    /** A thick syrup. */
+    private static final class Syrup implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            forces.add(body, -1e5 * body.getVelocityX(), -1e5 * body.getVelocityY());
+        }
+    }
+
+    /** The implicit method moves bodies in their own coordinates: the change is one of these, too. */
+    @ParameterizedTest
+    @CsvSource({"true, 0.1", "true, 1", "false, 0.1"})
+    void aTreeThatTurnsOutStiffGoesItsWay(boolean isHeld, double step) {
+        double[][] ends = new double[2][];
+        for (int way = 0; way < 2; way++) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setIntegrator(way == 0 ? new Automatic(1e-7) : new RadauIIA(1e-9));
+            engine.setTimeStep(step);
+            engine.add(new Gravity(0, -G));
+            engine.add(new Syrup());
+            Scenes.rods(engine, 3, 0);
+            engine.bodies().get(1).setVelocity(0, 3);
+            if (!isHeld) {
+                engine.remove(engine.allConstraints().get(0));
+            }
+            while (engine.getTime() < 1.99) {
+                engine.step();
+            }
+            ends[way] = engine.bodies().stream().flatMapToDouble(b -> DoubleStream.of(b.getX(), b.getY(), b.getAngle())).toArray();
+        }
+        assertThat(ends[0]).containsExactly(ends[1], within(1e-5));
     }
 
     /** Cuts a pin when something is hit. */
