@@ -14,6 +14,7 @@ import sim.physics.motion.Body;
 import sim.physics.motion.Loads;
 import sim.physics.motion.State;
 import sim.physics.motion.SwitchedTies;
+import sim.physics.motion.TiedCoordinates;
 import sim.physics.motion.Ties;
 
 /**
@@ -169,11 +170,7 @@ public final class Constraints implements Ties, Serializable {
             }
             return;
         }
-        for (Constraint c : constraints) {
-            if (c.getBodyA() == body || c.getBodyB() == body) {
-                changed.add(c);
-            }
-        }
+        constraints.stream().filter(c -> c.getBodyA() == body || c.getBodyB() == body).forEach(changed::add);
     }
 
     /**
@@ -227,11 +224,7 @@ public final class Constraints implements Ties, Serializable {
         for (int k = 0; k < island.bodies.size; k++) {
             of[island.bodies.values[k]] = null;
         }
-        for (Constraint c : island.inOrder) {
-            if (constraints.contains(c)) {
-                open.add(c);
-            }
-        }
+        island.inOrder.stream().filter(constraints::contains).forEach(open::add);
     }
 
     @Override
@@ -297,6 +290,12 @@ public final class Constraints implements Ties, Serializable {
     public boolean advance(IntList bodies, Loads loads, double[] a, double t, double h) {
         Island one = projected(bodies);
         return one != null && one.tree != null && one.tree.advance(state, solver, loads, a, t, h);
+    }
+
+    @Override
+    public TiedCoordinates coordinates(IntList bodies) {
+        Island one = projected(bodies);
+        return one == null || one.tree == null ? null : one.tree.coordinates(state, solver);
     }
 
     /** The island that a group is and that projection keeps closed, or null. */

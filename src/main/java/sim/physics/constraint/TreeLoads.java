@@ -77,7 +77,7 @@ final class TreeLoads implements Serializable {
                 if (tree.isFree) {
                     shift(c, fallX[stage - 1], fallY[stage - 1], NODE[stage - 1] * h, stage);
                 }
-                scatter(state, PinTree.TURNED, PinTree.TURNING);
+                tree.places.scatter(state, PinTree.TURNED, PinTree.TURNING);
             }
             loads.load(bodies, t + c, a);
             if (tree.isFree) {
@@ -96,7 +96,7 @@ final class TreeLoads implements Serializable {
         if (tree.isFree) {
             end(h);
         }
-        scatter(state, PinTree.ANGLE, PinTree.OMEGA);
+        tree.places.scatter(state, PinTree.ANGLE, PinTree.OMEGA);
     }
 
     /** Where the pass from the tips to the root has ended, and with nothing that the next stage needs changed. */
@@ -158,20 +158,5 @@ final class TreeLoads implements Serializable {
                 h * (tree.places.velocityY() + sixth * (y[0] + y[1] + y[2])),
                 sixth * (x[0] + 2 * (x[1] + x[2]) + x[3]),
                 sixth * (y[0] + 2 * (y[1] + y[2]) + y[3]));
-    }
-
-    private void scatter(State state, int angle, int omega) {
-        double[] l = tree.link;
-        double[] x = state.x();
-        double[] v = state.v();
-        for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
-            int b = tree.block[k];
-            x[b] = l[o + PinTree.X];
-            x[b + 1] = l[o + PinTree.Y];
-            x[b + 2] = l[o + angle];
-            v[b] = l[o + PinTree.U];
-            v[b + 1] = l[o + PinTree.V];
-            v[b + 2] = l[o + omega];
-        }
     }
 }

@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import sim.physics.motion.State;
 
 /**
  * Where the links of a {@link PinTree} are, given their angles: from the root to the tips. The root of a free tree is where
@@ -131,6 +132,15 @@ final class TreePlaces implements Serializable {
         }
     }
 
+    /** Centre of mass at the start. */
+    double x() {
+        return rootX + startX;
+    }
+
+    double y() {
+        return rootY + startY;
+    }
+
     /** Velocity of the centre of mass at the start. */
     double velocityX() {
         return rootU + startU;
@@ -152,15 +162,37 @@ final class TreePlaces implements Serializable {
         double u = startU + changeX;
         double v = startV + changeY;
         centre();
-        x = rootX + (x - centreX);
-        y = rootY + (y - centreY);
-        u = rootU + (u - centreU);
-        v = rootV + (v - centreV);
+        add(rootX + (x - centreX), rootY + (y - centreY), rootU + (u - centreU), rootV + (v - centreV));
+    }
+
+    /** Puts the centre of mass of a free tree, which was {@link #place placed} anywhere, somewhere, with a velocity. */
+    void centreOn(double x, double y, double u, double v) {
+        centre();
+        add(x - centreX, y - centreY, u - centreU, v - centreV);
+    }
+
+    private void add(double x, double y, double u, double v) {
         for (int o = 0; o < tree.link.length; o += PinTree.STRIDE) {
             tree.link[o + PinTree.X] += x;
             tree.link[o + PinTree.Y] += y;
             tree.link[o + PinTree.U] += u;
             tree.link[o + PinTree.V] += v;
+        }
+    }
+
+    /** Writes where the links were placed into the state vectors, with angles and rates that lie at a place of theirs. */
+    void scatter(State state, int angle, int omega) {
+        double[] l = tree.link;
+        double[] x = state.x();
+        double[] v = state.v();
+        for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
+            int b = tree.block[k];
+            x[b] = l[o + PinTree.X];
+            x[b + 1] = l[o + PinTree.Y];
+            x[b + 2] = l[o + angle];
+            v[b] = l[o + PinTree.U];
+            v[b + 1] = l[o + PinTree.V];
+            v[b + 2] = l[o + omega];
         }
     }
 

@@ -50,6 +50,9 @@ final class TreeStep implements Serializable {
 
     private final TreeEnergy energy;
 
+    /** Null until a method asks for them that chooses its steps. */
+    private TreeCoordinates coordinates;
+
     TreeStep(Island island, PinTree tree) {
         this.island = island;
         this.tree = tree;
@@ -85,16 +88,21 @@ final class TreeStep implements Serializable {
         if (isUnforced) {
             island.invariants.begin(state, true);
         }
-        scatter(state);
+        tree.places.scatter(state, PinTree.ANGLE, PinTree.OMEGA);
         island.redundantRows = 0;
         if (isUnforced) {
-            island.evaluate(state);
-            island.invariants.restore(state, true);
-            if (!gather(state)) {
-                tree.begin();
-            }
+            keepInvariants(state);
         }
         return true;
+    }
+
+    /** Gives a tree that is where the state vectors have it what nothing can have taken since the invariants were begun. */
+    void keepInvariants(State state) {
+        island.evaluate(state);
+        island.invariants.restore(state, true);
+        if (!gather(state)) {
+            tree.begin();
+        }
     }
 
     /**
@@ -129,7 +137,7 @@ final class TreeStep implements Serializable {
     }
 
     /** Takes the state over; false if it is not one for the tree. */
-    private boolean begin(State state, ConstraintSolver solver) {
+    boolean begin(State state, ConstraintSolver solver) {
         if (!solver.isPlain(island, state.w().values())) {
             return false;
         }
@@ -215,7 +223,7 @@ final class TreeStep implements Serializable {
     }
 
     /** Takes the state over; true if it is that of the end of the last step. */
-    private boolean gather(State state) {
+    boolean gather(State state) {
         double[] l = tree.link;
         double[] x = state.x();
         double[] v = state.v();
@@ -253,18 +261,9 @@ final class TreeStep implements Serializable {
         return open[0] <= CLOSED * place && open[1] <= SLIP * speed;
     }
 
-    private void scatter(State state) {
-        double[] l = tree.link;
-        double[] x = state.x();
-        double[] v = state.v();
-        for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
-            int b = tree.block[k];
-            x[b] = l[o + PinTree.X];
-            x[b + 1] = l[o + PinTree.Y];
-            x[b + 2] = l[o + PinTree.ANGLE];
-            v[b] = l[o + PinTree.U];
-            v[b + 1] = l[o + PinTree.V];
-            v[b + 2] = l[o + PinTree.OMEGA];
-        }
+    /** The coordinates of the tree, for other methods. */
+    TreeCoordinates coordinates(State state, ConstraintSolver solver) {
+        coordinates = coordinates == null ? new TreeCoordinates(island, this, tree) : coordinates;
+        return coordinates.of(state, solver);
     }
 }

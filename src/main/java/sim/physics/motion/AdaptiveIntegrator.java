@@ -66,7 +66,12 @@ public abstract class AdaptiveIntegrator implements Integrator {
     @Override
     public final double advance(
             EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
-        return h == 0 ? 0 : advance(equations, state, bodies, t, h, false, path);
+        return h == 0 ? 0 : advance(own(equations, state, bodies, path), equations, state, bodies, t, h, false, path);
+    }
+
+    /** The bodies' own coordinates. */
+    private static Coordinates own(EquationsOfMotion equations, State state, IntList bodies, Path path) {
+        return path.stages.bodyCoordinates.of(equations, state, bodies, path);
     }
 
     /**
@@ -76,21 +81,34 @@ public abstract class AdaptiveIntegrator implements Integrator {
      * @return the time advanced
      */
     final double goOn(EquationsOfMotion equations, State state, IntList bodies, double t, double wanted, Path path) {
-        return advance(equations, state, bodies, t, wanted, true, path);
+        return advance(own(equations, state, bodies, path), equations, state, bodies, t, wanted, true, path);
     }
 
-    private double advance(
-            EquationsOfMotion equations, State state, IntList bodies, double t, double h, boolean isOpen, Path path) {
+    /** Whether a group may be moved in the coordinates of its ties. */
+    boolean takesTiedCoordinates(IntList bodies, Path path) {
+        return false;
+    }
+
+    /**
+     * Advances a group in some coordinates, which have begun where the state vectors have it.
+     *
+     * @param isOpen whether the step need not end where the engine's does
+     * @return the time advanced
+     */
+    final double advance(
+            Coordinates coordinates, EquationsOfMotion equations, State state, IntList bodies, double t, double h, boolean isOpen,
+            Path path) {
         path.ensure(State.BLOCK * state.size());
         Stages stages = path.stages;
-        stages.load(state, bodies, tolerance, ROUNDING);
+        stages.load(coordinates, state, bodies, tolerance, ROUNDING);
         stages.isOpen = isOpen;
-        equations.acceleration(bodies, t, path.stage);
-        stages.keepFirst(bodies, path);
+        stages.begin(t, path);
         int first = bodies.values[0];
         double wanted = path.next[first];
         double length = wanted > 0 && wanted < Math.abs(h) ? fit(wanted, Math.abs(h)) : Math.abs(h);
-        double time = time(stages, path, first, length);
+        double longest = coordinates.longest();
+        length = longest < length ? fit(longest, Math.abs(h)) : length;
+        double time = time(state, bodies, path, length);
         int rejections = 0;
         while (true) {
             stages.isRetry = rejections > 0;
@@ -100,7 +118,9 @@ public abstract class AdaptiveIntegrator implements Integrator {
             boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
             double proposal = length * stages.factor;
             if (done) {
-                stages.join(state, bodies, h < 0 ? -length : length, path);
+                if (!stages.isTied()) {
+                    stages.join(state, bodies, h < 0 ? -length : length, path);
+                }
                 path.proposed[first] = proposal;
                 path.next[first] = length == Math.abs(h) && !isOpen ? Math.max(wanted, proposal) : proposal;
                 remember(path, first, t, isOpen ? proposal : Math.min(proposal, Math.abs(h)));
@@ -117,13 +137,10 @@ public abstract class AdaptiveIntegrator implements Integrator {
     }
 
     /** The time in which velocities change as much as they are: their greatest of late over that of the accelerations. */
-    private static double time(Stages stages, Path path, int first, double length) {
-        double speed = 0;
-        double push = 0;
-        for (int m = 0; m < stages.size; m++) {
-            speed = Math.max(speed, stages.weight[m] * Math.abs(stages.v0[m]));
-            push = Math.max(push, stages.weight[m] * Math.abs(stages.a0[m]));
-        }
+    private static double time(State state, IntList bodies, Path path, double length) {
+        int first = bodies.values[0];
+        double speed = path.stages.most(bodies, state.v());
+        double push = path.stages.most(bodies, path.first);
         double before = path.speed[first] / path.push[first];
         double kept = before > 0 ? before / (before + FORGET * length) : 0;
         path.speed[first] = Math.max(speed, kept * path.speed[first]);

@@ -27,6 +27,11 @@ public final class Automatic extends AdaptiveIntegrator {
     }
 
     @Override
+    boolean takesTiedCoordinates(IntList bodies, Path path) {
+        return path.stiffness == null || !path.stiffness.isStiff(bodies);
+    }
+
+    @Override
     boolean makeDense(
             EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out) {
         return path.stages.maker.makeDense(equations, state, bodies, t, h, path, out);
@@ -41,7 +46,8 @@ public final class Automatic extends AdaptiveIntegrator {
         if (!stiffness.isStiff(bodies) && !path.stages.isRetry) {
             stiffness.look(bodies, path.stages);
         }
-        if (stiffness.isStiff(bodies)) {
+        boolean mayBeImplicit = !path.stages.isTied(); // from the next step on, if it has just been found stiff
+        if (mayBeImplicit && stiffness.isStiff(bodies)) {
             boolean done = implicit.attempt(equations, state, bodies, t, h, path);
             if (done) {
                 stiffness.look(bodies, path.stages.implicit(bodies).stiffness(h));

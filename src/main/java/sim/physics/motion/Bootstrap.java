@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.motion;
 
-import sim.physics.internal.IntList;
 import sim.physics.internal.Trig;
 
 /**
@@ -104,24 +103,23 @@ final class Bootstrap {
     /**
      * Makes the output of a step whose end the state vectors hold.
      *
+     * @param t time of its start
+     * @param h its length
+     * @param s its workspace
+     * @param out takes the output
      * @param inner nodes between its ends, 2 … 7
      * @param most the error that it may have, in units of what is allowed
      * @return false if it has more
      */
-    static boolean make(
-            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out, int inner,
-            double most) {
-        return TABLES[inner - LEAST_NODES].fill(equations, state, bodies, t, h, path, out, most);
+    static boolean make(double t, double h, Stages s, DenseOutput out, int inner, double most) {
+        return TABLES[inner - LEAST_NODES].fill(t, h, s, out, most);
     }
 
-    private boolean fill(
-            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out,
-            double most) {
-        Stages s = path.stages;
-        s.ensureMore(nodes, bodies, state);
+    private boolean fill(double t, double h, Stages s, DenseOutput out, double most) {
+        s.ensureMore(nodes);
         out.begin(s, h, terms);
-        equations.acceleration(bodies, t + h, path.stage);
-        take(bodies, s, path.stage, nodes - 1);
+        s.coordinates.accelerate(s.endX, s.endV, t + h, s.a);
+        take(s, nodes - 1);
         for (int m = 0; m < s.size; m++) {
             s.more[nodes * m] = s.a0[m];
             out.quintic(m, s.endX[m], s.endV[m], s.a0[m], s.more[nodes * m + nodes - 1]);
@@ -130,9 +128,9 @@ final class Bootstrap {
         double last = Double.POSITIVE_INFINITY;
         for (int sweep = 0; error > most && sweep < MOST_SWEEPS; sweep++) {
             for (int i = 1; i < nodes - 1; i++) {
-                out.put(state, bodies, node[i]);
-                equations.acceleration(bodies, t + node[i] * h, path.stage);
-                take(bodies, s, path.stage, i);
+                out.at(node[i], s.x, s.v);
+                s.coordinates.accelerate(s.x, s.v, t + node[i] * h, s.a);
+                take(s, i);
             }
             error = sweep(s, h, out);
             if (!(error < 0.9 * last)) {
@@ -140,13 +138,12 @@ final class Bootstrap {
             }
             last = error;
         }
-        s.putEnd(bodies, state);
+        s.putEnd();
         return error <= most;
     }
 
     /** Makes the coefficients of the accelerations; returns by how much they change places, or miss the end, at most. */
     private double sweep(Stages s, double h, DenseOutput out) {
-        double most = 0;
         for (int m = 0; m < s.size; m++) {
             int o = terms * m;
             double middleX = out.value(out.x, o, 0.5);
@@ -165,18 +162,18 @@ final class Bootstrap {
             double missX = s.endX[m] - s.x0[m] - out.x[o];
             double missV = s.endV[m] - s.v0[m] - out.v[o];
             out.bend(o, missX, missV);
-            double x = Math.max(Math.abs(missX), Math.abs(out.value(out.x, o, 0.5) - middleX));
-            double v = Math.max(Math.abs(missV), Math.abs(out.value(out.v, o, 0.5) - middleV));
-            most = Math.max(most, s.weight[m] * Math.max(x, Math.min(s.time, h) * v));
+            s.offX[m] = missX;
+            s.offV[m] = missV;
+            s.x[m] = out.value(out.x, o, 0.5) - middleX;
+            s.v[m] = out.value(out.v, o, 0.5) - middleV;
         }
-        return most;
+        double time = Math.min(s.time, h);
+        return Math.max(s.norm(s.offX, s.offV, time), s.norm(s.x, s.v, time));
     }
 
-    private void take(IntList bodies, Stages s, double[] a, int at) {
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            for (int b = State.BLOCK * bodies.values[k], end = b + State.BLOCK; b < end; b++, m++) {
-                s.more[nodes * m + at] = a[b];
-            }
+    private void take(Stages s, int at) {
+        for (int m = 0; m < s.size; m++) {
+            s.more[nodes * m + at] = s.a[m];
         }
     }
 }

@@ -21,8 +21,10 @@ final class DenseOutput implements Serializable {
     /** Number of coefficients of a quintic. */
     static final int QUINTIC = 5;
 
-    /** Number of coefficients of a coordinate. */
+    /** Number of coefficients of a coordinate, and of coordinates. */
     int terms;
+
+    private int size;
 
     /** Length of the step, time. */
     double length;
@@ -45,6 +47,7 @@ final class DenseOutput implements Serializable {
     void begin(Stages s, double length, int terms) {
         this.length = length;
         this.terms = terms;
+        size = s.size;
         if (x0.length < s.size) {
             x0 = new double[s.size];
             v0 = new double[s.size];
@@ -96,7 +99,22 @@ final class DenseOutput implements Serializable {
         v[o + 2] += 2 * missV;
     }
 
-    /** Writes where the bodies are into the state vectors. */
+    /** Tells coordinates and their rates. */
+    void at(double theta, double[] toX, double[] toV) {
+        for (int m = 0; m < size; m++) {
+            toX[m] = x0[m] + value(x, terms * m, theta);
+            toV[m] = v0[m] + value(v, terms * m, theta);
+        }
+    }
+
+    /** Tells the accelerations of the coordinates. */
+    void slopes(double theta, double[] a) {
+        for (int m = 0; m < size; m++) {
+            a[m] = slope(v, terms * m, theta) / length;
+        }
+    }
+
+    /** Writes where the bodies, whose own coordinates these are, are into the state vectors. */
     void put(State state, IntList bodies, double theta) {
         for (int k = 0, m = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
@@ -116,7 +134,7 @@ final class DenseOutput implements Serializable {
         return theta * sum;
     }
 
-    /** The accelerations, by block. */
+    /** The accelerations of bodies whose own coordinates these are, by block. */
     void accelerations(IntList bodies, double theta, double[] a) {
         for (int k = 0, m = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];

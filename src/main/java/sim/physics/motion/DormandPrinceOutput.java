@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.motion;
 
-import sim.physics.internal.IntList;
-
 /**
  * Dense output of order 7 of {@link DormandPrince853}, which takes the accelerations at its end and at three more stages:
  * Hairer, Nørsett and Wanner, <i>Solving Ordinary Differential Equations I</i>, 2nd edition, II.6 and II.10.
@@ -105,24 +103,21 @@ final class DormandPrinceOutput {
     }
 
     /** Makes the dense output of a step, of which the stages are kept and whose end the state vectors hold. */
-    static void make(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out) {
-        Stages s = path.stages;
-        s.ensureMore(ALL - STAGES, bodies, state);
+    static void make(double t, double h, Stages s, DenseOutput out) {
+        s.ensureMore(ALL - STAGES);
         out.begin(s, h, TERMS);
-        equations.acceleration(bodies, t + h, path.stage);
-        take(bodies, s, path.stage, 0);
+        s.coordinates.accelerate(s.endX, s.endV, t + h, s.a);
+        take(s, 0);
         for (int m = 0; m < s.size; m++) {
             out.join(m, s.endX[m], s.endV[m], s.a0[m], s.more[(ALL - STAGES) * m]);
         }
         for (int stage = 0; stage < STAGE.length; stage++) {
-            for (int k = 0, m = 0; k < bodies.size; k++) {
-                for (int b = State.BLOCK * bodies.values[k], end = b + State.BLOCK; b < end; b++, m++) {
-                    state.x()[b] = s.x0[m] + h * (NODE[stage] * s.v0[m] + h * sum(s, m, STAGE_X[stage], STAGES + 1 + stage));
-                    state.v()[b] = s.v0[m] + h * sum(s, m, STAGE[stage], STAGES + 1 + stage);
-                }
+            for (int m = 0; m < s.size; m++) {
+                s.x[m] = s.x0[m] + h * (NODE[stage] * s.v0[m] + h * sum(s, m, STAGE_X[stage], STAGES + 1 + stage));
+                s.v[m] = s.v0[m] + h * sum(s, m, STAGE[stage], STAGES + 1 + stage);
             }
-            equations.acceleration(bodies, t + NODE[stage] * h, path.stage);
-            take(bodies, s, path.stage, stage + 1);
+            s.coordinates.accelerate(s.x, s.v, t + NODE[stage] * h, s.a);
+            take(s, stage + 1);
         }
         for (int m = 0; m < s.size; m++) {
             for (int k = 0; k < OWN; k++) {
@@ -130,7 +125,7 @@ final class DormandPrinceOutput {
                 out.v[TERMS * m + TERMS - OWN + k] = h * sum(s, m, OUTPUT[k], ALL);
             }
         }
-        s.putEnd(bodies, state);
+        s.putEnd();
     }
 
     private static double sum(Stages s, int m, double[] row, int count) {
@@ -144,11 +139,9 @@ final class DormandPrinceOutput {
         return sum;
     }
 
-    private static void take(IntList bodies, Stages s, double[] a, int stage) {
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            for (int b = State.BLOCK * bodies.values[k], end = b + State.BLOCK; b < end; b++, m++) {
-                s.more[(ALL - STAGES) * m + stage] = a[b];
-            }
+    private static void take(Stages s, int stage) {
+        for (int m = 0; m < s.size; m++) {
+            s.more[(ALL - STAGES) * m + stage] = s.a[m];
         }
     }
 }

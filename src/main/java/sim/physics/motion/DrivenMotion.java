@@ -329,7 +329,7 @@ final class DrivenMotion implements Serializable {
             }
         } else {
             restore(group);
-            if (!strides.bring(group, tau)) {
+            if (!strides.bring(group, tau, tied)) {
                 cover(group, trajectories.offset(first), tau);
             }
         }

@@ -36,6 +36,9 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     /** What errors are, over the estimate, in the mean of our scenes. */
     private static final double CAUTION = 1.2;
 
+    /** The same in the angles of a tree of pins. */
+    private static final double TIED_CAUTION = 1.5;
+
     private static final double LEAST_STABLE = 0.3;
     private static final double LEAST = 0.02;
     private static final double MOST = 5;
@@ -68,6 +71,11 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     }
 
     @Override
+    boolean takesTiedCoordinates(IntList bodies, Path path) {
+        return true;
+    }
+
+    @Override
     double worthwhile() {
         return WORTHWHILE;
     }
@@ -82,7 +90,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out) {
         int rows = path.stages.rows()[bodies.values[0]];
         int inner = rows <= FEW_ROWS ? FEW_NODES : rows <= MORE_ROWS ? MORE_NODES : MOST_NODES;
-        return Bootstrap.make(equations, state, bodies, t, h, path, out, inner, OUTPUT);
+        return Bootstrap.make(t, h, path.stages, out, inner, OUTPUT);
     }
 
     @Override
@@ -92,7 +100,10 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         s.ensureRows(bodies.values[0], MOST_ROWS);
         int aim = s.rows()[bodies.values[0]] == 0 ? ROWS_AT_FIRST : s.rows()[bodies.values[0]];
         for (int row = 0; ; row++) {
-            midpoint(equations, state, bodies, t, h, path, row);
+            if (!midpoint(t, h, s, row)) {
+                s.factor = LEAST;
+                return false;
+            }
             extrapolate(s, row);
             int count = row + 1;
             double fast = row == 0 ? 0 : h * h * s.rate;
@@ -104,7 +115,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             }
             if (count >= aim - 1 && error <= 1) {
                 s.rows()[bodies.values[0]] = next(s, count, Math.min(count, aim));
-                finish(state, bodies, s);
+                finish(s);
                 return true;
             }
             if (count > aim || count >= aim - 1 && !(error <= reach(count, aim + 1))) {
@@ -147,10 +158,11 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         return best;
     }
 
-    /** A row: 2 (row + 1) small steps; its end, from the start of the step, is put behind those of the other rows. */
-    private static void midpoint(
-            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, int row) {
-        Stages s = path.stages;
+    /**
+     * A row: 2 (row + 1) small steps; its end, from the start of the step, is put behind those of the other rows. False if one
+     * of them leads nowhere, so that no force must be asked for there.
+     */
+    private static boolean midpoint(double t, double h, Stages s, int row) {
         int n = 2 * (row + 1);
         double small = h / n;
         double[] y = s.work;
@@ -165,62 +177,57 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             y[v + m] = small * s.a0[m];
         }
         for (int l = 1; l < n; l++) {
-            place(state, bodies, s, x, v);
-            equations.acceleration(bodies, t + l * small, path.stage);
-            if (row == 0) {
-                keepMiddle(s, path, bodies, x, v);
-            } else if (row == 1 && l == 2) {
-                s.rate = rate(s, path, bodies, x, v, h);
+            if (!place(s, x, v)) {
+                return false;
             }
-            for (int k = 0, m = 0; k < bodies.size; k++) {
-                int b = State.BLOCK * bodies.values[k];
-                for (int end = b + State.BLOCK; b < end; b++, m++) {
-                    double nextX = y[oldX + m] + 2 * small * (s.v0[m] + y[v + m]);
-                    double nextV = y[oldV + m] + 2 * small * path.stage[b];
-                    y[oldX + m] = y[x + m];
-                    y[oldV + m] = y[v + m];
-                    y[x + m] = nextX;
-                    y[v + m] = nextV;
-                }
+            s.coordinates.accelerate(s.x, s.v, t + l * small, s.a);
+            if (row == 0) {
+                keepMiddle(s, x, v);
+            } else if (row == 1 && l == 2) {
+                s.rate = rate(s, x, v, h);
+            }
+            for (int m = 0; m < s.size; m++) {
+                double nextX = y[oldX + m] + 2 * small * (s.v0[m] + y[v + m]);
+                double nextV = y[oldV + m] + 2 * small * s.a[m];
+                y[oldX + m] = y[x + m];
+                y[oldV + m] = y[v + m];
+                y[x + m] = nextX;
+                y[v + m] = nextV;
             }
         }
+        return true;
     }
 
     /** Keeps the middle of the first row, after which the second one passes at the same time. */
-    private static void keepMiddle(Stages s, Path path, IntList bodies, int x, int v) {
+    private static void keepMiddle(Stages s, int x, int v) {
         int at = MIDDLE * s.size;
         System.arraycopy(s.work, x, s.work, at, s.size);
         System.arraycopy(s.work, v, s.work, at + s.size, s.size);
-        for (int k = 0, m = at + 2 * s.size; k < bodies.size; k++, m += State.BLOCK) {
-            System.arraycopy(path.stage, State.BLOCK * bodies.values[k], s.work, m, State.BLOCK);
-        }
+        System.arraycopy(s.a, 0, s.work, at + 2 * s.size, s.size);
     }
 
     /** How fast the accelerations change from one row's middle to the other's: the square of a frequency, at least. */
-    private static double rate(Stages s, Path path, IntList bodies, int x, int v, double h) {
+    private static double rate(Stages s, int x, int v, double h) {
         int at = MIDDLE * s.size;
-        double way = 0;
-        double push = 0;
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                double off = Math.abs(s.work[x + m] - s.work[at + m]);
-                double fast = Math.abs(h * (s.work[v + m] - s.work[at + s.size + m]));
-                way = Math.max(way, s.weight[m] * Math.max(off, fast));
-                push = Math.max(push, s.weight[m] * Math.abs(path.stage[b] - s.work[at + 2 * s.size + m]));
-            }
+        for (int m = 0; m < s.size; m++) {
+            s.offX[m] = s.work[x + m] - s.work[at + m];
+            s.offV[m] = s.work[v + m] - s.work[at + s.size + m];
         }
-        return way > 0 ? push / way : 0;
+        double way = s.norm(s.offX, s.offV, h);
+        for (int m = 0; m < s.size; m++) {
+            s.offX[m] = s.a[m] - s.work[at + 2 * s.size + m];
+        }
+        return way > 0 ? s.norm(s.offX) / way : 0;
     }
 
-    private static void place(State state, IntList bodies, Stages s, int x, int v) {
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                state.x()[b] = s.x0[m] + s.work[x + m];
-                state.v()[b] = s.v0[m] + s.work[v + m];
-            }
+    private static boolean place(Stages s, int x, int v) {
+        double off = 0;
+        for (int m = 0; m < s.size; m++) {
+            s.x[m] = s.x0[m] + s.work[x + m];
+            s.v[m] = s.v0[m] + s.work[v + m];
+            off += (s.x[m] - s.x[m]) + (s.v[m] - s.v[m]);
         }
+        return off == 0; // NaN if something is not finite
     }
 
     /** Aitken's and Neville's scheme: place i takes the value that is extrapolated from the rows i … row. */
@@ -241,17 +248,16 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     private static double error(Stages s) {
         double[] y = s.work;
         int n = s.size;
-        double most = 0;
         for (int m = 0; m < n; m++) {
-            double x = Math.abs(y[m] - y[2 * n + m]);
-            double v = Math.abs(s.time * (y[n + m] - y[3 * n + m]));
-            most = Math.max(most, s.weight[m] * Math.max(x, v));
+            s.offX[m] = y[m] - y[2 * n + m];
+            s.offV[m] = y[n + m] - y[3 * n + m];
         }
-        return CAUTION * most;
+        return (s.isTied() ? TIED_CAUTION : CAUTION) * s.norm(s.offX, s.offV, s.time);
     }
 
-    private static void finish(State state, IntList bodies, Stages s) {
-        place(state, bodies, s, 0, s.size);
+    private static void finish(Stages s) {
+        place(s, 0, s.size);
+        s.coordinates.put(s.x, s.v);
     }
 
     @Override

@@ -119,7 +119,7 @@ public final class RadauIIA extends AdaptiveIntegrator {
             EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out) {
         Stages s = path.stages;
         Implicit w = s.implicit(bodies);
-        s.ensureMore(1, bodies, state);
+        s.ensureMore(1);
         boolean isSmooth = w.stiffness(h) < SMOOTH_OUTPUT;
         out.begin(s, h, isSmooth ? DenseOutput.QUINTIC : NODE.length);
         if (isSmooth) {

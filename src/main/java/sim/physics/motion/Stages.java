@@ -6,7 +6,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.IntList;
 
-/** The workspace of methods that choose their steps: coordinates of a group of bodies without gaps, 3 per body. */
+/** The workspace of methods that choose their steps: coordinates of a group of bodies without gaps, at most 3 per body. */
 final class Stages implements Serializable {
     private static final long serialVersionUID = 1L;
 
@@ -18,8 +18,21 @@ final class Stages implements Serializable {
     /** Accelerations at the start of the step. */
     double[] a0 = {};
 
-    /** One over the error that a coordinate may have. */
+    /** Coordinates, rates and accelerations of a stage. */
+    double[] x = {};
+
+    double[] v = {};
+    double[] a = {};
+
+    /** One over the error that a coordinate of a body may have, 3 per body. */
     double[] weight = {};
+
+    /** Changes whose {@link #norm} is asked for, and what they do to the bodies. */
+    double[] offX = {};
+
+    double[] offV = {};
+    private double[] byX = {};
+    private double[] byV = {};
 
     /** Accelerations of the stages, or rows of an extrapolation, as a method lays them out. */
     double[] work = {};
@@ -33,8 +46,16 @@ final class Stages implements Serializable {
     /** The method that has made the last step. */
     AdaptiveIntegrator maker;
 
+    /** What is integrated. */
+    transient Coordinates coordinates;
+
+    final BodyCoordinates bodyCoordinates = new BodyCoordinates();
+
     /** Number of coordinates. */
     int size;
+
+    /** Number of the bodies' own. */
+    private int places;
 
     /** By how much the next step should be longer. */
     double factor;
@@ -75,27 +96,77 @@ final class Stages implements Serializable {
         // grows with the groups
     }
 
-    /** Takes the state of a group. */
-    void load(State state, IntList bodies, double tolerance, double rounding) {
-        size = State.BLOCK * bodies.size;
-        if (x0.length < size) {
-            x0 = new double[size];
-            v0 = new double[size];
-            a0 = new double[size];
-            weight = new double[size];
-        }
+    /** Takes the state of a group, in some coordinates. */
+    void load(Coordinates c, State state, IntList bodies, double tolerance, double rounding) {
+        coordinates = c;
+        size = c.size();
+        ensure(bodies);
+        c.read(x0, v0);
         for (int k = 0, m = 0; k < bodies.size; k++, m += State.BLOCK) {
             int b = State.BLOCK * bodies.values[k];
-            for (int c = 0; c < State.BLOCK; c++) {
-                x0[m + c] = state.x()[b + c];
-                v0[m + c] = state.v()[b + c];
-            }
             double radius = state.body(bodies.values[k]).getShape().boundingRadius();
-            double place = Math.max(Math.abs(x0[m]), Math.abs(x0[m + 1]));
+            double place = Math.max(Math.abs(state.x()[b]), Math.abs(state.x()[b + 1]));
             weight[m] = 1 / Math.max(tolerance, rounding * place);
             weight[m + 1] = weight[m];
-            weight[m + 2] = 1 / Math.max(tolerance / radius, rounding * Math.abs(x0[m + 2]));
+            weight[m + 2] = 1 / Math.max(tolerance / radius, rounding * Math.abs(state.x()[b + 2]));
         }
+    }
+
+    /** Whether coordinates are those of ties, and not the bodies' own. */
+    boolean isTied() {
+        return coordinates != bodyCoordinates;
+    }
+
+    /** Makes room for a group, in whatever coordinates. */
+    void ensure(IntList bodies) {
+        places = State.BLOCK * bodies.size;
+        if (x0.length < places) {
+            x0 = new double[places];
+            v0 = new double[places];
+            a0 = new double[places];
+            x = new double[places];
+            v = new double[places];
+            a = new double[places];
+            weight = new double[places];
+            offX = new double[places];
+            offV = new double[places];
+            byX = new double[places];
+            byV = new double[places];
+        }
+    }
+
+    /** The largest of some changes in units of what is allowed: of places, and of velocities times a time. */
+    double norm(double[] changeX, double[] changeV, double time) {
+        boolean isSpread = coordinates.spread(changeX, changeV, byX, byV);
+        double[] dx = isSpread ? byX : changeX;
+        double[] dv = isSpread ? byV : changeV;
+        double most = 0;
+        for (int m = 0; m < places; m++) {
+            most = Math.max(most, weight[m] * Math.max(Math.abs(dx[m]), Math.abs(time * dv[m])));
+        }
+        return most;
+    }
+
+    /** The same of places alone. */
+    double norm(double[] changeX) {
+        double[] dx = coordinates.spread(changeX, null, byX, byV) ? byX : changeX;
+        double most = 0;
+        for (int m = 0; m < places; m++) {
+            most = Math.max(most, weight[m] * Math.abs(dx[m]));
+        }
+        return most;
+    }
+
+    /** The greatest speed of a group that is where the state vectors have it, or another vector of that kind. */
+    double most(IntList bodies, double[] byBlock) {
+        double most = 0;
+        for (int k = 0, m = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int end = b + State.BLOCK; b < end; b++, m++) {
+                most = Math.max(most, weight[m] * Math.abs(byBlock[b]));
+            }
+        }
+        return most;
     }
 
     /** The workspace of an implicit method for a group. */
@@ -116,27 +187,21 @@ final class Stages implements Serializable {
         }
     }
 
-    /** Makes room for stages of dense output, and keeps the end of the step. */
-    void ensureMore(int perCoordinate, IntList bodies, State state) {
+    /** Makes room for stages of dense output, and keeps the end of the step, which the state vectors hold. */
+    void ensureMore(int perCoordinate) {
         if (more.length < perCoordinate * size) {
             more = new double[perCoordinate * size];
         }
         if (endX.length < size) {
-            endX = new double[size];
-            endV = new double[size];
+            endX = new double[x0.length];
+            endV = new double[x0.length];
         }
-        for (int k = 0, m = 0; k < bodies.size; k++, m += State.BLOCK) {
-            System.arraycopy(state.x(), State.BLOCK * bodies.values[k], endX, m, State.BLOCK);
-            System.arraycopy(state.v(), State.BLOCK * bodies.values[k], endV, m, State.BLOCK);
-        }
+        coordinates.read(endX, endV);
     }
 
     /** Puts the bodies back to the end of the step. */
-    void putEnd(IntList bodies, State state) {
-        for (int k = 0, m = 0; k < bodies.size; k++, m += State.BLOCK) {
-            System.arraycopy(endX, m, state.x(), State.BLOCK * bodies.values[k], State.BLOCK);
-            System.arraycopy(endV, m, state.v(), State.BLOCK * bodies.values[k], State.BLOCK);
-        }
+    void putEnd() {
+        coordinates.put(endX, endV);
     }
 
     /** The cubics from the start to where the bodies are now. */
@@ -165,15 +230,10 @@ final class Stages implements Serializable {
         return isOpen ? openRows : rows;
     }
 
-    /** Takes the accelerations at the start. */
-    void keepFirst(IntList bodies, Path path) {
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                a0[m] = path.stage[b];
-                path.first[b] = path.stage[b];
-            }
-        }
+    /** Finds the accelerations at the start. */
+    void begin(double t, Path path) {
+        coordinates.accelerate(x0, v0, t, a0);
+        coordinates.accelerations(x0, v0, a0, path.first);
         path.knowsFirst = true;
     }
 }

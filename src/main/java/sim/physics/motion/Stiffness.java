@@ -39,6 +39,9 @@ final class Stiffness implements Serializable {
     private int[] calm = {};
 
     private boolean[] isStiff = {};
+
+    /** Number of coordinates of the step before: others than these are not compared with them. */
+    private int[] size = {};
     private double[] length = {};
 
     Stiffness(Path path) {
@@ -61,33 +64,39 @@ final class Stiffness implements Serializable {
             calm = Arrays.copyOf(calm, n / State.BLOCK);
             isStiff = Arrays.copyOf(isStiff, n / State.BLOCK);
             length = Arrays.copyOf(length, n / State.BLOCK);
+            size = Arrays.copyOf(size, n / State.BLOCK);
         }
     }
 
     /** Keeps the last stage of an explicit step. */
-    void keep(State state, IntList bodies, double[] acceleration) {
-        for (int k = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            System.arraycopy(state.x(), b, x, b, State.BLOCK);
-            System.arraycopy(state.v(), b, v, b, State.BLOCK);
-            System.arraycopy(acceleration, b, a, b, State.BLOCK);
+    void keep(IntList bodies, Stages s) {
+        for (int m = 0; m < s.size; m++) {
+            int at = slot(bodies, m);
+            x[at] = s.x[m];
+            v[at] = s.v[m];
+            a[at] = s.a[m];
         }
+        size[bodies.values[0]] = s.size;
+    }
+
+    /** Where a coordinate of a group is kept: its bodies' blocks are its own. */
+    private static int slot(IntList bodies, int m) {
+        return State.BLOCK * bodies.values[m / State.BLOCK] + m % State.BLOCK;
     }
 
     /** Looks at an explicit step's end, where the next one begins. */
     void look(IntList bodies, Stages s) {
         int first = bodies.values[0];
-        double h = length[first];
-        double slope = 0;
-        double way = 0;
-        for (int k = 0, m = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            for (int end = b + State.BLOCK; b < end; b++, m++) {
-                slope = Math.max(slope, s.weight[m] * Math.abs(s.a0[m] - a[b]));
-                double off = Math.max(Math.abs(s.x0[m] - x[b]), h * Math.abs(s.v0[m] - v[b]));
-                way = Math.max(way, s.weight[m] * off);
-            }
+        double h = size[first] == s.size ? length[first] : 0;
+        for (int m = 0; m < s.size; m++) {
+            s.offX[m] = s.a0[m] - a[slot(bodies, m)];
         }
+        double slope = s.norm(s.offX);
+        for (int m = 0; m < s.size; m++) {
+            s.offX[m] = s.x0[m] - x[slot(bodies, m)];
+            s.offV[m] = s.v0[m] - v[slot(bodies, m)];
+        }
+        double way = s.norm(s.offX, s.offV, h);
         ask(first, h > 0 && h * h * slope > BOUND * way);
         length[first] = 0;
     }

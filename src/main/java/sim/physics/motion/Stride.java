@@ -24,6 +24,9 @@ final class Stride implements Serializable {
     /** Whether it was entered last after its beginning. */
     boolean isUnderWay;
 
+    /** Whether its dense output is that of the coordinates of ties. */
+    boolean isInTiedCoordinates;
+
     /** The longest that its dense output lets it be. */
     double longest = Double.MAX_VALUE;
 
@@ -52,8 +55,9 @@ final class Stride implements Serializable {
     }
 
     /** Begins: the state vectors hold the end of the step of which there is dense output now. */
-    void begin(Integrator by, State state, IntList group, Trajectories trajectories, double tau) {
+    void begin(Integrator by, State state, IntList group, Trajectories trajectories, double tau, boolean isTied) {
         maker = by;
+        isInTiedCoordinates = isTied;
         if (bodies.length != group.size) {
             bodies = new int[group.size];
         }

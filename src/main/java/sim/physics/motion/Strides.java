@@ -15,7 +15,8 @@ import sim.physics.internal.IntList;
  * moved, forces or joints change, or the group is not, to the bit, where it was left on it. Then a new one begins from
  * there. What others are near follows strides within the engine's step.
  *
- * <p>What is read is brought onto the joints; the stride itself goes on as it was.
+ * <p>What is read is brought onto the joints, unless the stride is one in coordinates that keep them; the stride itself goes
+ * on as it was.
  */
 final class Strides implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -87,7 +88,7 @@ final class Strides implements Serializable {
             from = 0;
         }
         double length = stride.has(from + rest) ? rest : stride.dense.length - from;
-        return read(stride, group, from, length) ? length : 0;
+        return read(stride, group, from, length, tied) ? length : 0;
     }
 
     /** Makes a stride; the path is set if it does not go beyond the engine's step. Returns its length, 0 if there is none. */
@@ -113,7 +114,7 @@ final class Strides implements Serializable {
             return 0;
         }
         stride.longest = Math.max(stride.longest, LONGER * length);
-        stride.begin(method, state, group, trajectories, tau);
+        stride.begin(method, state, group, trajectories, tau, path.stages.isTied());
         for (int k = 0; k < group.size; k++) {
             firsts[group.values[k]] = first;
         }
@@ -141,7 +142,7 @@ final class Strides implements Serializable {
     }
 
     /** Brings a group from its anchors, where the state vectors have it, to an instant; false if it is on no stride then. */
-    boolean bring(IntList group, double tau) {
+    boolean bring(IntList group, double tau, TiedMotion tied) {
         int first = group.values[0];
         if (first >= strides.length || strides[first] == null || !strides[first].isLive) {
             return false;
@@ -151,29 +152,58 @@ final class Strides implements Serializable {
         double to = stride.time(trajectories, tau);
         return stride.isFollowed(motion.getIntegrator(), state, group, trajectories, from)
                 && stride.has(to)
-                && read(stride, group, from, to - from);
+                && read(stride, group, from, to - from, tied);
     }
 
     /** Puts a group where its stride has it, and sets its path from where the state vectors have it to there. */
-    private boolean read(Stride stride, IntList group, double from, double length) {
+    private boolean read(Stride stride, IntList group, double from, double length, TiedMotion tied) {
         path.ensure(state.x().length);
         stride.enter(state, group, from);
         path.start(state, group);
-        boolean isTied = motion.isTiedGroup(group);
-        if (isTied) {
-            motion.ties.begin(group, !motion.hasForces());
-        }
-        stride.put(state, group, from + length);
-        if (isTied && !stride.isOver(from + length) && !motion.ties.project(group)) {
+        boolean isThere = stride.isInTiedCoordinates
+                ? readTied(stride, group, from, length, tied.coordinates(motion, group, path))
+                : readBodies(stride, group, from, length);
+        if (!isThere) {
             stride.isLive = false;
             DrivenMotion.restore(trajectories, state, group);
             return false;
         }
         path.join(state, group, length);
-        stride.dense.accelerations(group, from / stride.dense.length, path.first);
         path.knowsFirst = true;
         stride.isUnderWay = from > 0;
         stride.leave(state, group, from + length);
+        return true;
+    }
+
+    private boolean readBodies(Stride stride, IntList group, double from, double length) {
+        boolean isTied = motion.isTiedGroup(group);
+        if (isTied) {
+            motion.ties.begin(group, !motion.hasForces());
+        }
+        stride.put(state, group, from + length);
+        stride.dense.accelerations(group, from / stride.dense.length, path.first);
+        return !isTied || stride.isOver(from + length) || motion.ties.project(group);
+    }
+
+    /** Where the coordinates of ties say: there is nothing to bring onto them. */
+    private boolean readTied(Stride stride, IntList group, double from, double length, TiedCoordinates coordinates) {
+        if (coordinates == null) {
+            return false;
+        }
+        Stages s = path.stages;
+        s.ensure(group);
+        DenseOutput dense = stride.dense;
+        dense.at(from / dense.length, s.x, s.v);
+        dense.slopes(from / dense.length, s.a);
+        coordinates.accelerations(s.x, s.v, s.a, path.first);
+        double to = from + length;
+        if (stride.isOver(to)) {
+            stride.put(state, group, to);
+        } else {
+            dense.at(to / dense.length, s.x, s.v);
+            coordinates.put(s.x, s.v);
+            coordinates.end();
+        }
         return true;
     }
 

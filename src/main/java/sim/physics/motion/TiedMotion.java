@@ -322,6 +322,23 @@ final class TiedMotion implements Serializable {
         }
     }
 
+    /**
+     * Coordinates in which a method that chooses its steps moves a group from where the state vectors have it, so that there
+     * is nothing to correct; null if it must move the bodies.
+     */
+    TiedCoordinates coordinates(Motion motion, IntList group, Path path) {
+        path.ensure(state.x().length);
+        AdaptiveIntegrator method = (AdaptiveIntegrator) motion.getIntegrator();
+        TiedCoordinates tied = method.takesTiedCoordinates(group, path) ? ties.coordinates(group) : null;
+        if (tied == null) {
+            return null;
+        }
+        Generators fields = motion.generators;
+        boolean isFalling = fallsFreely(motion, group);
+        boolean isThere = tied.begin(isFalling ? null : motion, fields.gravityX, fields.gravityY, path.stage);
+        return isThere ? tied : null;
+    }
+
     /** One step of a method that chooses it; a shorter one if its correction is rough. Returns how far. */
     private double chosenStride(Motion motion, IntList group, double t, double length, Path path) {
         copy(group, state.x(), strideX);
@@ -329,6 +346,12 @@ final class TiedMotion implements Serializable {
         if (ties.isCreeping(group)) {
             creep(motion, group, t, length, path);
             return length;
+        }
+        TiedCoordinates tied = coordinates(motion, group, path);
+        if (tied != null) {
+            double done = ((AdaptiveIntegrator) motion.getIntegrator()).advance(tied, motion, state, group, t, length, false, path);
+            tied.end();
+            return done;
         }
         double limit = length;
         for (int halvings = 0; ; halvings++) {
@@ -358,6 +381,13 @@ final class TiedMotion implements Serializable {
      */
     double goOn(Motion motion, AdaptiveIntegrator method, IntList group, double t, double wanted, Path path) {
         begin(group);
+        TiedCoordinates tied = coordinates(motion, group, path);
+        if (tied != null) {
+            double done = method.advance(tied, motion, state, group, t, wanted, true, path);
+            tied.end();
+            join(motion, group, done, path);
+            return done;
+        }
         double limit = 0;
         for (int halvings = 0; halvings <= FEW_HALVINGS; halvings++) {
             ties.begin(group, !motion.hasForces());

@@ -97,6 +97,14 @@ public interface Ties extends Serializable {
     boolean advance(IntList bodies, Loads loads, double[] a, double t, double h);
 
     /**
+     * Coordinates in which some bodies move as if nothing tied them.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @return those of the state vectors, to be begun; valid until the next call; null if there are none
+     */
+    TiedCoordinates coordinates(IntList bodies);
+
+    /**
      * Moves some bodies of the state vectors by the least amount, and changes their velocities by the least amount, that
      * the ties ask for.
      *

@@ -88,7 +88,7 @@ final class Bounces implements Serializable {
         double approach = -c.normalVelocity();
         if (count > 0 && approach > 0) {
             double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * Tolerances.REST * h);
-            double acceleration = (approach + lastSpeed[pair]) / since;
+            double acceleration = (approach + Math.max(0, lastSpeed[pair])) / since; // they may have met as they parted
             double size = Math.min(trajectories.radius(a), trajectories.radius(b));
             double longest = Math.sqrt(2 * Tolerances.RATTLE_SIZE * size / acceleration);
             double length = Math.min(Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h, longest);

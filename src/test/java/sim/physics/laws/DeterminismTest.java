@@ -12,7 +12,13 @@ import java.io.ObjectOutputStream;
 import org.junit.jupiter.api.Test;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
+import sim.physics.motion.Automatic;
 import sim.physics.motion.Body;
+import sim.physics.motion.DormandPrince853;
+import sim.physics.motion.GraggBulirschStoer;
+import sim.physics.motion.Gravity;
+import sim.physics.motion.Integrator;
+import sim.physics.motion.RungeKutta4;
 import sim.physics.motion.SurfaceFriction;
 
 /** The same scene gives the same bits: again, in another JVM, after a checkpoint, beside other engines. */
@@ -21,6 +27,8 @@ class DeterminismTest {
     private static final long GOLDEN_GAS = -1593155117893325797L;
 
     private static final long GOLDEN_POLYGONS = -4593893443382935205L;
+
+    private static final long GOLDEN_CHAINS = -5076912133878641187L;
 
     private static void run(PhysicsEngine engine, int steps) {
         for (int k = 0; k < steps; k++) {
@@ -45,6 +53,24 @@ class DeterminismTest {
         }
         run(engine, 300);
         assertThat(Scenes.hash(engine)).isEqualTo(GOLDEN_POLYGONS);
+    }
+
+    /** Chains of pins in their angles, by one method after the other. */
+    @Test
+    void chainsUnderMethodsWithAToleranceHaveTheirGoldenHash() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.add(new Gravity(0, -9.81));
+        engine.setTimeStep(1 / 240.0);
+        Scenes.rods(engine, 7, 0);
+        for (int k = 0; k < 6; k++) {
+            Integrator[] methods = {
+                new DormandPrince853(1e-8), new RungeKutta4(), new GraggBulirschStoer(1e-9), new DormandPrince853(1e-2), new Automatic(1e-4),
+                new GraggBulirschStoer(1e-3)
+            };
+            engine.setIntegrator(methods[k]);
+            run(engine, 40);
+        }
+        assertThat(Scenes.hash(engine)).isEqualTo(GOLDEN_CHAINS);
     }
 
     @Test

@@ -230,7 +230,7 @@ class DriveTest {
         double force = engine.getReaction(pin).force() / (2 * omega * omega * 0.25) - 1;
         double e = disc.getAngle() - turned;
         assertThat(force).isCloseTo(0, within(1e-12));
-        assertThat(e).isCloseTo(0, within(5e-8));
+        assertThat(e).isCloseTo(0, within(1e-9));
         assertThat(free.getAngle()).isCloseTo(turned, within(2e-16 * turned));
     }
 

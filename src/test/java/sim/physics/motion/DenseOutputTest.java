@@ -105,7 +105,7 @@ class DenseOutputTest {
         AdaptiveIntegrator method = new GraggBulirschStoer(1e-11);
         Path path = new Path();
         double length = method.goOn(EQUATIONS, STATE, GROUP, 0, 1.2, path);
-        assertThat(Bootstrap.make(EQUATIONS, STATE, GROUP, 0, length, path, new DenseOutput(), 2, 1)).isFalse();
+        assertThat(Bootstrap.make(0, length, path.stages, new DenseOutput(), 2, 1)).isFalse();
     }
 
     /** The accelerations that an output tells are the slopes of its velocities. */
