@@ -166,7 +166,7 @@ public final class Constraints implements Ties, Serializable {
         version++;
         if (!body.isFixed()) {
             if (isTied(body.index())) {
-                of[body.index()].forgetMasses();
+                of[body.index()].forget();
             }
             return;
         }

@@ -50,10 +50,9 @@ final class Island implements Serializable {
     /** Multipliers of the last solve, 2 per node. */
     final double[] lambda;
 
-    /** In the order in which they were added. */
+    /** In the order in which they were added; and this island as a list. */
     final List<Constraint> inOrder;
 
-    /** This island as a list. */
     final List<Island> alone = new ArrayList<>(1);
 
     boolean isDissolved;
@@ -76,7 +75,6 @@ final class Island implements Serializable {
     private final int[] shared;
 
     private final PinRows pins;
-
     private final boolean onlyPins;
 
     /** Null unless the constraints are pins that form a tree. */
@@ -412,7 +410,9 @@ final class Island implements Serializable {
         return breaking;
     }
 
-    void forgetMasses() {
+    /** Forgets what a body that was written may have changed: masses, and which motors and stops act. */
+    void forget() {
+        switches.forget();
         spread = 0;
         passage.forget();
         pins.forgetMasses();

@@ -85,6 +85,15 @@ final class Switches implements SwitchedTies {
         return rows.length == 0 ? null : bias;
     }
 
+    /** Lets no row act until that is decided: bodies were written, and have the velocities that somebody wants. */
+    void forget() {
+        for (Switched s : rows) {
+            s.isOn = false;
+            s.isOnNow = false;
+        }
+        setBias();
+    }
+
     /** Lets no row act: an impact's forces are greater than any motor's, and stops have impacts of their own. */
     void release() {
         for (Switched s : rows) {
