@@ -35,6 +35,11 @@ final class CentrePath {
                 && trajectories.isParabola(j);
     }
 
+    /** Whether they do so and no integrator drives them: their paths hold beyond the step. */
+    static boolean areFree(Trajectories trajectories, int i, int j) {
+        return !trajectories.isDriven(i) && !trajectories.isDriven(j) && isStraight(trajectories, i, j);
+    }
+
     /** The sum of the radii of two circles that is to be taken where they are to be apart, for all rounding. */
     static double reach(double radii, double tolerance) {
         return radii + (MARGIN * radii + 4 * tolerance);
