@@ -133,10 +133,10 @@ final class BoundingCircles implements Serializable {
             if ((Double.doubleToRawLongBits(approach) & Double.doubleToRawLongBits(-d)) >= 0) {
                 return Double.POSITIVE_INFINITY; // they part or pass; one branch, since nobody could foretell two
             }
-            touching = shapes.isCircle(i) && shapes.isCircle(j);
+            touching = shapes.isCircle(i) & shapes.isCircle(j); // no branch
             return tau + c / (Math.sqrt(d) - approach);
         }
-        if (shapes.isCircle(i) && shapes.isCircle(j)) {
+        if (shapes.isCircle(i) & shapes.isCircle(j)) {
             double noise = Tolerances.APPROACH * radius * Math.sqrt(vax * vax + vay * vay + vbx * vbx + vby * vby);
             touching = approach < -noise;
             return touching ? tau : Double.POSITIVE_INFINITY;
@@ -193,7 +193,7 @@ final class BoundingCircles implements Serializable {
 
     /** Whether nothing can be said of two bodies whose circles overlap but by their shapes. */
     boolean hide(int i, int j) {
-        return !(shapes.isCircle(i) && shapes.isCircle(j)) && !boxes.isFixed(i) && !boxes.isFixed(j);
+        return !(shapes.isCircle(i) & shapes.isCircle(j)) & !boxes.isFixed(i) & !boxes.isFixed(j);
     }
 
     /**

@@ -126,7 +126,7 @@ public final class NarrowPhase implements Serializable {
             pairs.setCode(pair, timeOfImpact.code);
             touching = timeOfImpact.touching;
         }
-        boolean mayGraze = touching && !separatingLine.clean && !isCircle(i) && !isCircle(j);
+        boolean mayGraze = touching && !separatingLine.clean && !(isCircle(i) | isCircle(j));
         return mayGraze ? beyondGrazes(pair, found, end) : found;
     }
 
@@ -272,7 +272,7 @@ public final class NarrowPhase implements Serializable {
      * @param pair its number
      */
     public void meets(int pair) {
-        touching = isCircle(pairs.first(pair)) && isCircle(pairs.second(pair));
+        touching = isCircle(pairs.first(pair)) & isCircle(pairs.second(pair));
     }
 
     /**

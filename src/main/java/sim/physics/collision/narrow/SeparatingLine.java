@@ -463,8 +463,12 @@ final class SeparatingLine {
             if (g <= tolerance) {
                 return 0;
             }
-            s = Math.min(s, root.before(g, h1 + b, h2 - 0.5 * turning * a, h3 - turning * b * (1.0 / 6),
-                    Math.min(s, beyond), Math.min(s, rest)));
+            double c1 = h1 + b;
+            double c2 = h2 - 0.5 * turning * a;
+            double c3 = h3 - turning * b * (1.0 / 6);
+            if (!root.isPositive(g, c1, c2, c3, Math.min(s, beyond))) {
+                s = Math.min(s, root.before(g, c1, c2, c3, Math.min(s, beyond), Math.min(s, rest)));
+            }
         }
         return s;
     }
