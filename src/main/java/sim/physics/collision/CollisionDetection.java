@@ -213,10 +213,11 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
             return false;
         }
         double until = narrowPhase().partUntil(pair, tau);
-        if (until >= h) {
+        boolean isLong = until > tau && until >= h;
+        if (isLong) {
             watch.plan(pair, PairSearch.LATER, until);
         }
-        return until >= h;
+        return isLong;
     }
 
     /**

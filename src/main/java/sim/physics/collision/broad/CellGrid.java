@@ -30,8 +30,8 @@ public final class CellGrid implements BroadPhase {
 
     private static final int SMALLEST = 256;
 
-    /** How many bodies of a cell are taken out of it at once, and the least room for bodies that are found. */
-    private static final int USUAL = 4;
+    /** Room for the four bodies that are taken out of a cell at once, and one more; the least room for bodies that are found. */
+    private static final int USUAL = 5;
 
     private static final int LEAST = 64;
 
@@ -200,7 +200,10 @@ public final class CellGrid implements BroadPhase {
                 int d = after[b];
                 list[count] = d - 1;
                 count += -d >>> 31;
-                for (int other = after[d]; other != NONE; other = after[other]) {
+                int e = after[d];
+                list[count] = e - 1;
+                count += -e >>> 31;
+                for (int other = after[e]; other != NONE; other = after[other]) {
                     if (count + USUAL >= list.length) {
                         list = Arrays.copyOf(list, 2 * list.length);
                     }
