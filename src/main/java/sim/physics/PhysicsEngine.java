@@ -286,12 +286,13 @@ public final class PhysicsEngine implements Steppable {
                 response.heaps().struck(deflected.values[k]);
             }
         }
+        boolean parts = pair >= 0 && detection.parts(pair, tau);
         for (int k = 0; k < deflected.size; k++) {
             int body = deflected.values[k];
             if (trajectories.isDriven(body)) {
                 noteGroup(body);
             } else {
-                moved(body, trajectories.offset(body), false, k == 1 ? pair : -1);
+                moved(body, trajectories.offset(body), false, parts || k == 1 ? pair : -1);
             }
         }
         if (admission.isNeeded()) {

@@ -201,6 +201,26 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     }
 
     /**
+     * Takes note that a pair has collided and what its bodies' new trajectories are: if that says for how long it is apart,
+     * it need not be looked at.
+     *
+     * @param pair its number
+     * @param tau offset in the present step
+     * @return whether it says so
+     */
+    public boolean parts(int pair, double tau) {
+        if (!narrowPhase().isContinuous() || marks.isUnseen(pair) || marks.depth(pair) > 0) {
+            return false;
+        }
+        double until = narrowPhase().partUntil(pair, tau);
+        boolean isLong = until > tau && until >= h;
+        if (isLong) {
+            watch.plan(pair, PairSearch.LATER, until);
+        }
+        return isLong;
+    }
+
+    /**
      * Lets the pairs of bodies that get new trajectories at the start of the step wait until all have theirs. Those that
      * wait still, because an author's force has failed in the last step, do so on.
      */

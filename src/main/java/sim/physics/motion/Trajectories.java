@@ -358,7 +358,7 @@ public final class Trajectories implements Serializable {
      * @return true if an integrator drives it
      */
     public boolean isDriven(int body) {
-        return bends[(body * STRIDE & bendMask) + DRIVEN] != 0;
+        return bendMask != 0 && bends[(body * STRIDE & bendMask) + DRIVEN] != 0;
     }
 
     /**

@@ -79,7 +79,7 @@ final class RandomScene {
     private final double half;
     private final boolean changes;
     private final Distance distance = new Distance();
-    private final double restitution;
+    final double restitution;
     private final double friction;
 
     /**

@@ -18,9 +18,10 @@ import sim.physics.internal.IntList;
  * boxes do not fit, the grid is laid anew.
  */
 public final class CellGrid implements BroadPhase {
-    private static final long serialVersionUID = 4L;
+    private static final long serialVersionUID = 5L;
 
-    private static final int NONE = -1;
+    /** After the last body of a cell. */
+    private static final int NONE = 0;
 
     /** Cell of a body that is not in the grid, and of one in the list of large bodies. */
     private static final int OUTSIDE = -2;
@@ -28,6 +29,11 @@ public final class CellGrid implements BroadPhase {
     private static final int LARGE = -3;
 
     private static final int SMALLEST = 256;
+
+    /** Room for the four bodies that are taken out of a cell at once, and one more; the least room for bodies that are found. */
+    private static final int USUAL = 5;
+
+    private static final int LEAST = 64;
 
     /** Bodies from which on a bucket has less room to spare, since memory then costs more than a look. */
     private static final int CROWD = 10_000;
@@ -42,8 +48,12 @@ public final class CellGrid implements BroadPhase {
     /** From a cell's bucket to that of the cell above. */
     private int rowStep = stepFor(SMALLEST);
 
-    private int[] head = filled(SMALLEST, NONE);
-    private int[] next = new int[8];
+    /** The first body of each cell's bucket, plus 1. */
+    private int[] head = new int[SMALLEST];
+
+    /** The body that follows another one in its cell, plus 1, at the place of the other one plus 1. */
+    private int[] next = new int[9];
+
     private int[] bucket = filled(8, OUTSIDE);
 
     /** Which bodies are pairs already of the body that is looked at: those marked with the present number. */
@@ -52,7 +62,7 @@ public final class CellGrid implements BroadPhase {
     private int marking;
 
     /** Bodies or pairs found in a look, with room for one more. */
-    private int[] found = new int[8];
+    private int[] found = new int[LEAST];
 
     private final IntList large = new IntList();
     private int count;
@@ -153,50 +163,89 @@ public final class CellGrid implements BroadPhase {
     /** Begins the pairs of a body with all whose boxes overlap its box, but for those that are marked. */
     private void collect(int body, Boxes boxes, Pairs pairs) {
         mark[body] = marking;
-        for (int k = 0; k < large.size; k++) {
-            beginIfOverlapping(body, large.values[k], boxes, pairs);
+        int count = fresh(body, around(body), boxes);
+        for (int k = 0; k < count; k++) {
+            int other = found[k];
+            if (!(boxes.isFixed(body) && boxes.isFixed(other))) {
+                pairs.beginNew(body, other);
+            }
         }
+    }
+
+    /** Finds the large bodies, and those in the nine cells around a body's, or all if it is large; how many there are. */
+    private int around(int body) {
         int centre = bucket[body];
         if (centre == LARGE) {
-            collectAll(body, boxes, pairs);
-            return;
+            return all();
         }
+        int[] list = found.length < large.size + LEAST ? new int[2 * large.size + LEAST] : found;
+        int[] after = next;
+        int count = large.size;
+        for (int k = 0; k < count; k++) {
+            list[k] = large.values[k];
+        }
+        for (int row = -1; row <= 1; row++) {
+            int first = centre + row * rowStep - 1;
+            for (int c = first; c <= first + 2; c++) {
+                if (count + USUAL >= list.length) {
+                    list = Arrays.copyOf(list, 2 * list.length);
+                }
+                // no branch by how many of the usual few are in a cell, since nobody could foretell it
+                int a = head[c & mask];
+                list[count] = a - 1;
+                count += -a >>> 31;
+                int b = after[a];
+                list[count] = b - 1;
+                count += -b >>> 31;
+                int d = after[b];
+                list[count] = d - 1;
+                count += -d >>> 31;
+                int e = after[d];
+                list[count] = e - 1;
+                count += -e >>> 31;
+                for (int other = after[e]; other != NONE; other = after[other]) {
+                    if (count + USUAL >= list.length) {
+                        list = Arrays.copyOf(list, 2 * list.length);
+                    }
+                    list[count++] = other - 1;
+                }
+            }
+        }
+        found = list;
+        return count;
+    }
+
+    /** Keeps of the bodies found those whose boxes overlap that of a body and that are not marked; how many they are. */
+    private int fresh(int body, int count, Boxes boxes) {
         double[] d = boxes.data();
         int o = Boxes.STRIDE * body;
         double minX = d[o];
         double minY = d[o + 1];
         double maxX = d[o + 2];
         double maxY = d[o + 3];
-        int count = 0;
-        for (int row = -1; row <= 1; row++) {
-            int first = centre + row * rowStep - 1;
-            for (int c = first; c <= first + 2; c++) {
-                for (int other = head[c & mask]; other != NONE; other = next[other]) {
-                    if (count + 1 == found.length) {
-                        found = Arrays.copyOf(found, 2 * found.length);
-                    }
-                    found[count] = other;
-                    count += boxes.met(other, minX, minY, maxX, maxY); // no branch, since nobody could foretell it
-                }
-            }
+        int[] list = found;
+        int kept = 0;
+        for (int k = 0; k < count; k++) { // without a branch, too
+            int other = list[k];
+            int change = mark[other] ^ marking;
+            list[kept] = other;
+            kept += boxes.met(other, minX, minY, maxX, maxY) & (change | -change) >>> 31;
         }
-        for (int k = 0; k < count; k++) {
-            beginIfOverlapping(body, found[k], boxes, pairs);
-        }
+        return kept;
     }
 
-    private void collectAll(int body, Boxes boxes, Pairs pairs) {
+    private int all() {
+        if (found.length <= count) {
+            found = new int[2 * count];
+        }
+        int n = large.size;
+        System.arraycopy(large.values, 0, found, 0, n);
         for (int other = 0; other < bucket.length; other++) {
             if (bucket[other] >= 0) {
-                beginIfOverlapping(body, other, boxes, pairs);
+                found[n++] = other;
             }
         }
-    }
-
-    private void beginIfOverlapping(int body, int other, Boxes boxes, Pairs pairs) {
-        if (mark[other] != marking && boxes.overlap(body, other)) {
-            pairs.beginNew(body, other);
-        }
+        return n;
     }
 
     /** The bucket where a body belongs by its box, or {@link #LARGE}. */
@@ -230,8 +279,8 @@ public final class CellGrid implements BroadPhase {
             largeMovable += boxes.isFixed(body) ? 0 : 1;
             return;
         }
-        next[body] = head[b];
-        head[b] = body;
+        next[body + 1] = head[b];
+        head[b] = body + 1;
     }
 
     private void unfile(int body, Boxes boxes) {
@@ -246,15 +295,15 @@ public final class CellGrid implements BroadPhase {
             large.values[place] = large.values[--large.size];
             return;
         }
-        if (head[b] == body) {
-            head[b] = next[body];
+        if (head[b] == body + 1) {
+            head[b] = next[body + 1];
             return;
         }
         int before = head[b]; // few are in a cell
-        while (next[before] != body) {
+        while (next[before] != body + 1) {
             before = next[before];
         }
-        next[before] = next[body];
+        next[before] = next[body + 1];
     }
 
     /** Chooses the cell size by the boxes of the movable bodies, and files everybody again. */
@@ -279,7 +328,7 @@ public final class CellGrid implements BroadPhase {
         }
         mask = size - 1;
         rowStep = stepFor(size);
-        head = filled(size, NONE);
+        head = new int[size];
         large.clear();
         largeMovable = 0;
         changesSinceLayout = 0;
@@ -299,7 +348,7 @@ public final class CellGrid implements BroadPhase {
         int old = bucket.length;
         if (old < bodies) {
             int length = Growth.length(old, bodies);
-            next = Arrays.copyOf(next, length);
+            next = Arrays.copyOf(next, length + 1);
             mark = Arrays.copyOf(mark, length);
             bucket = Arrays.copyOf(bucket, length);
             Arrays.fill(bucket, old, length, OUTSIDE);

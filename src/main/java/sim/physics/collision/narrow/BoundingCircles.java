@@ -133,10 +133,10 @@ final class BoundingCircles implements Serializable {
             if ((Double.doubleToRawLongBits(approach) & Double.doubleToRawLongBits(-d)) >= 0) {
                 return Double.POSITIVE_INFINITY; // they part or pass; one branch, since nobody could foretell two
             }
-            touching = shapes.isCircle(i) && shapes.isCircle(j);
+            touching = shapes.isCircle(i) & shapes.isCircle(j); // no branch
             return tau + c / (Math.sqrt(d) - approach);
         }
-        if (shapes.isCircle(i) && shapes.isCircle(j)) {
+        if (shapes.isCircle(i) & shapes.isCircle(j)) {
             double noise = Tolerances.APPROACH * radius * Math.sqrt(vax * vax + vay * vay + vbx * vbx + vby * vby);
             touching = approach < -noise;
             return touching ? tau : Double.POSITIVE_INFINITY;
@@ -177,9 +177,23 @@ final class BoundingCircles implements Serializable {
         return true;
     }
 
+    /** Whether the centres of two bodies in uniform motion move away from one another. */
+    boolean part(int i, int j, double tau) {
+        double[] m = trajectories.data();
+        int a = i * Trajectories.STRIDE;
+        int b = j * Trajectories.STRIDE;
+        double da = trajectories.duration(i, tau);
+        double db = trajectories.duration(j, tau);
+        double px = m[b] + db * m[b + Trajectories.VX] - (m[a] + da * m[a + Trajectories.VX]);
+        double py = m[b + 1] + db * m[b + Trajectories.VY] - (m[a + 1] + da * m[a + Trajectories.VY]);
+        double ux = m[b + Trajectories.VX] - m[a + Trajectories.VX];
+        double uy = m[b + Trajectories.VY] - m[a + Trajectories.VY];
+        return px * ux + py * uy > 0;
+    }
+
     /** Whether nothing can be said of two bodies whose circles overlap but by their shapes. */
     boolean hide(int i, int j) {
-        return !(shapes.isCircle(i) && shapes.isCircle(j)) && !boxes.isFixed(i) && !boxes.isFixed(j);
+        return !(shapes.isCircle(i) & shapes.isCircle(j)) & !boxes.isFixed(i) & !boxes.isFixed(j);
     }
 
     /**

@@ -6,6 +6,9 @@ import sim.physics.motion.Trajectories;
 
 /** Derivatives of a body's centre in the frame of another body, which turns; both move and spin uniformly. */
 final class CentrePath {
+    /** By how much larger than they are circles are taken where they are to be apart, relative to them. */
+    private static final double MARGIN = 1e-6;
+
     /** First derivative. */
     double q1x;
 
@@ -30,6 +33,24 @@ final class CentrePath {
                 && bends[a + Trajectories.AY] == bends[b + Trajectories.AY]
                 && trajectories.isParabola(i)
                 && trajectories.isParabola(j);
+    }
+
+    /** Whether they do so and no integrator drives them: their paths hold beyond the step. */
+    static boolean areFree(Trajectories trajectories, int i, int j) {
+        return !trajectories.isDriven(i) && !trajectories.isDriven(j) && isStraight(trajectories, i, j);
+    }
+
+    /** The sum of the radii of two circles that is to be taken where they are to be apart, for all rounding. */
+    static double reach(double radii, double tolerance) {
+        return radii + (MARGIN * radii + 4 * tolerance);
+    }
+
+    /** The time after which two circles that are not apart yet, and move uniformly, are apart for good. */
+    static double timeToPart(double px, double py, double ux, double uy, double reach) {
+        double approach = px * ux + py * uy;
+        double square = ux * ux + uy * uy;
+        double d = approach * approach - square * (px * px + py * py - reach * reach);
+        return d > 0 && square > 0 ? (Math.sqrt(d) - approach) / square : Double.POSITIVE_INFINITY;
     }
 
     /**

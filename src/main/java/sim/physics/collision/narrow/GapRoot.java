@@ -67,7 +67,7 @@ final class GapRoot {
     }
 
     /** Whether g + c1 s + c2 s² + c3 s³ − fourth s⁴ is positive up to a time; false may also mean not known. */
-    private boolean isPositive(double g, double c1, double c2, double c3, double s) {
+    boolean isPositive(double g, double c1, double c2, double c3, double s) {
         return g + s * (fall(c1) + s * (fall(c2) + s * (fall(c3) - s * fourth))) > 0;
     }
 

@@ -126,7 +126,7 @@ public final class NarrowPhase implements Serializable {
             pairs.setCode(pair, timeOfImpact.code);
             touching = timeOfImpact.touching;
         }
-        boolean mayGraze = touching && !separatingLine.clean && !isCircle(i) && !isCircle(j);
+        boolean mayGraze = touching && !separatingLine.clean && !(isCircle(i) | isCircle(j));
         return mayGraze ? beyondGrazes(pair, found, end) : found;
     }
 
@@ -243,12 +243,36 @@ public final class NarrowPhase implements Serializable {
     }
 
     /**
+     * Until when a pair that has just collided is apart, if both move uniformly or fall alike; after {@link #contact}, which
+     * has placed both, and after their velocities at this instant, their anchor, have changed.
+     *
+     * @param pair its number
+     * @param tau offset in the present step
+     * @return offset in the present step, infinite if they never touch again on their present paths, {@code tau} if it is
+     *     not known
+     */
+    public double partUntil(int pair, double tau) {
+        int i = pairs.first(pair);
+        int j = pairs.second(pair);
+        if (!trajectories.areStraight() && !CentrePath.areFree(trajectories, i, j)) {
+            return tau;
+        }
+        if (isCircle(i) && isCircle(j)) {
+            return circles.part(i, j, tau) ? Double.POSITIVE_INFINITY : tau;
+        }
+        if (pose == null || !pose.isOf(i, j, tau)) {
+            return tau;
+        }
+        return tau + Rebound.time(pose, features, trajectories.data(), i * Trajectories.STRIDE, j * Trajectories.STRIDE);
+    }
+
+    /**
      * Takes it that the circles of a pair meet, as {@link #boundingCirclesOf} has found.
      *
      * @param pair its number
      */
     public void meets(int pair) {
-        touching = isCircle(pairs.first(pair)) && isCircle(pairs.second(pair));
+        touching = isCircle(pairs.first(pair)) & isCircle(pairs.second(pair));
     }
 
     /**

@@ -130,6 +130,9 @@ final class Pose {
     private int oa;
     private int ob;
 
+    /** The instant at which the bodies were placed; NaN for none. */
+    private double placedAt = Double.NaN;
+
     final Placed a = new Placed();
     final Placed b = new Placed();
 
@@ -180,6 +183,7 @@ final class Pose {
         bendMask = trajectories.bendMask();
         oa = bodyA * Trajectories.STRIDE;
         ob = bodyB * Trajectories.STRIDE;
+        placedAt = Double.NaN;
         a.load(shapes, bodyA);
         b.load(shapes, bodyB);
         rounding = a.rounding() + b.rounding();
@@ -255,8 +259,14 @@ final class Pose {
         }
     }
 
+    /** Whether these two bodies were placed last, at that instant. */
+    boolean isOf(int bodyA, int bodyB, double tau) {
+        return oa == bodyA * Trajectories.STRIDE && ob == bodyB * Trajectories.STRIDE && placedAt == tau;
+    }
+
     /** Places both bodies' centres at an instant. */
     void moveTo(double tau) {
+        placedAt = tau;
         double step = trajectories.step();
         double h = trajectories.h();
         double da = (step - m[oa + Trajectories.STEP]) * h + (tau - m[oa + Trajectories.OFFSET]);

@@ -76,6 +76,9 @@ final class SeparatingLine {
     private double rounding;
     private double bounding;
     private double slowness;
+
+    /** From when on the bounding circles are apart for good. */
+    private double parted;
     private double tolerance;
 
     /** Cosine and sine of A's and of B's orientation. */
@@ -152,9 +155,13 @@ final class SeparatingLine {
                     break;
                 }
                 expand();
-                double s = advance(end - tau);
+                double away = parted - tau;
+                double s = advance(Math.min(end - tau, away), away);
                 if (touching) {
                     return tau + s;
+                }
+                if (s >= away) {
+                    return Double.POSITIVE_INFINITY;
                 }
                 if (s >= end - tau) {
                     return Math.max(end, tau + s);
@@ -216,6 +223,9 @@ final class SeparatingLine {
             slowness = Tolerances.APPROACH * (speed + turning);
         }
         tolerance = Tolerances.GAP * (Math.abs(xa) + Math.abs(ya) + Math.abs(xb) + Math.abs(yb) + bounding);
+        if (first) {
+            parted = tau + CentrePath.timeToPart(px, py, ux, uy, CentrePath.reach(bounding, tolerance));
+        }
         root.tolerance = tolerance;
         if (countA > 1 && (first || spinA != 0)) {
             Trig.sinCos(m[oa + 2] + da * spinA, turn, 0);
@@ -328,7 +338,7 @@ final class SeparatingLine {
         boolean above = along >= -limit && along <= shape[e + ShapeTable.LENGTH] + limit;
         return (above || count > 1 && gap > LOOSE * bounding)
                 && gap + rounding >= -Tolerances.CORNERS * bounding
-                && isClosest(a - limit);
+                && shapes.isLowest(other, closest, ox, oy, a - limit);
     }
 
     private void setNormal(double x, double y) {
@@ -336,21 +346,6 @@ final class SeparatingLine {
         ny = y;
         ox = cos * x + sin * y;
         oy = cos * y - sin * x;
-    }
-
-    /** Whether the closest vertex is no farther down than a depth than its neighbours. */
-    private boolean isClosest(double depth) {
-        if (count == 1) {
-            return true;
-        }
-        int after = closest + 1 == count ? 0 : closest + 1;
-        int before = closest == 0 ? count - 1 : closest - 1;
-        return depth(after) >= depth && depth(before) >= depth;
-    }
-
-    private double depth(int k) {
-        int v = other + ShapeTable.FIRST + ShapeTable.VERTEX * k;
-        return ox * shape[v] + oy * shape[v + 1];
     }
 
     private boolean takeCorner() {
@@ -369,7 +364,7 @@ final class SeparatingLine {
         gap = distance - rounding;
         setNormal(dx / distance, dy / distance);
         height = nx * shape[o] + ny * shape[o + 1];
-        return isClosest(depth(closest) - limit);
+        return shapes.isLowest(other, closest, ox, oy, ox * shape[v] + oy * shape[v + 1] - limit);
     }
 
     /** The height of the other body's centre as a series in time. */
@@ -419,10 +414,10 @@ final class SeparatingLine {
 
     /**
      * The time that surely passes before a contact, 0 if that cannot be said; or the time of the contact, if the bodies
-     * are {@link #touching} then.
+     * are {@link #touching} then. Nothing touches from {@code away} on.
      */
-    private double advance(double rest) {
-        double beyond = rest + BEYOND * trajectories.h();
+    private double advance(double rest, double away) {
+        double beyond = Math.min(rest + BEYOND * trajectories.h(), away);
         int v = other + ShapeTable.FIRST + ShapeTable.VERTEX * closest;
         double a = ox * shape[v] + oy * shape[v + 1];
         double b = relative * (oy * shape[v] - ox * shape[v + 1]);
@@ -468,8 +463,12 @@ final class SeparatingLine {
             if (g <= tolerance) {
                 return 0;
             }
-            s = Math.min(s, root.before(g, h1 + b, h2 - 0.5 * turning * a, h3 - turning * b * (1.0 / 6),
-                    Math.min(s, beyond), Math.min(s, rest)));
+            double c1 = h1 + b;
+            double c2 = h2 - 0.5 * turning * a;
+            double c3 = h3 - turning * b * (1.0 / 6);
+            if (!root.isPositive(g, c1, c2, c3, Math.min(s, beyond))) {
+                s = Math.min(s, root.before(g, c1, c2, c3, Math.min(s, beyond), Math.min(s, rest)));
+            }
         }
         return s;
     }

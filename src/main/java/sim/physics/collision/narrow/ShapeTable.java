@@ -99,6 +99,14 @@ public final class ShapeTable implements Serializable {
         return lowest;
     }
 
+    /** Whether a vertex's neighbours lie no less far than a depth in a direction of the shape's frame. */
+    boolean isLowest(int base, int vertex, double x, double y, double depth) {
+        int n = (int) data[base + COUNT];
+        int after = base + FIRST + VERTEX * (vertex + 1 == n ? 0 : vertex + 1);
+        int before = base + FIRST + VERTEX * (vertex == 0 ? n - 1 : vertex - 1);
+        return n == 1 || x * data[after] + y * data[after + 1] >= depth && x * data[before] + y * data[before + 1] >= depth;
+    }
+
     /**
      * Notes the shape of a body.
      *

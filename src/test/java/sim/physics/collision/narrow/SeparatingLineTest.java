@@ -64,6 +64,7 @@ class SeparatingLineTest {
         trajectories.ensure(2);
         int contacts = 0;
         int decided = 0;
+        int forGood = 0;
         for (int k = 0; k < 6000; k++) {
             int kind = k % 5;
             double spin = k % 7 == 0 ? 0 : k % 3 == 0 ? 30 : 3;
@@ -75,7 +76,8 @@ class SeparatingLineTest {
             double found = line.search(0, 1, 0, END, ClosestFeatures.NO_FEATURES);
             boolean touching = line.touching;
             decided += line.undecided ? 0 : 1;
-            double until = Math.min(END, found);
+            double until = Math.min(10 * END, found);
+            forGood += !line.undecided && found == Double.POSITIVE_INFINITY ? 1 : 0;
             for (int i = 0; i < 200; i++) {
                 assertThat(gap(until * i / 200)).as("pair %d at %d", k, i).isGreaterThan(-1e-13);
             }
@@ -93,5 +95,6 @@ class SeparatingLineTest {
         }
         assertThat(contacts).isGreaterThan(500);
         assertThat(decided).isGreaterThan(4000);
+        assertThat(forGood).isGreaterThan(1000);
     }
 }
