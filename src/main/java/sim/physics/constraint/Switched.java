@@ -86,6 +86,24 @@ abstract class Switched implements Constraint {
         }
     }
 
+    /** The same, given what the coordinate's row says; a row that does not act is cleared. */
+    final void take(double[] c, double[] rate, double[] j, int node) {
+        int o = Island.J * node;
+        value = c[2 * node];
+        c[2 * node] = isOnNow ? gap(value) : 0;
+        for (int k = 0; k < 3; k++) {
+            row[k] = j[o + k];
+            row[3 + k] = j[o + 6 + k];
+        }
+        if (!isOnNow) {
+            rate[2 * node] = 0;
+            for (int k = 0; k < 3; k++) {
+                j[o + k] = 0;
+                j[o + 6 + k] = 0;
+            }
+        }
+    }
+
     /** The coordinate at the last evaluation. */
     final double value() {
         return value;

@@ -77,28 +77,36 @@ final class Switches implements Serializable {
 
     /** Accelerations at a stage: rows whose force would be out of its bounds do not act, and push with that bound. */
     void accelerate(State state, ConstraintSolver solver, double[] a) {
-        double[] w = state.w().values();
-        keep(a);
-        for (Switched s : rows) {
-            s.isOnNow = s.isOn;
-            s.forceNow = s.force;
+        boolean anyOn = false;
+        for (int k = 0; k < rows.length; k++) {
+            rows[k].isOnNow = rows[k].isOn;
+            rows[k].forceNow = rows[k].force;
+            anyOn |= rows[k].isOn;
         }
-        boolean changed = true;
-        while (changed) {
-            changed = false;
+        if (anyOn && isLimited) {
+            keep(a);
+        }
+        while (solveOnce(state, solver, a)) {
+            isOverloaded = true;
             restore(a);
-            island.evaluate(state);
-            for (int k = 0; k < rows.length; k++) {
-                if (!rows[k].isOnNow && rows[k].forceNow != 0) {
-                    rows[k].push(rows[k].forceNow, w, a, island.blockA[nodes[k]], island.blockB[nodes[k]]);
-                }
-            }
-            solver.accelerate(island, state, a);
-            for (int k = 0; k < rows.length && isLimited; k++) {
-                changed |= rows[k].isOnNow && limit(rows[k], island.lambda[2 * nodes[k]]);
-            }
-            isOverloaded |= changed;
         }
+    }
+
+    /** Finds accelerations; returns whether a row that acts was out of its bounds, and does not act any more. */
+    private boolean solveOnce(State state, ConstraintSolver solver, double[] a) {
+        double[] w = state.w().values();
+        island.evaluate(state);
+        for (int k = 0; k < rows.length; k++) {
+            if (!rows[k].isOnNow && rows[k].forceNow != 0) {
+                rows[k].push(rows[k].forceNow, w, a, island.blockA[nodes[k]], island.blockB[nodes[k]]);
+            }
+        }
+        solver.accelerate(island, state, a);
+        boolean changed = false;
+        for (int k = 0; k < rows.length && isLimited; k++) {
+            changed |= rows[k].isOnNow && limit(rows[k], island.lambda[2 * nodes[k]]);
+        }
+        return changed;
     }
 
     /** Sets whether forces are kept within their bounds; returns whether one has been out of them since this was last set. */
@@ -150,14 +158,20 @@ final class Switches implements Serializable {
         if (free.length < n) {
             free = new double[n];
         }
-        for (int k = 0; k < n; k++) {
-            free[k] = a[State.BLOCK * island.bodies.values[k / 3] + k % 3];
+        for (int k = 0, m = 0; k < island.bodies.size; k++, m += State.BLOCK) {
+            int s = State.BLOCK * island.bodies.values[k];
+            free[m] = a[s];
+            free[m + 1] = a[s + 1];
+            free[m + 2] = a[s + 2];
         }
     }
 
     private void restore(double[] a) {
-        for (int k = 0; k < State.BLOCK * island.bodies.size; k++) {
-            a[State.BLOCK * island.bodies.values[k / 3] + k % 3] = free[k];
+        for (int k = 0, m = 0; k < island.bodies.size; k++, m += State.BLOCK) {
+            int s = State.BLOCK * island.bodies.values[k];
+            a[s] = free[m];
+            a[s + 1] = free[m + 1];
+            a[s + 2] = free[m + 2];
         }
     }
 

@@ -35,7 +35,9 @@ public final class RungeKutta4 implements Integrator {
         path.ensure(State.BLOCK * state.size());
         begin(state, bodies, path);
         for (int s = 0; s < NODE.length; s++) {
-            equations.acceleration(bodies, t + NODE[s] * h, path.stage);
+            if (s > 0 || !path.putFirst(bodies)) {
+                equations.acceleration(bodies, t + NODE[s] * h, path.stage);
+            }
             path.takeFirst(bodies);
             double next = s + 1 < NODE.length ? NODE[s + 1] * h : 0;
             stage(state, bodies, path, WEIGHT[s], next);

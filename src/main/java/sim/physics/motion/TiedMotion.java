@@ -50,6 +50,9 @@ final class TiedMotion implements Serializable {
 
     private double[] kept = {};
 
+    /** Whether the accelerations at the start of the path at hand are known, as they will be found there again. */
+    private boolean isStartKnown;
+
     /** Whether the step at hand was found to have no quick way. */
     private boolean isRefused;
 
@@ -87,11 +90,14 @@ final class TiedMotion implements Serializable {
      * @return how long
      */
     double advanceUntilSwitch(Motion motion, IntList group, double t, double tau, double limit, Path path) {
-        double length = ties.isSwitched(group)
-                ? advanceSwitched(motion, group, t, tau, limit, path)
-                : stride(motion, group, t, limit, path);
-        isRefused = false;
-        return length;
+        try {
+            return ties.isSwitched(group)
+                    ? advanceSwitched(motion, group, t, tau, limit, path)
+                    : stride(motion, group, t, limit, path);
+        } finally {
+            isRefused = false;
+            isStartKnown = false;
+        }
     }
 
     private double advanceSwitched(Motion motion, IntList group, double t, double tau, double limit, Path path) {
@@ -102,6 +108,9 @@ final class TiedMotion implements Serializable {
         }
         path.ensure(state.x().length);
         motion.acceleration(group, t, path.stage);
+        path.knowsFirst = false;
+        path.takeFirst(group);
+        isStartKnown = motion.getIntegrator() instanceof RungeKutta4;
         ties.confirm(group, false);
         tell(group);
         double first = ties.watch(group);
@@ -119,6 +128,7 @@ final class TiedMotion implements Serializable {
                 again(group);
                 ties.confirm(group, true); // it is pressed against its stop
                 tell(group);
+                isStartKnown = false;
                 motion.acceleration(group, t, path.stage);
                 return strideUntilYield(motion, group, t, most, path);
             }
@@ -416,6 +426,7 @@ final class TiedMotion implements Serializable {
             double from = length * k / parts;
             double to = length * (k + 1) / parts;
             ties.begin(group, !motion.hasForces());
+            path.isAtStart = isStartKnown && k == 0;
             motion.getIntegrator().advance(motion, state, group, t + from, to - from, path);
             if (!ties.project(group)) {
                 if (parts < MOST_PARTS) {
