@@ -44,6 +44,9 @@ final class BlockFactor implements Serializable {
 
     private final boolean[] isScalar;
 
+    /** Whether all nodes have two rows. */
+    private final boolean areAllPairs;
+
     /** The first of {@link #target} of each column. */
     private final int[] firstTarget;
 
@@ -76,12 +79,15 @@ final class BlockFactor implements Serializable {
         this.rows = rows;
         n = start.length - 1;
         isScalar = new boolean[n];
+        boolean all = true;
         for (int p = 0; p < n; p++) {
+            all &= rows[p] == 2;
             isScalar[p] = rows[p] == 1;
             for (int e = start[p]; e < start[p + 1]; e++) {
                 isScalar[p] &= rows[row[e]] == 1;
             }
         }
+        areAllPairs = all;
         firstTarget = new int[n + 1];
         diagonal = new double[3 * n];
         size = new double[2 * n];
@@ -198,7 +204,13 @@ final class BlockFactor implements Serializable {
         if (lasting > 0 && !whole) {
             setAside();
         }
-        for (int p = 0; p < n; p++) {
+        for (int p = 0, u = 0; p < n && areAllPairs; p++) {
+            invertPair(p, relaxation * most);
+            for (int e = start[p], end = start[p + 1]; e < end; e++) {
+                u = eliminate(p, e, end, u);
+            }
+        }
+        for (int p = 0; p < n && !areAllPairs; p++) {
             if (rows[p] > 0) {
                 invert(p, relaxation * most);
                 eliminate(p);
@@ -217,11 +229,31 @@ final class BlockFactor implements Serializable {
         if (lasting > 0) {
             setAside();
         }
+        if (areAllPairs) {
+            factorPairs(x);
+            return;
+        }
         for (int p = 0; p < n; p++) {
             if (rows[p] > 0) {
                 invert(p, 0);
                 eliminate(p);
                 forward(x, p);
+            }
+        }
+    }
+
+    private void factorPairs(double[] x) {
+        double[] b = below;
+        for (int p = 0, u = 0; p < n; p++) {
+            invertPair(p, 0);
+            int end = start[p + 1];
+            double x0 = x[2 * p];
+            double x1 = x[2 * p + 1];
+            for (int e = start[p]; e < end; e++) {
+                u = eliminate(p, e, end, u);
+                int q = 2 * row[e];
+                x[q] -= b[4 * e] * x0 + b[4 * e + 1] * x1;
+                x[q + 1] -= b[4 * e + 2] * x0 + b[4 * e + 3] * x1;
             }
         }
     }
@@ -239,7 +271,7 @@ final class BlockFactor implements Serializable {
             }
         } else {
             for (int e = start[p]; e < end; e++) {
-                u = eliminate(p, e, end, u);
+                u = rows[row[e]] == 0 ? u + end - e : eliminate(p, e, end, u);
             }
         }
     }
@@ -295,12 +327,17 @@ final class BlockFactor implements Serializable {
 
     /** Inverts a diagonal block; a row that is redundant gets no multiplier. */
     private void invert(int p, double extra) {
-        double[] d = diagonal;
-        double d00 = d[3 * p] + extra;
-        if (rows[p] == 1) {
-            d[3 * p] = d00 > floor * size[2 * p] ? 1 / d00 : invertSmall(d00, 2 * p);
+        if (rows[p] == 2) {
+            invertPair(p, extra);
             return;
         }
+        double d00 = diagonal[3 * p] + extra;
+        diagonal[3 * p] = d00 > floor * size[2 * p] ? 1 / d00 : invertSmall(d00, 2 * p);
+    }
+
+    private void invertPair(int p, double extra) {
+        double[] d = diagonal;
+        double d00 = d[3 * p] + extra;
         double d01 = d[3 * p + 1];
         double d11 = d[3 * p + 2] + extra;
         double i0 = d00 > floor * size[2 * p] ? 1 / d00 : invertSmall(d00, 2 * p);
@@ -374,9 +411,6 @@ final class BlockFactor implements Serializable {
 
     /** Forms L of one block, and subtracts its products with the later blocks of the column. */
     private int eliminate(int p, int e, int end, int from) {
-        if (rows[row[e]] == 0) {
-            return from + end - e;
-        }
         int u = from;
         double[] b = below;
         double i00 = diagonal[3 * p];
@@ -420,7 +454,9 @@ final class BlockFactor implements Serializable {
      */
     void solve(double[] x) {
         for (int p = 0; p < n; p++) {
-            forward(x, p);
+            if (rows[p] > 0) {
+                forward(x, p);
+            }
         }
         back(x);
     }

@@ -360,29 +360,26 @@ final class Island implements Serializable {
 
     /** A = J W Jᵀ, (41), and its factors; rows that are zero get a 1 on the diagonal. */
     void factor(double[] w, double relaxation, double least, boolean whole) {
-        double[] d = factor.diagonal();
-        if (onlyPins) {
-            assemblePins(w);
-            factor.factor(relaxation, least, whole);
-            return;
-        }
-        rows.diagonal(w, d);
-        factor.clear();
-        rows.couple(factor.below());
+        assemble(w);
         factor.factor(relaxation, least, whole);
     }
 
-    private void assemblePins(double[] w) {
-        pins.diagonal(w, factor.diagonal());
-        factor.clear();
-        pins.couple(factor.below());
-    }
-
-    /** Factors A and solves A λ = b at once, b and λ in {@code right}; only where all constraints are pins. */
+    /** Factors A and solves A λ = b at once, b and λ in {@code right}. */
     void factorAndSolve(double[] w, double[] right, double least) {
-        assemblePins(w);
+        assemble(w);
         factor.factor(right, least);
         factor.back(right);
+    }
+
+    private void assemble(double[] w) {
+        factor.clear();
+        if (onlyPins) {
+            pins.diagonal(w, factor.diagonal());
+            pins.couple(factor.below());
+        } else {
+            rows.diagonal(w, factor.diagonal());
+            rows.couple(factor.below());
+        }
     }
 
     /** Whether all constraints are pins. */

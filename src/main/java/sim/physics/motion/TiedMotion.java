@@ -427,7 +427,7 @@ final class TiedMotion implements Serializable {
             double to = length * (k + 1) / parts;
             ties.begin(group, !motion.hasForces());
             path.isAtStart = isStartKnown && k == 0;
-            motion.getIntegrator().advance(motion, state, group, t + from, to - from, path);
+            integrate(motion, group, t + from, to - from, path);
             if (!ties.project(group)) {
                 if (parts < MOST_PARTS) {
                     return false;
@@ -442,6 +442,15 @@ final class TiedMotion implements Serializable {
             }
         }
         return true;
+    }
+
+    /** A step of the integrator; where it is long enough the path is made of its ends, afterwards. */
+    private void integrate(Motion motion, IntList group, double t, double h, Path path) {
+        if (motion.getIntegrator() instanceof RungeKutta4 method && Math.abs(h) >= SHORT * trajectories.h()) {
+            method.advanceWithoutPath(motion, state, group, t, h, path);
+        } else {
+            motion.getIntegrator().advance(motion, state, group, t, h, path);
+        }
     }
 
     private static void copy(IntList group, double[] from, double[] to) {
