@@ -149,9 +149,7 @@ public final class Constraints implements Ties, Serializable {
      */
     public boolean remove(Constraint constraint) {
         boolean was = constraints.remove(constraint);
-        if (was) {
-            changed.add(constraint);
-        }
+        changed.addAll(was ? List.of(constraint) : List.of());
         return was;
     }
 
@@ -168,11 +166,7 @@ public final class Constraints implements Ties, Serializable {
             }
             return;
         }
-        for (Constraint c : constraints) {
-            if (c.getBodyA() == body || c.getBodyB() == body) {
-                changed.add(c);
-            }
-        }
+        constraints.stream().filter(c -> c.getBodyA() == body || c.getBodyB() == body).forEach(changed::add);
     }
 
     /**
@@ -226,11 +220,7 @@ public final class Constraints implements Ties, Serializable {
         for (int k = 0; k < island.bodies.size; k++) {
             of[island.bodies.values[k]] = null;
         }
-        for (Constraint c : island.inOrder) {
-            if (constraints.contains(c)) {
-                open.add(c);
-            }
-        }
+        island.inOrder.stream().filter(constraints::contains).forEach(open::add);
     }
 
     @Override
@@ -370,7 +360,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void settle(IntList bodies) {
-        of(bodies).forEach(island -> projection.settle(island, state, solver));
+        of(bodies).forEach(k -> projection.settle(k, state, solver));
     }
 
     @Override
@@ -445,12 +435,7 @@ public final class Constraints implements Ties, Serializable {
     public boolean decide(IntList bodies, double time) {
         boolean hits = false;
         for (Island island : of(bodies)) {
-            if (island.switches.decide(state, time)) {
-                hits = true;
-                island.evaluate(state);
-                solver.prepare(island, state.w().values());
-                projection.settle(island, state, solver);
-            }
+            hits |= projection.decide(island, state, solver, time);
         }
         return hits;
     }
@@ -461,8 +446,18 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public double watch(IntList bodies) {
-        return Switches.watch(of(bodies), state);
+    public double watch(IntList bodies, boolean near) {
+        return Switches.watch(of(bodies), state, near);
+    }
+
+    @Override
+    public boolean reconsider(IntList bodies, double[] a) {
+        return Switches.reconsider(of(bodies), a);
+    }
+
+    @Override
+    public double toGo(IntList bodies, boolean near) {
+        return Switches.toGo(of(bodies), state, near);
     }
 
     @Override

@@ -109,6 +109,11 @@ public final class Limit extends Switched {
     }
 
     @Override
+    boolean isStruck(double q, double now, double time) {
+        return q - lower <= reach(lower) && -now * time > reach(lower) || upper - q <= reach(upper) && now * time > reach(upper);
+    }
+
+    @Override
     double least() {
         return side < 0 ? 0 : Double.NEGATIVE_INFINITY;
     }
@@ -124,8 +129,14 @@ public final class Limit extends Switched {
     }
 
     @Override
+    double toGo(double q, double now) {
+        double way = now > 0 ? upper - q : lower - q;
+        return watch(q, now) < 0 && way / now > 0 ? Double.NaN : now == 0 ? Double.POSITIVE_INFINITY : way / now;
+    }
+
+    @Override
     void hold(double q) {
-        isOn |= side != 0 && watch(q, 0) <= 1;
+        isOn |= side != 0 && Math.abs(watch(q, 0)) <= 1;
     }
 
     @Override

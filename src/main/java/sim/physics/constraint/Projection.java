@@ -37,6 +37,9 @@ final class Projection implements Serializable {
     /** Size of a correction whose square is less than rounding. */
     static final double SMOOTH = 1e-9;
 
+    /** Impacts of an island's stops on one another at one instant. */
+    private static final int MOST_IMPACTS = 50;
+
     private double[] move = {};
     private int corrections;
     private double error;
@@ -172,6 +175,23 @@ final class Projection implements Serializable {
             x[s + 2] += move[s + 2];
         }
         return Math.max(way / island.leastSize, turn);
+    }
+
+    /**
+     * Decides which motors and stops act, and gives the bodies the velocities that these ask for; returns whether these may
+     * have changed. Stops that are driven against others by this are decided again.
+     */
+    boolean decide(Island island, State state, ConstraintSolver solver, double time) {
+        boolean hits = false;
+        boolean isStruck = true;
+        for (int k = 0; k < MOST_IMPACTS && isStruck && island.switches.decide(state, time); k++) {
+            hits = true;
+            island.evaluate(state);
+            solver.prepare(island, state.w().values());
+            settle(island, state, solver);
+            isStruck = island.switches.isStruck(state, time);
+        }
+        return hits;
     }
 
     /** Projects the velocities alone; the island is evaluated, and prepared at or near the same positions. */

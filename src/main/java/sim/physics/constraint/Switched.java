@@ -18,6 +18,9 @@ abstract class Switched implements Constraint {
     /** Part of a bound within which a force has reached it. */
     private static final double BEARS = 1e-11;
 
+    /** Part of what an acceleration is the sum of that is rounding. */
+    private static final double ROUNDING = 1e-11;
+
     private final Constraint coordinate;
 
     /** Whether the row acts; and if it does not, the force along the coordinate. */
@@ -33,7 +36,14 @@ abstract class Switched implements Constraint {
     /** The greatest force that it has been seen to need. */
     private double strongest;
 
+    /** Whether it was found at the start of a path that the force of the row would be out of its bounds. */
+    boolean yields;
+
     private double value;
+
+    /** J̇ ẋ of the coordinate. */
+    private double curvature;
+
     private final double[] row = new double[6];
 
     Switched(Constraint coordinate) {
@@ -76,6 +86,7 @@ abstract class Switched implements Constraint {
     public final void evaluate(Equations equations) {
         coordinate.evaluate(equations);
         value = equations.c[0];
+        curvature = equations.rate[0];
         System.arraycopy(equations.jA, 0, row, 0, 3);
         System.arraycopy(equations.jB, 0, row, 3, 3);
         equations.c[0] = isOnNow ? gap(value) : 0;
@@ -90,6 +101,7 @@ abstract class Switched implements Constraint {
     final void take(double[] c, double[] rate, double[] j, int node) {
         int o = Island.J * node;
         value = c[2 * node];
+        curvature = rate[2 * node];
         c[2 * node] = isOnNow ? gap(value) : 0;
         for (int k = 0; k < 3; k++) {
             row[k] = j[o + k];
@@ -116,6 +128,23 @@ abstract class Switched implements Constraint {
             sum += (blockA < 0 ? 0 : row[k] * v[blockA + k]) + (blockB < 0 ? 0 : row[3 + k] * v[blockB + k]);
         }
         return sum;
+    }
+
+    /**
+     * Whether a row that has yielded should act again: with the bound of its force that it pushes with, the coordinate is
+     * accelerated to the side from which that force keeps it.
+     */
+    final boolean isPressed(double[] a, int blockA, int blockB) {
+        double sum = curvature;
+        double terms = Math.abs(curvature);
+        for (int k = 0; k < 3; k++) {
+            double one = blockA < 0 ? 0 : row[k] * a[blockA + k];
+            double other = blockB < 0 ? 0 : row[3 + k] * a[blockB + k];
+            sum += one + other;
+            terms += Math.abs(one) + Math.abs(other);
+        }
+        double away = force == greatest() ? -sum : sum;
+        return away < -ROUNDING * terms;
     }
 
     /** u += W rowᵀ force. */
@@ -181,6 +210,11 @@ abstract class Switched implements Constraint {
      */
     abstract double decide(double q, double speed, double time);
 
+    /** Whether the row would have another speed at once: an impact on other stops drives it against its own. */
+    boolean isStruck(double q, double speed, double time) {
+        return false;
+    }
+
     /** The least and the greatest force that the row can have when it is on. */
     abstract double least();
 
@@ -190,6 +224,9 @@ abstract class Switched implements Constraint {
      * A value that turns negative when the row must be decided anew, in units of what counts as reached; the row is off.
      */
     abstract double watch(double q, double speed);
+
+    /** The time until that is 0 at the speed of now; infinite if it never is, NaN if it cannot be said. */
+    abstract double toGo(double q, double speed);
 
     /** Turns the row on if its coordinate is where it may be held. */
     abstract void hold(double q);

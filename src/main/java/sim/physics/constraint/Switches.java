@@ -12,10 +12,17 @@ import sim.physics.motion.State;
 final class Switches implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    private static final byte FAR = 0;
+    private static final byte NEAR = 1;
+    private static final byte PASSED = 2;
+
     private final Island island;
     private final Switched[] rows;
     private final int[] nodes;
     private double[] free = {};
+
+    /** Whether a row that does not act was within reach when that was settled, {@link #NEAR}, or far, or had been passed. */
+    private final byte[] reach;
 
     /** Whether forces are kept within their bounds, and whether one that acts has been out of them. */
     private boolean isLimited = true;
@@ -37,6 +44,7 @@ final class Switches implements Serializable {
         }
         rows = found.toArray(new Switched[0]);
         nodes = at.stream().mapToInt(Integer::intValue).toArray();
+        reach = new byte[rows.length];
         bias = new double[2 * island.nodes];
     }
 
@@ -61,12 +69,49 @@ final class Switches implements Serializable {
     void settle() {
         for (Switched s : rows) {
             if (s.isOn && !s.isOnNow) {
-                s.isOn = false;
-                s.force = s.forceNow;
+                giveWay(s, s.forceNow);
             }
             s.isOnNow = s.isOn;
         }
         setBias();
+    }
+
+    private static void giveWay(Switched s, double force) {
+        s.isOn = false;
+        s.force = force;
+        s.yields = true;
+    }
+
+    /**
+     * Changes the first of the rows that act although their force is out of its bounds, or have yielded although they are
+     * pressed, at the accelerations that were just found; false if there is none. As long as there is one, what acts is not
+     * settled: this is Murty's rule (1974), by which that is found in the end.
+     */
+    static boolean reconsider(List<Island> islands, double[] a) {
+        for (int k = 0; k < islands.size(); k++) {
+            if (islands.get(k).switches.reconsider(a)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean reconsider(double[] a) {
+        for (int k = 0; k < rows.length; k++) {
+            Switched s = rows[k];
+            double f = island.lambda[2 * nodes[k]];
+            if (s.isOn && s.isOnNow && !(f >= s.least() && f <= s.greatest())) {
+                giveWay(s, f < s.least() ? s.least() : s.greatest());
+                return true;
+            }
+            if (!s.isOn && s.yields && s.isPressed(a, island.blockA[nodes[k]], island.blockB[nodes[k]])) {
+                s.isOn = true;
+                s.force = 0;
+                s.yields = false;
+                return true;
+            }
+        }
+        return false;
     }
 
     private void setBias() {
@@ -200,15 +245,25 @@ final class Switches implements Serializable {
                 island.switches.hold(state);
             } else {
                 island.switches.settle();
+                island.switches.mark(state);
             }
         }
     }
 
     /** The least of what is watched in some islands. */
-    static double watch(List<Island> islands, State state) {
+    static double watch(List<Island> islands, State state, boolean near) {
         double least = Double.POSITIVE_INFINITY;
-        for (Island island : islands) {
-            least = Math.min(least, island.switches.watch(state));
+        for (int k = 0; k < islands.size(); k++) {
+            least = Math.min(least, islands.get(k).switches.watch(state, near));
+        }
+        return least;
+    }
+
+    /** The least time until a stop of some islands is reached. */
+    static double toGo(List<Island> islands, State state, boolean near) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < islands.size(); k++) {
+            least = Math.min(least, islands.get(k).switches.toGo(state, near));
         }
         return least;
     }
@@ -229,10 +284,20 @@ final class Switches implements Serializable {
         for (int k = 0; k < rows.length; k++) {
             double must = rows[k].decide(rows[k].value(), speed(k, state), time);
             rows[k].isOnNow = rows[k].isOn || !Double.isNaN(must);
+            rows[k].yields = false;
             bias[2 * nodes[k]] = Double.isNaN(must) ? rows[k].isOn ? -rows[k].target() : 0 : -must;
             hits |= rows[k].isOnNow;
         }
         return hits;
+    }
+
+    /** Whether an impact that was just decided has driven other rows against their stops. */
+    boolean isStruck(State state, double time) {
+        boolean yes = false;
+        for (int k = 0; k < rows.length && !yes; k++) {
+            yes = rows[k].isStruck(rows[k].value(), speed(k, state), time);
+        }
+        return yes;
     }
 
     private double speed(int k, State state) {
@@ -263,13 +328,41 @@ final class Switches implements Serializable {
         return least;
     }
 
+    /** Notes which of the rows that do not act are within reach; the island is evaluated. */
+    private void mark(State state) {
+        for (int k = 0; k < rows.length; k++) {
+            double watched = rows[k].isOn ? 1 : rows[k].watch(rows[k].value(), speed(k, state));
+            reach[k] = watched >= 1 ? FAR : watched > -1 ? NEAR : PASSED;
+        }
+    }
+
     /** The least of the values that turn negative when a row must be decided anew. */
-    double watch(State state) {
+    private double watch(State state, boolean near) {
+        byte which = near ? NEAR : FAR;
+        boolean isAny = false;
+        for (int k = 0; k < rows.length; k++) {
+            isAny |= !rows[k].isOn && reach[k] == which;
+        }
+        double least = Double.POSITIVE_INFINITY;
+        if (!isAny) {
+            return least;
+        }
         island.evaluate(state);
+        for (int k = 0; k < rows.length; k++) {
+            if (!rows[k].isOn && reach[k] == which) {
+                least = Math.min(least, rows[k].watch(rows[k].value(), speed(k, state)));
+            }
+        }
+        return least;
+    }
+
+    /** The least time until such a row must be; NaN if a motor is among those that have passed. */
+    private double toGo(State state, boolean near) {
+        byte which = near ? NEAR : FAR;
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < rows.length; k++) {
-            if (!rows[k].isOn) {
-                least = Math.min(least, rows[k].watch(rows[k].value(), speed(k, state)));
+            if (!rows[k].isOn && reach[k] == which) {
+                least = Math.min(least, rows[k].toGo(rows[k].value(), speed(k, state)));
             }
         }
         return least;
