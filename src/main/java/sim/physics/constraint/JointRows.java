@@ -141,9 +141,13 @@ final class JointRows implements Serializable {
     private void find(int at, double ax, double ay, int body, int s, double[] x, double[] v) {
         double[] end = ends;
         if (body < 0) {
-            Arrays.fill(end, at, at + END, 0);
+            end[at] = 0;
+            end[at + 1] = 0;
             end[at + 2] = ax;
             end[at + 3] = ay;
+            end[at + 4] = 0;
+            end[at + 5] = 0;
+            end[at + 6] = 0;
             return;
         }
         double cos = turns.turn[2 * body];

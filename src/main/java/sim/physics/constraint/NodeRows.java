@@ -30,111 +30,132 @@ final class NodeRows implements Serializable {
 
     /** The diagonal blocks of A; rows that are zero get a 1. */
     void diagonal(double[] w, double[] d) {
-        double[] j = island.j;
         for (int p = 0; p < island.nodes; p++) {
             int rows = island.factor.rows(p);
-            double d00 = 0;
-            double d01 = 0;
-            double d11 = 0;
-            int o = J * p;
-            for (int block = island.blockA[p], side = 0; side < 2 && rows > 0; side++, block = island.blockB[p], o += 6) {
-                if (block >= 0) {
-                    weigh(w, block, o);
-                    d00 += product(o, j, o);
-                    if (rows == 2) {
-                        weigh(w, block, o + 3);
-                        d01 += product(o, j, o + 3);
-                        d11 += product(o + 3, j, o + 3);
-                    }
-                }
+            d[3 * p] = 0;
+            d[3 * p + 1] = 0;
+            d[3 * p + 2] = 0;
+            if (rows > 0 && island.blockA[p] >= 0) {
+                add(w, island.blockA[p], J * p, rows, d, 3 * p);
             }
-            d[3 * p] = d00 == 0 ? 1 : d00;
-            d[3 * p + 1] = d01;
-            d[3 * p + 2] = d11 == 0 ? 1 : d11;
+            if (rows > 0 && island.blockB[p] >= 0) {
+                add(w, island.blockB[p], J * p + 6, rows, d, 3 * p);
+            }
+            d[3 * p] = d[3 * p] == 0 ? 1 : d[3 * p];
+            d[3 * p + 2] = d[3 * p + 2] == 0 ? 1 : d[3 * p + 2];
         }
     }
 
-    private void weigh(double[] w, int block, int o) {
-        weighted[o] = w[block] * island.j[o];
-        weighted[o + 1] = w[block + 1] * island.j[o + 1];
-        weighted[o + 2] = w[block + State.THETA] * island.j[o + 2];
-    }
-
-    private double product(int one, double[] j, int other) {
-        return weighted[one] * j[other] + weighted[one + 1] * j[other + 1] + weighted[one + 2] * j[other + 2];
+    /** Weighs the rows of a node on one side, and adds their products with one another. */
+    private void add(double[] w, int block, int o, int rows, double[] d, int at) {
+        double[] j = island.j;
+        double mass = w[block];
+        double inertia = w[block + State.THETA];
+        double x = j[o];
+        double y = j[o + 1];
+        double turn = j[o + 2];
+        double mx = mass * x;
+        double my = mass * y;
+        double it = inertia * turn;
+        weighted[o] = mx;
+        weighted[o + 1] = my;
+        weighted[o + 2] = it;
+        d[at] += mx * x + my * y + it * turn;
+        if (rows == 2) {
+            double otherX = j[o + 3];
+            double otherY = j[o + 4];
+            double otherTurn = j[o + 5];
+            double ox = mass * otherX;
+            double oy = mass * otherY;
+            double ot = inertia * otherTurn;
+            weighted[o + 3] = ox;
+            weighted[o + 4] = oy;
+            weighted[o + 5] = ot;
+            d[at + 1] += mx * otherX + my * otherY + it * otherTurn;
+            d[at + 2] += ox * otherX + oy * otherY + ot * otherTurn;
+        }
     }
 
     /** The blocks of A below its diagonal. */
     void couple(double[] below) {
-        double[] j = island.j;
         BlockFactor factor = island.factor;
         for (int k = 0; k < shared.length; k += 3) {
-            int e = shared[k];
             int q = shared[k + 1];
             int p = shared[k + 2];
             int rowsQ = factor.rows(q / J);
             int rowsP = factor.rows(p / J);
-            if (rowsQ == 0 || rowsP == 0) {
-                continue;
+            if (rowsQ > 0 && rowsP > 0) {
+                couple(below, shared[k], q, p, rowsQ, rowsP);
             }
-            below[e] += product(q, j, p);
+        }
+    }
+
+    private void couple(double[] below, int e, int q, int p, int rowsQ, int rowsP) {
+        double[] j = island.j;
+        double x = weighted[q];
+        double y = weighted[q + 1];
+        double turn = weighted[q + 2];
+        below[e] += x * j[p] + y * j[p + 1] + turn * j[p + 2];
+        if (rowsP == 2) {
+            below[e + 1] += x * j[p + 3] + y * j[p + 4] + turn * j[p + 5];
+        }
+        if (rowsQ == 2) {
+            x = weighted[q + 3];
+            y = weighted[q + 4];
+            turn = weighted[q + 5];
+            below[e + 2] += x * j[p] + y * j[p + 1] + turn * j[p + 2];
             if (rowsP == 2) {
-                below[e + 1] += product(q, j, p + 3);
-            }
-            if (rowsQ == 2) {
-                below[e + 2] += product(q + 3, j, p);
-                if (rowsP == 2) {
-                    below[e + 3] += product(q + 3, j, p + 3);
-                }
+                below[e + 3] += x * j[p + 3] + y * j[p + 4] + turn * j[p + 5];
             }
         }
     }
 
     /** −(J u + g) into {@code right}. */
     void residual(double[] u, double[] g, double[] right) {
+        double[] j = island.j;
         for (int p = 0; p < island.nodes; p++) {
             int rows = island.factor.rows(p);
             double r0 = g == null ? 0 : g[2 * p];
             double r1 = g == null ? 0 : g[2 * p + 1];
             int o = J * p;
-            for (int s = island.blockA[p], side = 0; side < 2 && rows > 0; side++, s = island.blockB[p], o += 6) {
-                if (s >= 0) {
-                    r0 += along(u, s, o);
-                    r1 += rows == 2 ? along(u, s, o + 3) : 0;
-                }
+            int s = island.blockA[p];
+            if (s >= 0 && rows > 0) {
+                r0 += j[o] * u[s] + j[o + 1] * u[s + 1] + j[o + 2] * u[s + 2];
+                r1 += rows == 1 ? 0 : j[o + 3] * u[s] + j[o + 4] * u[s + 1] + j[o + 5] * u[s + 2];
+            }
+            s = island.blockB[p];
+            if (s >= 0 && rows > 0) {
+                r0 += j[o + 6] * u[s] + j[o + 7] * u[s + 1] + j[o + 8] * u[s + 2];
+                r1 += rows == 1 ? 0 : j[o + 9] * u[s] + j[o + 10] * u[s + 1] + j[o + 11] * u[s + 2];
             }
             right[2 * p] = -r0;
             right[2 * p + 1] = -r1;
         }
     }
 
-    private double along(double[] u, int s, int o) {
-        double[] j = island.j;
-        return j[o] * u[s] + j[o + 1] * u[s + 1] + j[o + 2] * u[s + 2];
-    }
-
     /** u += W Jᵀ λ, (37) and (40). */
     void apply(double[] w, double[] lambda, double[] u) {
-        double[] j = island.j;
         for (int p = 0; p < island.nodes; p++) {
             int rows = island.factor.rows(p);
-            double l0 = lambda[2 * p];
-            double l1 = lambda[2 * p + 1];
-            int o = J * p;
-            for (int s = island.blockA[p], side = 0; side < 2 && rows > 0; side++, s = island.blockB[p], o += 6) {
-                if (s < 0) {
-                    continue;
-                }
-                if (rows == 1) {
-                    u[s] += w[s] * (j[o] * l0);
-                    u[s + 1] += w[s + 1] * (j[o + 1] * l0);
-                    u[s + 2] += w[s + 2] * (j[o + 2] * l0);
-                } else {
-                    u[s] += w[s] * (j[o] * l0 + j[o + 3] * l1);
-                    u[s + 1] += w[s + 1] * (j[o + 1] * l0 + j[o + 4] * l1);
-                    u[s + 2] += w[s + 2] * (j[o + 2] * l0 + j[o + 5] * l1);
-                }
+            if (rows > 0 && island.blockA[p] >= 0) {
+                push(w, island.blockA[p], J * p, rows, lambda[2 * p], lambda[2 * p + 1], u);
             }
+            if (rows > 0 && island.blockB[p] >= 0) {
+                push(w, island.blockB[p], J * p + 6, rows, lambda[2 * p], lambda[2 * p + 1], u);
+            }
+        }
+    }
+
+    private void push(double[] w, int s, int o, int rows, double l0, double l1, double[] u) {
+        double[] j = island.j;
+        if (rows == 1) {
+            u[s] += w[s] * (j[o] * l0);
+            u[s + 1] += w[s + 1] * (j[o + 1] * l0);
+            u[s + 2] += w[s + 2] * (j[o + 2] * l0);
+        } else {
+            u[s] += w[s] * (j[o] * l0 + j[o + 3] * l1);
+            u[s + 1] += w[s + 1] * (j[o + 1] * l0 + j[o + 4] * l1);
+            u[s + 2] += w[s + 2] * (j[o + 2] * l0 + j[o + 5] * l1);
         }
     }
 }
