@@ -115,6 +115,9 @@ final class Projection implements Serializable {
         error = Slack.error(island, state, ROUNDING);
         double before = Double.POSITIVE_INFINITY;
         if (!(error > 1)) {
+            if (isSettled(island, state)) {
+                return true;
+            }
             solver.prepare(island, w); // the velocities need it
         }
         for (corrections = 0; error > 1; corrections++) {
@@ -152,6 +155,12 @@ final class Projection implements Serializable {
         }
         settle(island, state, solver);
         return true;
+    }
+
+    /** Whether the velocities are right to rounding at the positions at which the island is evaluated. */
+    private static boolean isSettled(Island island, State state) {
+        island.residual(state.v(), island.switches.bias(), island.lambda);
+        return Slack.slip(island, state.v(), island.lambda) == 0;
     }
 
     /** Corrects the positions; returns by how much, in rad or relative to the size of the bodies. */
