@@ -39,6 +39,17 @@ final class BlockFactor implements Serializable {
 
     private final double[] below;
 
+    /** Rows that a node has: 2, 1, or 0 if it is at rest for now; and whether none beside or after it has two. */
+    private final byte[] rows;
+
+    private final boolean[] isScalar;
+
+    /** Whether all nodes have two rows. */
+    private final boolean areAllPairs;
+
+    /** The first of {@link #target} of each column. */
+    private final int[] firstTarget;
+
     /** The rows that depended on others in the last factorization; and those that do so always, null if none are known. */
     private final boolean[] isRedundant;
 
@@ -60,11 +71,24 @@ final class BlockFactor implements Serializable {
      *
      * @param start first block of each column, and the number of blocks
      * @param row the row of each block, ascending in a column
+     * @param rows rows of each node, 1 or 2
      */
-    BlockFactor(int[] start, int[] row) {
+    BlockFactor(int[] start, int[] row, byte[] rows) {
         this.start = start;
         this.row = row;
+        this.rows = rows;
         n = start.length - 1;
+        isScalar = new boolean[n];
+        boolean all = true;
+        for (int p = 0; p < n; p++) {
+            all &= rows[p] == 2;
+            isScalar[p] = rows[p] == 1;
+            for (int e = start[p]; e < start[p + 1]; e++) {
+                isScalar[p] &= rows[row[e]] == 1;
+            }
+        }
+        areAllPairs = all;
+        firstTarget = new int[n + 1];
         diagonal = new double[3 * n];
         size = new double[2 * n];
         isRedundant = new boolean[2 * n];
@@ -77,6 +101,7 @@ final class BlockFactor implements Serializable {
         for (int p = 0; p < n; p++) {
             int k = start[p + 1] - start[p];
             count += k * (k + 1) / 2;
+            firstTarget[p + 1] = count;
         }
         int[] found = new int[count];
         int u = 0;
@@ -97,6 +122,16 @@ final class BlockFactor implements Serializable {
             throw new IllegalStateException("block (" + r + ", " + column + ") is not part of the matrix");
         }
         return e;
+    }
+
+    /** Sets whether a node of one row is at rest: its row is zero, and it is left out. */
+    void rest(int p, boolean yes) {
+        rows[p] = yes ? (byte) 0 : 1;
+    }
+
+    /** Rows of a node, 0 if it is at rest. */
+    int rows(int p) {
+        return rows[p];
     }
 
     double[] diagonal() {
@@ -169,12 +204,16 @@ final class BlockFactor implements Serializable {
         if (lasting > 0 && !whole) {
             setAside();
         }
-        int u = 0;
-        for (int p = 0; p < n; p++) {
-            invert(p, relaxation * most);
-            int end = start[p + 1];
-            for (int e = start[p]; e < end; e++) {
+        for (int p = 0, u = 0; p < n && areAllPairs; p++) {
+            invertPair(p, relaxation * most);
+            for (int e = start[p], end = start[p + 1]; e < end; e++) {
                 u = eliminate(p, e, end, u);
+            }
+        }
+        for (int p = 0; p < n && !areAllPairs; p++) {
+            if (rows[p] > 0) {
+                invert(p, relaxation * most);
+                eliminate(p);
             }
         }
     }
@@ -190,10 +229,23 @@ final class BlockFactor implements Serializable {
         if (lasting > 0) {
             setAside();
         }
-        int u = 0;
-        double[] b = below;
+        if (areAllPairs) {
+            factorPairs(x);
+            return;
+        }
         for (int p = 0; p < n; p++) {
-            invert(p, 0);
+            if (rows[p] > 0) {
+                invert(p, 0);
+                eliminate(p);
+                forward(x, p);
+            }
+        }
+    }
+
+    private void factorPairs(double[] x) {
+        double[] b = below;
+        for (int p = 0, u = 0; p < n; p++) {
+            invertPair(p, 0);
             int end = start[p + 1];
             double x0 = x[2 * p];
             double x1 = x[2 * p + 1];
@@ -203,6 +255,45 @@ final class BlockFactor implements Serializable {
                 x[q] -= b[4 * e] * x0 + b[4 * e + 1] * x1;
                 x[q + 1] -= b[4 * e + 2] * x0 + b[4 * e + 3] * x1;
             }
+        }
+    }
+
+    private void eliminate(int p) {
+        int u = firstTarget[p];
+        int end = start[p + 1];
+        if (isScalar[p]) {
+            for (int e = start[p]; e < end; e++) {
+                u = eliminateScalar(p, e, end, u);
+            }
+        } else if (rows[p] == 1) {
+            for (int e = start[p]; e < end; e++) {
+                u = eliminateRow(p, e, end, u);
+            }
+        } else {
+            for (int e = start[p]; e < end; e++) {
+                u = rows[row[e]] == 0 ? u + end - e : eliminate(p, e, end, u);
+            }
+        }
+    }
+
+    /** Takes a node's part of the right side from the later ones. */
+    private void forward(double[] x, int p) {
+        double[] b = below;
+        double x0 = x[2 * p];
+        int end = start[p + 1];
+        if (rows[p] == 1) {
+            for (int e = start[p]; e < end; e++) {
+                int q = 2 * row[e];
+                x[q] -= b[4 * e] * x0;
+                x[q + 1] -= b[4 * e + 2] * x0;
+            }
+            return;
+        }
+        double x1 = x[2 * p + 1];
+        for (int e = start[p]; e < end; e++) {
+            int q = 2 * row[e];
+            x[q] -= b[4 * e] * x0 + b[4 * e + 1] * x1;
+            x[q + 1] -= b[4 * e + 2] * x0 + b[4 * e + 3] * x1;
         }
     }
 
@@ -236,6 +327,15 @@ final class BlockFactor implements Serializable {
 
     /** Inverts a diagonal block; a row that is redundant gets no multiplier. */
     private void invert(int p, double extra) {
+        if (rows[p] == 2) {
+            invertPair(p, extra);
+            return;
+        }
+        double d00 = diagonal[3 * p] + extra;
+        diagonal[3 * p] = d00 > floor * size[2 * p] ? 1 / d00 : invertSmall(d00, 2 * p);
+    }
+
+    private void invertPair(int p, double extra) {
         double[] d = diagonal;
         double d00 = d[3 * p] + extra;
         double d01 = d[3 * p + 1];
@@ -263,6 +363,50 @@ final class BlockFactor implements Serializable {
         redundant++;
         isRedundant[k] = true;
         return 0;
+    }
+
+    /** The same as {@link #eliminate(int, int, int, int)} where all nodes have one row. */
+    private int eliminateScalar(int p, int e, int end, int from) {
+        int u = from;
+        double[] b = below;
+        double c = b[4 * e];
+        double l = c * diagonal[3 * p];
+        diagonal[3 * ~target[u++]] -= l * c;
+        for (int f = e + 1; f < end; f++) {
+            b[4 * target[u++]] -= b[4 * f] * l;
+        }
+        b[4 * e] = l;
+        return u;
+    }
+
+    /** The same where the column's node has one row. */
+    private int eliminateRow(int p, int e, int end, int from) {
+        if (rows[row[e]] == 0) {
+            return from + end - e;
+        }
+        int u = from;
+        double[] b = below;
+        int o = 4 * e;
+        double b0 = b[o];
+        double b1 = b[o + 2];
+        double l0 = b0 * diagonal[3 * p];
+        double l1 = b1 * diagonal[3 * p];
+        int q = 3 * ~target[u++];
+        diagonal[q] -= l0 * b0;
+        diagonal[q + 1] -= l0 * b1;
+        diagonal[q + 2] -= l1 * b1;
+        for (int f = e + 1; f < end; f++) {
+            int t = 4 * target[u++];
+            double c0 = b[4 * f];
+            double c1 = b[4 * f + 2];
+            b[t] -= c0 * l0; // rows of f, columns of e
+            b[t + 1] -= c0 * l1;
+            b[t + 2] -= c1 * l0;
+            b[t + 3] -= c1 * l1;
+        }
+        b[o] = l0;
+        b[o + 2] = l1;
+        return u;
     }
 
     /** Forms L of one block, and subtracts its products with the later blocks of the column. */
@@ -309,14 +453,9 @@ final class BlockFactor implements Serializable {
      * @param x b before, x afterwards, 2 per block
      */
     void solve(double[] x) {
-        double[] b = below;
         for (int p = 0; p < n; p++) {
-            double x0 = x[2 * p];
-            double x1 = x[2 * p + 1];
-            for (int e = start[p]; e < start[p + 1]; e++) {
-                int q = 2 * row[e];
-                x[q] -= b[4 * e] * x0 + b[4 * e + 1] * x1;
-                x[q + 1] -= b[4 * e + 2] * x0 + b[4 * e + 3] * x1;
+            if (rows[p] > 0) {
+                forward(x, p);
             }
         }
         back(x);
@@ -330,6 +469,10 @@ final class BlockFactor implements Serializable {
     void back(double[] x) {
         double[] b = below;
         for (int p = n - 1; p >= 0; p--) {
+            if (rows[p] < 2) {
+                backRow(x, p);
+                continue;
+            }
             double x0 = diagonal[3 * p] * x[2 * p] + diagonal[3 * p + 1] * x[2 * p + 1];
             double x1 = diagonal[3 * p + 1] * x[2 * p] + diagonal[3 * p + 2] * x[2 * p + 1];
             for (int e = start[p]; e < start[p + 1]; e++) {
@@ -341,5 +484,17 @@ final class BlockFactor implements Serializable {
             x[2 * p] = x0;
             x[2 * p + 1] = x1;
         }
+    }
+
+    private void backRow(double[] x, int p) {
+        double sum = 0;
+        if (rows[p] == 1) {
+            sum = diagonal[3 * p] * x[2 * p];
+            for (int e = start[p]; e < start[p + 1]; e++) {
+                sum -= below[4 * e] * x[2 * row[e]] + below[4 * e + 2] * x[2 * row[e] + 1];
+            }
+        }
+        x[2 * p] = sum;
+        x[2 * p + 1] = 0;
     }
 }

@@ -151,9 +151,7 @@ public final class Constraints implements Ties, Serializable {
      */
     public boolean remove(Constraint constraint) {
         boolean was = constraints.remove(constraint);
-        if (was) {
-            changed.add(constraint);
-        }
+        changed.addAll(was ? List.of(constraint) : List.of());
         return was;
     }
 
@@ -271,10 +269,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void begin(IntList bodies, boolean isFree) {
-        List<Island> those = of(bodies);
-        for (int k = 0; k < those.size(); k++) {
-            those.get(k).invariants.begin(state, isFree);
-        }
+        of(bodies).forEach(island -> island.invariants.begin(state, isFree));
     }
 
     @Override
@@ -368,7 +363,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void settle(IntList bodies) {
-        of(bodies).forEach(island -> projection.settle(island, state, solver));
+        of(bodies).forEach(k -> projection.settle(k, state, solver));
     }
 
     @Override
@@ -443,12 +438,7 @@ public final class Constraints implements Ties, Serializable {
     public boolean decide(IntList bodies, double time) {
         boolean hits = false;
         for (Island island : of(bodies)) {
-            if (island.switches.decide(state, time)) {
-                hits = true;
-                island.evaluate(state);
-                solver.prepare(island, state.w().values());
-                projection.settle(island, state, solver);
-            }
+            hits |= projection.decide(island, state, solver, time);
         }
         return hits;
     }
@@ -459,8 +449,18 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public double watch(IntList bodies) {
-        return Switches.watch(of(bodies), state);
+    public double watch(IntList bodies, boolean near) {
+        return Switches.watch(of(bodies), state, near);
+    }
+
+    @Override
+    public boolean reconsider(IntList bodies, double[] a) {
+        return Switches.reconsider(of(bodies), a);
+    }
+
+    @Override
+    public double toGo(IntList bodies, boolean near) {
+        return Switches.toGo(of(bodies), state, near);
     }
 
     @Override

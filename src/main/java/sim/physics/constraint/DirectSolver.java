@@ -107,11 +107,11 @@ public final class DirectSolver extends ConstraintSolver {
 
     @Override
     void prepareAndCorrect(Island island, double[] w, double[] u, double[] g) {
-        if (!island.hasOnlyPins() || !isPlain(island, w)) {
+        if (!isPlain(island, w)) {
             super.prepareAndCorrect(island, w, u, g);
             return;
         }
-        if (solveAtOnce(island, w, u, g)) {
+        if (solveAtOnce(island, w, u, g) && (island.near() == 0 || island.isProjected)) {
             island.apply(w, island.lambda, u);
         } else {
             super.prepareAndCorrect(island, w, u, g);
@@ -144,8 +144,7 @@ public final class DirectSolver extends ConstraintSolver {
     private void solve(Island island, State state, double[] a) {
         double[] w = state.w().values();
         boolean isSpread = island.spread(w) > SPREAD;
-        boolean isSolved =
-                island.hasOnlyPins() && !island.isRedundant && !isSpread && solveAtOnce(island, w, a, island.rate);
+        boolean isSolved = !island.isRedundant && !isSpread && solveAtOnce(island, w, a, island.rate);
         if (!isSolved) {
             prepare(island, w);
         }

@@ -53,4 +53,10 @@ public final class GearJoint extends Joint {
         e.setA(0, 0, 0, 1);
         e.setB(0, 0, 0, ratio);
     }
+
+    @Override
+    boolean describe(JointRows rows, int node) {
+        rows.addAngle(node, 0, this, ratio, sum);
+        return true;
+    }
 }

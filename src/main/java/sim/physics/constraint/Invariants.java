@@ -37,12 +37,13 @@ final class Invariants implements Serializable {
     /** Rounding of the work, relative to that of the forces along the coordinates. */
     private static final double ROUNDING = 1e-13;
 
-    /** Whether other forces act whose work is watched; positions at the start, accelerations there and the largest ones. */
+    /** Whether other forces act whose work is watched; the state at the start, accelerations there and the largest ones. */
     private boolean isWatched;
 
     private boolean isSteady;
     private boolean isNoted;
     private double[] x0 = {};
+    private double[] v0 = {};
     private double[] pull = {};
     private double[] most = {};
 
@@ -66,20 +67,31 @@ final class Invariants implements Serializable {
         isFree = free && island.switches.isEmpty();
         isWatched = !free && island.switches.isEmpty() && island.isOwn;
         isNoted = false;
-        if (isFree || isWatched) {
+        if (isFree) {
             measure(state, before);
         }
         if (isWatched) {
-            ensure();
-            for (int k = 0; k < x0.length; k++) {
-                x0[k] = state.x()[slot(k)];
-            }
+            keepStart(state.x(), state.v());
+        }
+    }
+
+    private void keepStart(double[] x, double[] v) {
+        ensure();
+        for (int k = 0, m = 0; k < island.bodies.size; k++, m += State.BLOCK) {
+            int s = State.BLOCK * island.bodies.values[k];
+            x0[m] = x[s];
+            x0[m + 1] = x[s + 1];
+            x0[m + 2] = x[s + 2];
+            v0[m] = v[s];
+            v0[m + 1] = v[s + 1];
+            v0[m + 2] = v[s + 2];
         }
     }
 
     private void ensure() {
         if (x0.length == 0) {
             x0 = new double[State.BLOCK * island.bodies.size];
+            v0 = new double[x0.length];
             pull = new double[x0.length];
             most = new double[x0.length];
         }
@@ -115,14 +127,16 @@ final class Invariants implements Serializable {
             return;
         }
         isSteady |= !isNoted;
-        for (int k = 0; k < pull.length; k++) {
-            double one = a[slot(k)];
-            if (isNoted) {
-                isSteady &= one == pull[k];
-                most[k] = Math.max(most[k], Math.abs(one));
-            } else {
-                pull[k] = one;
-                most[k] = Math.abs(one);
+        for (int k = 0, m = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            for (int end = s + State.BLOCK; s < end; s++, m++) {
+                if (!isNoted) {
+                    pull[m] = a[s];
+                    most[m] = Math.abs(a[s]);
+                } else if (a[s] != pull[m]) {
+                    isSteady = false;
+                    most[m] = Math.max(most[m], Math.abs(a[s]));
+                }
             }
         }
         isNoted = true;
@@ -166,10 +180,23 @@ final class Invariants implements Serializable {
         return true;
     }
 
+    private double energyAtStart(double[] w) {
+        double sum = 0;
+        for (int k = 0, m = 0; k < island.bodies.size; k++, m += State.BLOCK) {
+            int s = State.BLOCK * island.bodies.values[k];
+            double px = v0[m] / w[s];
+            double py = v0[m + 1] / w[s];
+            double turn = v0[m + 2] / w[s + 2];
+            sum += 0.5 * (px * v0[m] + py * v0[m + 1] + turn * v0[m + 2]);
+        }
+        return sum;
+    }
+
     /** Whether the energy has grown by no more than the work of the forces. What is a little more is taken away. */
     private boolean isWithinWork(State state) {
         measure(state, after);
         double[] w = state.w().values();
+        before[0] = energyAtStart(w);
         work = 0;
         mostWork = 0;
         roundingOfWork = 0;

@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.TreeSet;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -50,9 +52,10 @@ final class Island implements Serializable {
     /** Multipliers of the last solve, 2 per node. */
     final double[] lambda;
 
-    /** In the order in which they were added; and this island as a list. */
+    /** In the order in which they were added. */
     final List<Constraint> inOrder;
 
+    /** This island as a list. */
     final List<Island> alone = new ArrayList<>(1);
 
     boolean isDissolved;
@@ -71,10 +74,19 @@ final class Island implements Serializable {
 
     final BlockFactor factor;
 
-    /** Where two nodes that share a body add to A: block, nodes, sides (0 or 6), and the body's block. */
-    private final int[] shared;
-
+    private final Turns turns;
     private final PinRows pins;
+    private final JointRows joints;
+    private final NodeRows rows;
+
+    /** Constraints that must be asked themselves, and motors and stops. */
+    private final int[] others;
+
+    private final int[] switched;
+
+    /** Whether a row is one between angles, 2 per node. */
+    final boolean[] isAngle;
+
     private final boolean onlyPins;
 
     /** Null unless the constraints are pins that form a tree. */
@@ -133,12 +145,7 @@ final class Island implements Serializable {
         blockA = new int[nodes];
         blockB = new int[nodes];
         for (int k = 0; k < n; k++) {
-            for (int p = firstNode[k]; p < firstNode[k + 1]; p++) {
-                a[p] = first[elimination.order[k]];
-                b[p] = second[elimination.order[k]];
-                blockA[p] = block(a[p]);
-                blockB[p] = block(b[p]);
-            }
+            join(k, first[elimination.order[k]], second[elimination.order[k]]);
         }
         j = new double[J * nodes];
         c = new double[2 * nodes];
@@ -147,10 +154,16 @@ final class Island implements Serializable {
         leastSize = those.stream().mapToDouble(Constraint::getSize).min().orElse(Double.POSITIVE_INFINITY);
         mostSize = those.stream().mapToDouble(Constraint::getSize).max().orElse(0);
         factor = factor(elimination, place);
-        shared = shared();
+        int[] shared = shared();
+        rows = new NodeRows(this, shared);
+        isAngle = angles();
         aroundStart = new int[bodies.size + 1];
         around = around();
-        pins = new PinRows(this);
+        turns = new Turns(this);
+        pins = new PinRows(this, turns);
+        joints = new JointRows(this, turns);
+        others = others();
+        switched = where(k -> constraints[k] instanceof Switched);
         onlyPins = pins.areAll();
         if (onlyPins) {
             pins.setShared(shared);
@@ -163,6 +176,16 @@ final class Island implements Serializable {
         passage = new Passage(this);
         isOwn = those.stream().allMatch(Joint::isOwn);
         isBreakable = those.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());
+    }
+
+    /** Notes the bodies of a constraint's nodes. */
+    private void join(int constraint, int first, int second) {
+        for (int p = firstNode[constraint]; p < firstNode[constraint + 1]; p++) {
+            a[p] = first;
+            b[p] = second;
+            blockA[p] = block(first);
+            blockB[p] = block(second);
+        }
     }
 
     private int[] around() {
@@ -216,8 +239,12 @@ final class Island implements Serializable {
 
     private BlockFactor factor(EliminationOrder elimination, int[] place) {
         int[] start = new int[nodes + 1];
+        byte[] rows = new byte[nodes];
         IntList row = new IntList();
         for (int k = 0; k < constraints.length; k++) {
+            for (int p = firstNode[k], left = constraints[k].getRows(); p < firstNode[k + 1]; p++, left -= 2) {
+                rows[p] = (byte) Math.min(left, 2);
+            }
             TreeSet<Integer> met = new TreeSet<>();
             for (int other : elimination.later.get(elimination.order[k])) {
                 met.add(place[other]);
@@ -234,7 +261,7 @@ final class Island implements Serializable {
                 start[p + 1] = row.size;
             }
         }
-        return new BlockFactor(start, Arrays.copyOf(row.values, row.size));
+        return new BlockFactor(start, Arrays.copyOf(row.values, row.size), rows);
     }
 
     private int[] shared() {
@@ -259,34 +286,56 @@ final class Island implements Serializable {
                     found.add(4 * factor.block(q >> 1, p >> 1));
                     found.add(J * (q >> 1) + 6 * (q & 1));
                     found.add(J * (p >> 1) + 6 * (p & 1));
-                    found.add(block(body));
                 }
             }
         }
         return Arrays.copyOf(found.values, found.size);
     }
 
+    private int[] others() {
+        return where(k -> !pins.has(k) && !joints.take(constraints[k], firstNode[k]));
+    }
+
+    private int[] where(IntPredicate what) {
+        return IntStream.range(0, constraints.length).filter(what).toArray();
+    }
+
+    private boolean[] angles() {
+        boolean[] found = new boolean[2 * nodes];
+        for (int k = 0; k < constraints.length; k++) {
+            for (int row = 0; row < constraints[k].getRows(); row++) {
+                found[2 * firstNode[k] + row] = constraints[k].isAngle(row);
+            }
+        }
+        return found;
+    }
+
     /** Evaluates C, J and J̇ ẋ at the positions and velocities of the state vectors. */
     void evaluate(State state) {
-        pins.evaluate(state);
+        boolean moved = turns.follow(state.x());
+        pins.evaluate(state, moved);
         if (onlyPins) {
             return;
         }
-        pins.writeRows();
-        for (int k = 0; k < constraints.length; k++) {
-            if (!pins.has(k)) {
-                equations.clear();
-                constraints[k].evaluate(equations);
-                for (int row = 0; row < constraints[k].getRows(); row++) {
-                    take(firstNode[k] + (row >> 1), row & 1, row);
-                }
+        if (moved) {
+            pins.writeRows();
+        }
+        joints.evaluate(state);
+        for (int k : others) {
+            equations.clear();
+            constraints[k].evaluate(equations);
+            for (int row = 0; row < constraints[k].getRows(); row++) {
+                take(firstNode[k] + (row >> 1), row & 1, row);
             }
+        }
+        for (int k : switched) {
+            factor.rest(firstNode[k], !((Switched) constraints[k]).isOnNow);
         }
     }
 
     /** Evaluates again after a move whose square is less than rounding. */
     void nudge(State state, double[] move) {
-        pins.nudge(state.x(), move);
+        turns.nudge(state.x(), move);
         evaluate(state);
     }
 
@@ -311,45 +360,26 @@ final class Island implements Serializable {
 
     /** A = J W Jᵀ, (41), and its factors; rows that are zero get a 1 on the diagonal. */
     void factor(double[] w, double relaxation, double least, boolean whole) {
-        double[] d = factor.diagonal();
-        if (onlyPins) {
-            assemblePins(w);
-            factor.factor(relaxation, least, whole);
-            return;
-        }
-        for (int p = 0; p < nodes; p++) {
-            double d00 = 0;
-            double d01 = 0;
-            double d11 = 0;
-            int o = J * p;
-            for (int block = blockA[p], side = 0; side < 2; side++, block = blockB[p], o += 6) {
-                if (block >= 0) {
-                    double m = w[block];
-                    double i = w[block + State.THETA];
-                    d00 += m * (j[o] * j[o] + j[o + 1] * j[o + 1]) + i * j[o + 2] * j[o + 2];
-                    d01 += m * (j[o] * j[o + 3] + j[o + 1] * j[o + 4]) + i * j[o + 2] * j[o + 5];
-                    d11 += m * (j[o + 3] * j[o + 3] + j[o + 4] * j[o + 4]) + i * j[o + 5] * j[o + 5];
-                }
-            }
-            d[3 * p] = d00 == 0 ? 1 : d00;
-            d[3 * p + 1] = d01;
-            d[3 * p + 2] = d11 == 0 ? 1 : d11;
-        }
-        couple(w);
+        assemble(w);
         factor.factor(relaxation, least, whole);
     }
 
-    private void assemblePins(double[] w) {
-        pins.diagonal(w, factor.diagonal());
-        factor.clear();
-        pins.couple(factor.below());
-    }
-
-    /** Factors A and solves A λ = b at once, b and λ in {@code right}; only where all constraints are pins. */
+    /** Factors A and solves A λ = b at once, b and λ in {@code right}. */
     void factorAndSolve(double[] w, double[] right, double least) {
-        assemblePins(w);
+        assemble(w);
         factor.factor(right, least);
         factor.back(right);
+    }
+
+    private void assemble(double[] w) {
+        factor.clear();
+        if (onlyPins) {
+            pins.diagonal(w, factor.diagonal());
+            pins.couple(factor.below());
+        } else {
+            rows.diagonal(w, factor.diagonal());
+            rows.couple(factor.below());
+        }
     }
 
     /** Whether all constraints are pins. */
@@ -360,22 +390,6 @@ final class Island implements Serializable {
     /** Makes sure that {@code j} holds the rows of J. */
     void writeRows() {
         pins.writeRows();
-    }
-
-    private void couple(double[] w) {
-        factor.clear();
-        double[] below = factor.below();
-        for (int k = 0; k < shared.length; k += 4) {
-            int e = shared[k];
-            int q = shared[k + 1];
-            int p = shared[k + 2];
-            double m = w[shared[k + 3]];
-            double i = w[shared[k + 3] + State.THETA];
-            below[e] += m * (j[q] * j[p] + j[q + 1] * j[p + 1]) + i * j[q + 2] * j[p + 2];
-            below[e + 1] += m * (j[q] * j[p + 3] + j[q + 1] * j[p + 4]) + i * j[q + 2] * j[p + 5];
-            below[e + 2] += m * (j[q + 3] * j[p] + j[q + 4] * j[p + 1]) + i * j[q + 5] * j[p + 2];
-            below[e + 3] += m * (j[q + 3] * j[p + 3] + j[q + 4] * j[p + 4]) + i * j[q + 5] * j[p + 5];
-        }
     }
 
     /** Jᵀ λ of one constraint on its first body, as the last solve left it. */
@@ -459,23 +473,7 @@ final class Island implements Serializable {
             pins.residual(u, g, right);
             return;
         }
-        for (int p = 0; p < nodes; p++) {
-            double r0 = g == null ? 0 : g[2 * p];
-            double r1 = g == null ? 0 : g[2 * p + 1];
-            int o = J * p;
-            int s = blockA[p];
-            if (s >= 0) {
-                r0 += j[o] * u[s] + j[o + 1] * u[s + 1] + j[o + 2] * u[s + 2];
-                r1 += j[o + 3] * u[s] + j[o + 4] * u[s + 1] + j[o + 5] * u[s + 2];
-            }
-            s = blockB[p];
-            if (s >= 0) {
-                r0 += j[o + 6] * u[s] + j[o + 7] * u[s + 1] + j[o + 8] * u[s + 2];
-                r1 += j[o + 9] * u[s] + j[o + 10] * u[s + 1] + j[o + 11] * u[s + 2];
-            }
-            right[2 * p] = -r0;
-            right[2 * p + 1] = -r1;
-        }
+        rows.residual(u, g, right);
     }
 
     /** u += W Jᵀ λ, (37) and (40). */
@@ -484,17 +482,6 @@ final class Island implements Serializable {
             pins.apply(multipliers, u);
             return;
         }
-        for (int p = 0; p < nodes; p++) {
-            double l0 = multipliers[2 * p];
-            double l1 = multipliers[2 * p + 1];
-            int o = J * p;
-            for (int s = blockA[p], side = 0; side < 2; side++, s = blockB[p], o += 6) {
-                if (s >= 0) {
-                    u[s] += w[s] * (j[o] * l0 + j[o + 3] * l1);
-                    u[s + 1] += w[s + 1] * (j[o + 1] * l0 + j[o + 4] * l1);
-                    u[s + 2] += w[s + 2] * (j[o + 2] * l0 + j[o + 5] * l1);
-                }
-            }
-        }
+        rows.apply(w, multipliers, u);
     }
 }

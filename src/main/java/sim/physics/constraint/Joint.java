@@ -107,6 +107,11 @@ public abstract class Joint implements Constraint {
         return load.force() > breakingForce || torque > breakingTorque;
     }
 
+    /** Adds the rows to those that are evaluated by kinds, from a node on; false if the joint must be asked itself. */
+    boolean describe(JointRows rows, int node) {
+        return false;
+    }
+
     /** Whether a constraint is all our own code, so that different ones may be evaluated by different threads. */
     static boolean isOwn(Constraint constraint) {
         Constraint one = constraint instanceof Switched s ? s.coordinate() : constraint;

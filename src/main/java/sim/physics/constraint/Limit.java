@@ -70,6 +70,15 @@ public final class Limit extends Switched {
         return new Limit(new RodJoint(a, ax, ay, b, bx, by, length), Double.NEGATIVE_INFINITY, 0, 0);
     }
 
+    /** The bounds that hold now: what was put beyond one is held where it is. */
+    private double least(double bound) {
+        return side < 0 ? held : bound;
+    }
+
+    private double most(double bound) {
+        return side > 0 ? held : bound;
+    }
+
     private double reach(double bound) {
         double size = isAngle(0) ? 1 : getSize();
         return REACHED * (Double.isInfinite(bound) ? size : size + Math.abs(bound));
@@ -114,6 +123,11 @@ public final class Limit extends Switched {
     }
 
     @Override
+    boolean isStruck(double q, double now, double time) {
+        return q - lower <= reach(lower) && -now * time > reach(lower) || upper - q <= reach(upper) && now * time > reach(upper);
+    }
+
+    @Override
     double least() {
         return side < 0 ? 0 : Double.NEGATIVE_INFINITY;
     }
@@ -125,16 +139,20 @@ public final class Limit extends Switched {
 
     @Override
     double watch(double q, double now) {
-        double least = side < 0 ? held : lower;
-        double most = side > 0 ? held : upper;
+        double least = least(lower);
+        double most = most(upper);
         return Math.min((q - least) / reach(least), (most - q) / reach(most));
     }
 
     @Override
+    double toGo(double q, double now) {
+        double way = now > 0 ? most(upper) - q : least(lower) - q;
+        return watch(q, now) < 0 && way / now > 0 ? Double.NaN : now == 0 ? Double.POSITIVE_INFINITY : way / now;
+    }
+
+    @Override
     void hold(double q) {
-        if (side != 0 && watch(q, 0) <= 1) {
-            isOn = true;
-        }
+        isOn |= side != 0 && Math.abs(watch(q, 0)) <= 1;
     }
 
     @Override

@@ -127,6 +127,11 @@ public final class Motor extends Switched {
     }
 
     @Override
+    double toGo(double q, double now) {
+        return watch(q, now) > 0 ? Double.POSITIVE_INFINITY : Double.NaN;
+    }
+
+    @Override
     void hold(double q) {
         // a motor that is off has not reached its speed
     }

@@ -3,7 +3,6 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -26,46 +25,52 @@ final class PinRows implements Serializable {
 
     private final double[] masses;
     private boolean isWeighed;
+    private final boolean areAll;
 
     /** Where two pins meet on a body: block of A, the arms of both; and whether they pull alike, 1, or not, −1. */
     private int[] meetings = {};
 
     private double[] sign = {};
 
-    /** Each body's orientation at the last evaluation, and its cosine and sine. */
-    private final double[] angle;
+    /** Each body's cosine and sine. */
+    private final Turns turns;
 
-    private final double[] turn;
-
-    PinRows(Island island) {
+    PinRows(Island island, Turns turns) {
         this.island = island;
+        this.turns = turns;
         int n = island.constraints.length;
         isPin = new boolean[n];
         int count = 0;
         for (int k = 0; k < n; k++) {
             isPin[k] = island.constraints[k] instanceof PinJoint;
-            count += isPin[k] ? 1 : 0;
+            count += pin(k) == null ? 0 : 1;
         }
         pins = new int[count];
         arms = new double[4 * island.nodes];
         r = new double[4 * island.nodes];
         masses = new double[4 * island.nodes];
-        turn = new double[2 * island.bodies.size];
-        angle = new double[island.bodies.size];
-        Arrays.fill(angle, Double.NaN);
+        boolean all = true;
         for (int k = 0, at = 0; k < n; k++) {
-            if (isPin[k]) {
+            all &= isPin[k];
+            if (pin(k) != null) {
                 pins[at++] = island.firstNode[k];
-                prepare(island.firstNode[k], (PinJoint) island.constraints[k]);
+                prepare(island.firstNode[k], pin(k));
             }
         }
+        areAll = all;
+    }
+
+    /** The pin that a constraint is or has, or null. */
+    private PinJoint pin(int constraint) {
+        Constraint one = island.constraints[constraint];
+        return one instanceof PinJoint p ? p : one instanceof WeldJoint w ? w.pin() : null;
     }
 
     /** Takes over where nodes share a body, as {@link Island} has it, if all constraints are pins. */
     void setShared(int[] shared) {
-        meetings = new int[3 * shared.length / 4];
-        sign = new double[shared.length / 4];
-        for (int k = 0, m = 0; k < shared.length; k += 4, m++) {
+        meetings = new int[shared.length];
+        sign = new double[shared.length / 3];
+        for (int k = 0, m = 0; k < shared.length; k += 3, m++) {
             int q = shared[k + 1];
             int p = shared[k + 2];
             meetings[3 * m] = shared[k];
@@ -89,7 +94,7 @@ final class PinRows implements Serializable {
 
     /** Whether all constraints are pins, so that node k is pin k. */
     boolean areAll() {
-        return pins.length == isPin.length;
+        return areAll;
     }
 
     boolean has(int constraint) {
@@ -100,10 +105,12 @@ final class PinRows implements Serializable {
         anchor(4 * p, pin.getBodyA(), pin.getAnchorAX(), pin.getAnchorAY());
         anchor(4 * p + 2, pin.getBodyB(), pin.getAnchorBX(), pin.getAnchorBY());
         if (island.a[p] >= 0) {
+            turns.need(island.a[p]);
             island.j[Island.J * p] = 1;
             island.j[Island.J * p + 4] = 1;
         }
         if (island.b[p] >= 0) {
+            turns.need(island.b[p]);
             island.j[Island.J * p + 6] = -1;
             island.j[Island.J * p + 10] = -1;
         }
@@ -122,46 +129,23 @@ final class PinRows implements Serializable {
     }
 
     /** Evaluates C, J and J̇ ẋ of all pins at the positions and velocities of the state vectors. */
-    void evaluate(State state) {
-        if (pins.length == 0) {
-            return;
-        }
+    void evaluate(State state, boolean moved) {
         double[] x = state.x();
-        for (int k = 0; k < island.bodies.size; k++) {
-            double theta = x[State.BLOCK * island.bodies.values[k] + State.THETA];
-            if (theta != angle[k]) {
-                angle[k] = theta;
-                Trig.sinCos(theta, turn, 2 * k);
-            }
-        }
+        double[] v = state.v();
         for (int k = 0; k < pins.length; k++) {
-            evaluate(pins[k], x, state.v());
+            if (moved) {
+                evaluate(pins[k], x);
+            }
+            evaluateRate(pins[k], v);
         }
     }
 
-    /** Takes note of a tiny move of the bodies: turns the cosines and sines by its angles instead of finding them anew. */
-    void nudge(double[] x, double[] move) {
-        if (pins.length == 0) {
-            return;
-        }
-        for (int k = 0; k < island.bodies.size; k++) {
-            int s = State.BLOCK * island.bodies.values[k] + State.THETA;
-            double d = move[s];
-            double cos = turn[2 * k];
-            double sin = turn[2 * k + 1];
-            angle[k] = x[s];
-            turn[2 * k] = cos - d * (sin + 0.5 * d * cos);
-            turn[2 * k + 1] = sin + d * (cos - 0.5 * d * sin);
-        }
-    }
-
-    private void evaluate(int p, double[] x, double[] v) {
+    private void evaluate(int p, double[] x) {
+        double[] turn = turns.turn;
         double ax = arms[4 * p];
         double ay = arms[4 * p + 1];
         double bx = arms[4 * p + 2];
         double by = arms[4 * p + 3];
-        double rateX = 0;
-        double rateY = 0;
         int a = island.a[p];
         if (a >= 0) {
             double cos = turn[2 * a];
@@ -169,9 +153,6 @@ final class PinRows implements Serializable {
             double rx = cos * ax - sin * ay; // (45), (46)
             double ry = sin * ax + cos * ay;
             int s = island.blockA[p];
-            double omega = v[s + State.THETA];
-            rateX = -omega * omega * rx;
-            rateY = -omega * omega * ry;
             r[4 * p] = rx;
             r[4 * p + 1] = ry;
             ax = x[s] + rx; // (42)
@@ -184,9 +165,6 @@ final class PinRows implements Serializable {
             double rx = cos * bx - sin * by;
             double ry = sin * bx + cos * by;
             int s = island.blockB[p];
-            double omega = v[s + State.THETA];
-            rateX += omega * omega * rx;
-            rateY += omega * omega * ry;
             r[4 * p + 2] = rx;
             r[4 * p + 3] = ry;
             bx = x[s] + rx; // (43)
@@ -194,8 +172,17 @@ final class PinRows implements Serializable {
         }
         island.c[2 * p] = ax - bx; // (44)
         island.c[2 * p + 1] = ay - by;
-        island.rate[2 * p] = rateX;
-        island.rate[2 * p + 1] = rateY;
+    }
+
+    private void evaluateRate(int p, double[] v) {
+        int a = island.blockA[p];
+        int b = island.blockB[p];
+        double omegaA = a < 0 ? 0 : v[a + State.THETA];
+        double omegaB = b < 0 ? 0 : v[b + State.THETA];
+        double squareA = omegaA * omegaA;
+        double squareB = omegaB * omegaB;
+        island.rate[2 * p] = squareB * r[4 * p + 2] - squareA * r[4 * p];
+        island.rate[2 * p + 1] = squareB * r[4 * p + 3] - squareA * r[4 * p + 1];
     }
 
     /** Writes the rows of J that the arms make; needed where not all constraints are pins, and by the general solvers. */

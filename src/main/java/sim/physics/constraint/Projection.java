@@ -37,6 +37,9 @@ final class Projection implements Serializable {
     /** Size of a correction whose square is less than rounding. */
     static final double SMOOTH = 1e-9;
 
+    /** Impacts of an island's stops on one another at one instant. */
+    private static final int MOST_IMPACTS = 50;
+
     private double[] move = {};
     private int corrections;
     private double error;
@@ -120,6 +123,9 @@ final class Projection implements Serializable {
         error = Slack.error(island, state, ROUNDING);
         double before = Double.POSITIVE_INFINITY;
         if (!(error > 1)) {
+            if (isSettled(island, state)) {
+                return true;
+            }
             solver.prepare(island, w); // the velocities need it
         }
         for (corrections = 0; error > 1; corrections++) {
@@ -159,6 +165,12 @@ final class Projection implements Serializable {
         return true;
     }
 
+    /** Whether the velocities are right to rounding at the positions at which the island is evaluated. */
+    private static boolean isSettled(Island island, State state) {
+        island.residual(state.v(), island.switches.bias(), island.lambda);
+        return Slack.slip(island, state.v(), island.lambda) == 0;
+    }
+
     /** Corrects the positions; returns by how much, in rad or relative to the size of the bodies. */
     private double correct(Island island, State state, ConstraintSolver solver, double[] w) {
         double[] x = state.x();
@@ -180,6 +192,23 @@ final class Projection implements Serializable {
             x[s + 2] += move[s + 2];
         }
         return Math.max(way / island.leastSize, turn);
+    }
+
+    /**
+     * Decides which motors and stops act, and gives the bodies the velocities that these ask for; returns whether these may
+     * have changed. Stops that are driven against others by this are decided again.
+     */
+    boolean decide(Island island, State state, ConstraintSolver solver, double time) {
+        boolean hits = false;
+        boolean isStruck = true;
+        for (int k = 0; k < MOST_IMPACTS && isStruck && island.switches.decide(state, time); k++) {
+            hits = true;
+            island.evaluate(state);
+            solver.prepare(island, state.w().values());
+            settle(island, state, solver);
+            isStruck = island.switches.isStruck(state, time);
+        }
+        return hits;
     }
 
     /** Projects the velocities alone; the island is evaluated, and prepared at or near the same positions. */

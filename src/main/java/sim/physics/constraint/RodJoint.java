@@ -92,4 +92,10 @@ public final class RodJoint extends Joint {
         e.setA(0, nx, ny, first.lever(nx, ny));
         e.setB(0, -nx, -ny, -second.lever(nx, ny));
     }
+
+    @Override
+    boolean describe(JointRows rows, int node) {
+        rows.addRod(node, first, second, length);
+        return true;
+    }
 }

@@ -27,19 +27,15 @@ final class Slack {
             }
             return most <= Double.MAX_VALUE ? most / (rounding * place) : Double.POSITIVE_INFINITY;
         }
-        for (int k = 0; k < island.constraints.length; k++) {
-            for (int p = island.firstNode[k]; p < island.firstNode[k + 1]; p++) {
-                for (int row = 0; row < 2; row++) {
-                    double value = Math.abs(island.c[2 * p + row]);
-                    if (!(value <= Double.MAX_VALUE)) {
-                        return Double.POSITIVE_INFINITY;
-                    }
-                    if (!island.constraints[k].isAngle(2 * (p - island.firstNode[k]) + row)) {
-                        most = Math.max(most, value);
-                    } else {
-                        mostAngle = Math.max(mostAngle, value);
-                    }
-                }
+        for (int k = 0; k < 2 * island.nodes; k++) {
+            double value = Math.abs(island.c[k]);
+            if (!(value <= Double.MAX_VALUE)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            if (island.isAngle[k]) {
+                mostAngle = value > mostAngle ? value : mostAngle;
+            } else {
+                most = value > most ? value : most;
             }
         }
         return Math.max(most / (rounding * place), mostAngle / (rounding * angle));

@@ -91,4 +91,11 @@ public final class SliderJoint extends Joint {
         e.setA(1, 0, 0, 1);
         e.setB(1, 0, 0, -1);
     }
+
+    @Override
+    boolean describe(JointRows rows, int node) {
+        rows.addSlide(node, first, second, normalX, normalY);
+        rows.addAngle(node, 1, this, -1, angle);
+        return true;
+    }
 }

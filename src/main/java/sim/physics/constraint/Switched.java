@@ -23,8 +23,8 @@ abstract class Switched implements Constraint {
     /** How nearly the two bodies' parts of a row are opposite, relative to themselves. */
     private static final double MEETS = 1e-9;
 
-    /** Acceleration that is none, relative to its parts. */
-    private static final double PASSES = 1e-11;
+    /** Part of what an acceleration is the sum of that is rounding. */
+    private static final double ROUNDING = 1e-11;
 
     private final Constraint coordinate;
 
@@ -44,10 +44,13 @@ abstract class Switched implements Constraint {
     /** The greatest force that it has been seen to need. */
     private double strongest;
 
+    /** Whether it was found at the start of a path that the force of the row would be out of its bounds. */
+    boolean yields;
+
     private double value;
 
-    /** J̇ ẋ at the last evaluation. */
-    private double bend;
+    /** J̇ ẋ of the coordinate. */
+    private double curvature;
 
     private final double[] row = new double[6];
 
@@ -91,7 +94,7 @@ abstract class Switched implements Constraint {
     public final void evaluate(Equations equations) {
         coordinate.evaluate(equations);
         value = equations.c[0];
-        bend = equations.rate[0];
+        curvature = equations.rate[0];
         System.arraycopy(equations.jA, 0, row, 0, 3);
         System.arraycopy(equations.jB, 0, row, 3, 3);
         equations.c[0] = isOnNow ? gap(value) : 0;
@@ -99,6 +102,25 @@ abstract class Switched implements Constraint {
             equations.rate[0] = 0;
             equations.setA(0, 0, 0, 0);
             equations.setB(0, 0, 0, 0);
+        }
+    }
+
+    /** The same, given what the coordinate's row says; a row that does not act is cleared. */
+    final void take(double[] c, double[] rate, double[] j, int node) {
+        int o = Island.J * node;
+        value = c[2 * node];
+        curvature = rate[2 * node];
+        c[2 * node] = isOnNow ? gap(value) : 0;
+        for (int k = 0; k < 3; k++) {
+            row[k] = j[o + k];
+            row[3 + k] = j[o + 6 + k];
+        }
+        if (!isOnNow) {
+            rate[2 * node] = 0;
+            for (int k = 0; k < 3; k++) {
+                j[o + k] = 0;
+                j[o + 6 + k] = 0;
+            }
         }
     }
 
@@ -117,19 +139,29 @@ abstract class Switched implements Constraint {
     }
 
     /**
-     * Whether accelerations move the coordinate beyond what the row keeps, while it pushes with a bound of its force that way:
-     * up with the greatest one, down with the least.
+     * Whether a row that has yielded should act again: with the bound of its force that it pushes with, the coordinate is
+     * accelerated to the side from which that force keeps it.
      */
-    final boolean passes(double[] a, int blockA, int blockB) {
-        double sum = bend;
-        double size = Math.abs(bend);
+    final boolean isPressed(double[] a, int blockA, int blockB) {
+        return isPressed(force, a, blockA, blockB);
+    }
+
+    /** The same of one that has yielded for one evaluation only. */
+    final boolean isPressedNow(double[] a, int blockA, int blockB) {
+        return isPressed(forceNow, a, blockA, blockB);
+    }
+
+    private boolean isPressed(double force, double[] a, int blockA, int blockB) {
+        double sum = curvature;
+        double terms = Math.abs(curvature);
         for (int k = 0; k < 3; k++) {
-            double first = blockA < 0 ? 0 : row[k] * a[blockA + k];
-            double second = blockB < 0 ? 0 : row[3 + k] * a[blockB + k];
-            sum += first + second;
-            size += Math.abs(first) + Math.abs(second);
+            double one = blockA < 0 ? 0 : row[k] * a[blockA + k];
+            double other = blockB < 0 ? 0 : row[3 + k] * a[blockB + k];
+            sum += one + other;
+            terms += Math.abs(one) + Math.abs(other);
         }
-        return forceNow == least() ? sum < -PASSES * size : sum > PASSES * size;
+        double away = force == greatest() ? -sum : sum;
+        return away < -ROUNDING * terms;
     }
 
     /** u += W rowᵀ force. */
@@ -224,6 +256,11 @@ abstract class Switched implements Constraint {
      */
     abstract double decide(double q, double speed, double time);
 
+    /** Whether the row would have another speed at once: an impact on other stops drives it against its own. */
+    boolean isStruck(double q, double speed, double time) {
+        return false;
+    }
+
     /** The least and the greatest force that the row can have when it is on. */
     abstract double least();
 
@@ -233,6 +270,9 @@ abstract class Switched implements Constraint {
      * A value that turns negative when the row must be decided anew, in units of what counts as reached; the row is off.
      */
     abstract double watch(double q, double speed);
+
+    /** The time until that is 0 at the speed of now; infinite if it never is, NaN if it cannot be said. */
+    abstract double toGo(double q, double speed);
 
     /** Turns the row on if its coordinate is where it may be held. */
     abstract void hold(double q);

@@ -13,6 +13,10 @@ import sim.physics.motion.SwitchedTies;
 final class Switches implements SwitchedTies {
     private static final long serialVersionUID = 1L;
 
+    private static final byte FAR = 0;
+    private static final byte NEAR = 1;
+    private static final byte PASSED = 2;
+
     /** Times that all rows may change that are wrong, and then one of them. */
     private static final int ALL_AT_ONCE = 6;
 
@@ -22,6 +26,9 @@ final class Switches implements SwitchedTies {
     private final Switched[] rows;
     private final int[] nodes;
     private double[] free = {};
+
+    /** Whether a row that does not act was within reach when that was settled, {@link #NEAR}, or far, or had been passed. */
+    private final byte[] reach;
 
     /** Whether all push with forces that were found elsewhere. */
     private boolean isFrozen;
@@ -46,6 +53,7 @@ final class Switches implements SwitchedTies {
         }
         rows = found.toArray(new Switched[0]);
         nodes = at.stream().mapToInt(Integer::intValue).toArray();
+        reach = new byte[rows.length];
         bias = new double[2 * island.nodes];
     }
 
@@ -67,6 +75,7 @@ final class Switches implements SwitchedTies {
     public void freeze(int k, double force) {
         isFrozen = true;
         rows[k].isOn = false;
+        rows[k].yields = false;
         rows[k].force = force;
     }
 
@@ -106,12 +115,49 @@ final class Switches implements SwitchedTies {
     void settle() {
         for (Switched s : rows) {
             if (s.isOn && !s.isOnNow) {
-                s.isOn = false;
-                s.force = s.forceNow;
+                giveWay(s, s.forceNow);
             }
             s.isOnNow = s.isOn;
         }
         setBias();
+    }
+
+    private static void giveWay(Switched s, double force) {
+        s.isOn = false;
+        s.force = force;
+        s.yields = true;
+    }
+
+    /**
+     * Changes the first of the rows that act although their force is out of its bounds, or have yielded although they are
+     * pressed, at the accelerations that were just found; false if there is none. As long as there is one, what acts is not
+     * settled: this is Murty's rule (1974), by which that is found in the end.
+     */
+    static boolean reconsider(List<Island> islands, double[] a) {
+        for (int k = 0; k < islands.size(); k++) {
+            if (islands.get(k).switches.reconsider(a)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean reconsider(double[] a) {
+        for (int k = 0; k < rows.length; k++) {
+            Switched s = rows[k];
+            double f = island.lambda[2 * nodes[k]];
+            if (s.isOn && s.isOnNow && !(f >= s.least() && f <= s.greatest())) {
+                giveWay(s, f < s.least() ? s.least() : s.greatest());
+                return true;
+            }
+            if (!s.isOn && s.yields && s.isPressed(a, island.blockA[nodes[k]], island.blockB[nodes[k]])) {
+                s.isOn = true;
+                s.force = 0;
+                s.yields = false;
+                return true;
+            }
+        }
+        return false;
     }
 
     private void setBias() {
@@ -125,39 +171,44 @@ final class Switches implements SwitchedTies {
      * motion would pass with that what they keep. Changed one at a time, if all at once do not come to an end (Murty 1974).
      */
     void accelerate(State state, ConstraintSolver solver, double[] a) {
-        double[] w = state.w().values();
-        keep(a);
-        for (Switched s : rows) {
-            s.isOnNow = s.isOn;
-            s.forceNow = s.force;
+        boolean anyOn = false;
+        for (int k = 0; k < rows.length; k++) {
+            rows[k].isOnNow = rows[k].isOn;
+            rows[k].forceNow = rows[k].force;
+            anyOn |= rows[k].isOn;
         }
-        boolean changed = true;
-        for (int turn = 0; changed && turn < ALL_AT_ONCE + ONE_BY_ONE; turn++) {
-            changed = false;
+        if (anyOn && isLimited) {
+            keep(a);
+        }
+        for (int turn = 0; solveOnce(state, solver, a, turn < ALL_AT_ONCE) && turn < ALL_AT_ONCE + ONE_BY_ONE; turn++) {
             restore(a);
-            island.evaluate(state);
-            for (int k = 0; k < rows.length; k++) {
-                if (!rows[k].isOnNow && rows[k].forceNow != 0) {
-                    rows[k].push(rows[k].forceNow, w, a, island.blockA[nodes[k]], island.blockB[nodes[k]]);
-                }
-            }
-            solver.accelerate(island, state, a);
-            for (int k = 0; k < rows.length && isLimited && !(changed && turn >= ALL_AT_ONCE); k++) {
-                changed |= rows[k].isOnNow ? limit(rows[k], island.lambda[2 * nodes[k]]) : rows[k].isOn && holds(k, a);
-            }
         }
         for (Switched s : rows) {
             isOverloaded |= s.isOn && !s.isOnNow;
         }
     }
 
+    /** Finds accelerations; returns whether a row that acted was out of its bounds, or one that did not will have to. */
+    private boolean solveOnce(State state, ConstraintSolver solver, double[] a, boolean all) {
+        double[] w = state.w().values();
+        island.evaluate(state);
+        for (int k = 0; k < rows.length; k++) {
+            if (!rows[k].isOnNow && rows[k].forceNow != 0) {
+                rows[k].push(rows[k].forceNow, w, a, island.blockA[nodes[k]], island.blockB[nodes[k]]);
+            }
+        }
+        solver.accelerate(island, state, a);
+        boolean changed = false;
+        for (int k = 0; k < rows.length && isLimited && (all || !changed); k++) {
+            changed |= rows[k].isOnNow ? limit(rows[k], island.lambda[2 * nodes[k]]) : rows[k].isOn && holds(k, a);
+        }
+        return changed;
+    }
+
     /** Whether a row is to act again that was overloaded: with the force of its bound, its coordinate would go that way. */
     private boolean holds(int k, double[] a) {
-        if (!rows[k].passes(a, island.blockA[nodes[k]], island.blockB[nodes[k]])) {
-            return false;
-        }
-        rows[k].isOnNow = true;
-        return true;
+        rows[k].isOnNow = rows[k].isPressedNow(a, island.blockA[nodes[k]], island.blockB[nodes[k]]);
+        return rows[k].isOnNow;
     }
 
     /** Sets whether forces are kept within their bounds; returns whether one has been out of them since this was last set. */
@@ -209,14 +260,20 @@ final class Switches implements SwitchedTies {
         if (free.length < n) {
             free = new double[n];
         }
-        for (int k = 0; k < n; k++) {
-            free[k] = a[State.BLOCK * island.bodies.values[k / 3] + k % 3];
+        for (int k = 0, m = 0; k < island.bodies.size; k++, m += State.BLOCK) {
+            int s = State.BLOCK * island.bodies.values[k];
+            free[m] = a[s];
+            free[m + 1] = a[s + 1];
+            free[m + 2] = a[s + 2];
         }
     }
 
     private void restore(double[] a) {
-        for (int k = 0; k < State.BLOCK * island.bodies.size; k++) {
-            a[State.BLOCK * island.bodies.values[k / 3] + k % 3] = free[k];
+        for (int k = 0, m = 0; k < island.bodies.size; k++, m += State.BLOCK) {
+            int s = State.BLOCK * island.bodies.values[k];
+            a[s] = free[m];
+            a[s + 1] = free[m + 1];
+            a[s + 2] = free[m + 2];
         }
     }
 
@@ -245,15 +302,25 @@ final class Switches implements SwitchedTies {
                 island.switches.hold(state);
             } else {
                 island.switches.settle();
+                island.switches.mark(state);
             }
         }
     }
 
     /** The least of what is watched in some islands. */
-    static double watch(List<Island> islands, State state) {
+    static double watch(List<Island> islands, State state, boolean near) {
         double least = Double.POSITIVE_INFINITY;
-        for (Island island : islands) {
-            least = Math.min(least, island.switches.watch(state));
+        for (int k = 0; k < islands.size(); k++) {
+            least = Math.min(least, islands.get(k).switches.watch(state, near));
+        }
+        return least;
+    }
+
+    /** The least time until a stop of some islands is reached. */
+    static double toGo(List<Island> islands, State state, boolean near) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < islands.size(); k++) {
+            least = Math.min(least, islands.get(k).switches.toGo(state, near));
         }
         return least;
     }
@@ -274,10 +341,20 @@ final class Switches implements SwitchedTies {
         for (int k = 0; k < rows.length; k++) {
             double must = rows[k].decide(rows[k].value(), speed(k, state), time);
             rows[k].isOnNow = rows[k].isOn || !Double.isNaN(must);
+            rows[k].yields = false;
             bias[2 * nodes[k]] = Double.isNaN(must) ? rows[k].isOn ? -rows[k].target() : 0 : -must;
             hits |= rows[k].isOnNow;
         }
         return hits;
+    }
+
+    /** Whether an impact that was just decided has driven other rows against their stops. */
+    boolean isStruck(State state, double time) {
+        boolean yes = false;
+        for (int k = 0; k < rows.length && !yes; k++) {
+            yes = rows[k].isStruck(rows[k].value(), speed(k, state), time);
+        }
+        return yes;
     }
 
     private double speed(int k, State state) {
@@ -310,13 +387,41 @@ final class Switches implements SwitchedTies {
         return least;
     }
 
+    /** Notes which of the rows that do not act are within reach; the island is evaluated. */
+    private void mark(State state) {
+        for (int k = 0; k < rows.length; k++) {
+            double watched = rows[k].isOn ? 1 : rows[k].watch(rows[k].value(), speed(k, state));
+            reach[k] = watched >= 1 ? FAR : watched > -1 ? NEAR : PASSED;
+        }
+    }
+
     /** The least of the values that turn negative when a row must be decided anew. */
-    double watch(State state) {
+    private double watch(State state, boolean near) {
+        byte which = near ? NEAR : FAR;
+        boolean isAny = false;
+        for (int k = 0; k < rows.length; k++) {
+            isAny |= !rows[k].isOn && reach[k] == which;
+        }
+        double least = Double.POSITIVE_INFINITY;
+        if (!isAny) {
+            return least;
+        }
         island.evaluate(state);
+        for (int k = 0; k < rows.length; k++) {
+            if (!rows[k].isOn && reach[k] == which) {
+                least = Math.min(least, rows[k].watch(rows[k].value(), speed(k, state)));
+            }
+        }
+        return least;
+    }
+
+    /** The least time until such a row must be; NaN if a motor is among those that have passed. */
+    private double toGo(State state, boolean near) {
+        byte which = near ? NEAR : FAR;
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < rows.length; k++) {
-            if (!rows[k].isOn) {
-                least = Math.min(least, rows[k].watch(rows[k].value(), speed(k, state)));
+            if (!rows[k].isOn && reach[k] == which) {
+                least = Math.min(least, rows[k].toGo(rows[k].value(), speed(k, state)));
             }
         }
         return least;

@@ -25,6 +25,10 @@ public final class WeldJoint extends Joint {
         angle = a.getAngle() - angle(b);
     }
 
+    PinJoint pin() {
+        return pin;
+    }
+
     @Override
     public int getRows() {
         return 3;
@@ -41,5 +45,11 @@ public final class WeldJoint extends Joint {
         e.set(2, getBodyA().getAngle() - angle(getBodyB()) - angle, 0);
         e.setA(2, 0, 0, 1);
         e.setB(2, 0, 0, -1);
+    }
+
+    @Override
+    boolean describe(JointRows rows, int node) {
+        rows.addAngle(node + 1, 0, this, -1, angle); // the pin is with the other pins
+        return true;
     }
 }

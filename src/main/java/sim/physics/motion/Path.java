@@ -37,6 +37,9 @@ public final class Path implements Serializable {
 
     boolean knowsFirst;
 
+    /** Whether the next step of RK4 begins where they are those of its first stage. */
+    boolean isAtStart;
+
     /** The step that such a method would make next, by the first body of a group; 0: not known. */
     double[] next = {};
 
@@ -106,6 +109,16 @@ public final class Path implements Serializable {
             System.arraycopy(stage, State.BLOCK * bodies.values[k], first, State.BLOCK * bodies.values[k], State.BLOCK);
         }
         knowsFirst = true;
+    }
+
+    /** Takes the accelerations at the start for those of the stage, if that is where a step begins. */
+    boolean putFirst(IntList bodies) {
+        boolean yes = isAtStart && knowsFirst;
+        for (int k = 0; k < bodies.size && yes; k++) {
+            System.arraycopy(first, State.BLOCK * bodies.values[k], stage, State.BLOCK * bodies.values[k], State.BLOCK);
+        }
+        isAtStart = false;
+        return yes;
     }
 
     /** Keeps where the bodies are at the start. */

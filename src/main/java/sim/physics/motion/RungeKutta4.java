@@ -32,26 +32,50 @@ public final class RungeKutta4 implements Integrator {
 
     @Override
     public double advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
-        path.ensure(State.BLOCK * state.size());
-        begin(state, bodies, path);
-        for (int s = 0; s < NODE.length; s++) {
-            equations.acceleration(bodies, t + NODE[s] * h, path.stage);
-            path.takeFirst(bodies);
-            double next = s + 1 < NODE.length ? NODE[s + 1] * h : 0;
-            stage(state, bodies, path, WEIGHT[s], next);
-        }
-        finish(state, bodies, h, path);
-        return h;
-    }
-
-    private static void begin(State state, IntList bodies, Path path) {
+        advanceWithoutPath(equations, state, bodies, t, h, path);
+        double[] v = state.v();
         for (int k = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
             for (int end = b + State.BLOCK; b < end; b++) {
-                path.x0[b] = state.x()[b];
-                path.v0[b] = state.v()[b];
-                path.sumX[b] = 0;
-                path.sumV[b] = 0;
+                path.cubic(b, path.sumX[b], path.v0[b], v[b], h);
+            }
+        }
+        return h;
+    }
+
+    /** The same for one who makes the path himself. */
+    void advanceWithoutPath(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
+        path.ensure(State.BLOCK * state.size());
+        for (int s = 0; s < NODE.length; s++) {
+            if (s > 0 || !path.putFirst(bodies)) {
+                equations.acceleration(bodies, t + NODE[s] * h, path.stage);
+            }
+            path.takeFirst(bodies);
+            if (s == 0) {
+                begin(state, bodies, path, NODE[1] * h);
+            } else if (s + 1 < NODE.length) {
+                stage(state, bodies, path, WEIGHT[s], NODE[s + 1] * h);
+            }
+        }
+        finish(state, bodies, h, path);
+    }
+
+    /** Keeps the start, begins the sums, and sets the state for the second stage. */
+    private static void begin(State state, IntList bodies, Path path, double next) {
+        double[] x = state.x();
+        double[] v = state.v();
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int end = b + State.BLOCK; b < end; b++) {
+                double place = x[b];
+                double velocity = v[b];
+                double acceleration = path.stage[b];
+                path.x0[b] = place;
+                path.v0[b] = velocity;
+                path.sumX[b] = WEIGHT[0] * velocity;
+                path.sumV[b] = WEIGHT[0] * acceleration;
+                x[b] = place + next * velocity;
+                v[b] = velocity + next * acceleration;
             }
         }
     }
@@ -76,12 +100,13 @@ public final class RungeKutta4 implements Integrator {
     private static void finish(State state, IntList bodies, double h, Path path) {
         double[] x = state.x();
         double[] v = state.v();
+        double weight = WEIGHT[NODE.length - 1];
         for (int k = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
             for (int end = b + State.BLOCK; b < end; b++) {
+                path.sumX[b] += weight * v[b];
                 x[b] = path.x0[b] + h * path.sumX[b]; // (13)
-                v[b] = path.v0[b] + h * path.sumV[b];
-                path.cubic(b, path.sumX[b], path.v0[b], v[b], h);
+                v[b] = path.v0[b] + h * (path.sumV[b] + weight * path.stage[b]);
             }
         }
     }

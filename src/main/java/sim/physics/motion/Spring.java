@@ -30,6 +30,12 @@ public final class Spring implements ForceGenerator {
     private final double stiffness;
     private final double damping;
 
+    /** Cosine and sine of both bodies, and the angles that they are of: both bodies are asked for at each instant. */
+    private transient double[] turn;
+
+    private transient double angleA;
+    private transient double angleB;
+
     /**
      * Makes a spring.
      *
@@ -81,19 +87,31 @@ public final class Spring implements ForceGenerator {
         return b == null || b.state() == a.state();
     }
 
+    private void turn() {
+        double now = a.getAngle();
+        if (turn == null) {
+            turn = new double[] {1, 0, 1, 0}; // of angles that are 0
+        }
+        if (now != angleA) {
+            Trig.sinCos(now, turn, 0);
+            angleA = now;
+        }
+        if (b != null && b.getAngle() != angleB) {
+            angleB = b.getAngle();
+            Trig.sinCos(angleB, turn, 2);
+        }
+    }
+
     @Override
     public void addForce(Body body, double time, Forces forces) {
-        double cosA = Trig.cos(a.getAngle());
-        double sinA = Trig.sin(a.getAngle());
-        double rax = cosA * ax - sinA * ay;
-        double ray = sinA * ax + cosA * ay;
+        turn();
+        double rax = turn[0] * ax - turn[1] * ay;
+        double ray = turn[1] * ax + turn[0] * ay;
         double rbx = bx;
         double rby = by;
         if (b != null) {
-            double cosB = Trig.cos(b.getAngle());
-            double sinB = Trig.sin(b.getAngle());
-            rbx = cosB * bx - sinB * by;
-            rby = sinB * bx + cosB * by;
+            rbx = turn[2] * bx - turn[3] * by;
+            rby = turn[3] * bx + turn[2] * by;
         }
         double dx = a.getX() + rax - rbx - (b == null ? 0 : b.getX());
         double dy = a.getY() + ray - rby - (b == null ? 0 : b.getY());

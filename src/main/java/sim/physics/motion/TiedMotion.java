@@ -27,28 +27,20 @@ final class TiedMotion implements Serializable {
     /** Parts of a step that are too long and yet gone; with more the pose is one that lets nothing pass. */
     private static final int MOST_FORCED = 8;
 
-    /** Part of a step in which a motor that reaches its speed is too strong to be followed over the whole step. */
-    private static final double STRONG = 1.0 / 32;
-
-    /** How much longer than it should take until then that motor is followed. */
-    private static final double AMPLE = 4;
-
     /** Part of a step in which the correction at its end does not matter to the path. */
     private static final double SHORT = 1e-3;
 
     private final State state;
     private final Trajectories trajectories;
     private final Ties ties;
-    private CourseObserver observer;
+    private final SwitchedMotion switched;
     private double[] startX = {};
     private double[] startV = {};
     private double[] strideX = {};
     private double[] strideV = {};
 
-    /** What motors and stops remember at the start of a stride, and at its end. */
-    private double[] decided = {};
-
-    private double[] kept = {};
+    /** Whether the accelerations at the start of the path at hand are known, as they will be found there again. */
+    private boolean isStartKnown;
 
     /** Whether the step at hand was found to have no quick way. */
     private boolean isRefused;
@@ -57,6 +49,7 @@ final class TiedMotion implements Serializable {
         this.state = state;
         this.trajectories = trajectories;
         this.ties = ties;
+        switched = new SwitchedMotion(state, trajectories, ties, this);
     }
 
     /** Shares the workspace of another one, which has room for all bodies then. */
@@ -78,7 +71,7 @@ final class TiedMotion implements Serializable {
     }
 
     void setObserver(CourseObserver who) {
-        observer = who;
+        switched.setObserver(who);
     }
 
     /**
@@ -87,175 +80,28 @@ final class TiedMotion implements Serializable {
      * @return how long
      */
     double advanceUntilSwitch(Motion motion, IntList group, double t, double tau, double limit, Path path) {
-        double length = ties.isSwitched(group)
-                ? advanceSwitched(motion, group, t, tau, limit, path)
-                : stride(motion, group, t, limit, path);
-        isRefused = false;
-        return length;
-    }
-
-    private double advanceSwitched(Motion motion, IntList group, double t, double tau, double limit, Path path) {
-        if (ties.decide(group, trajectories.h())) {
-            for (int k = 0; k < group.size; k++) {
-                trajectories.anchor(group.values[k], tau, state);
-            }
-        }
-        path.ensure(state.x().length);
-        motion.acceleration(group, t, path.stage);
-        ties.confirm(group, false);
-        tell(group);
-        double first = ties.watch(group);
-        double push = ties.push(group, path.stage);
-        double most = push < STRONG * limit ? AMPLE * push : limit;
-        double length = strideUntilYield(motion, group, t, most, path);
-        double last = ties.watch(group);
-        if (last > -HALF) {
-            return length;
-        }
-        double from = 0;
-        if (first < 1) {
-            from = leave(motion, group, t, length, path);
-            if (from == 0) {
-                return advancePressed(motion, group, t, most, path);
-            }
-            first = 1;
-        }
-        return find(motion, group, t, from, length, first, last, path);
-    }
-
-    /** The same for a group that is pressed against a stop, until it reaches another one. */
-    private double advancePressed(Motion motion, IntList group, double t, double most, Path path) {
-        again(group);
-        ties.confirm(group, true);
-        tell(group);
-        double first = ties.watch(group);
-        motion.acceleration(group, t, path.stage);
-        double length = strideUntilYield(motion, group, t, most, path);
-        double last = ties.watch(group);
-        return last > -HALF || first < 1 ? length : find(motion, group, t, 0, length, first, last, path);
-    }
-
-    private void tell(IntList group) {
-        if (observer != null) {
-            observer.decided(group);
+        try {
+            return ties.isSwitched(group)
+                    ? switched.advance(motion, group, t, tau, limit, path)
+                    : stride(motion, group, t, limit, path);
+        } finally {
+            isRefused = false;
+            isStartKnown = false;
         }
     }
 
-    /** A stride from where accelerations were just found, or to where a motor begins to yield or a stop lets go. */
-    private double strideUntilYield(Motion motion, IntList group, double t, double limit, Path path) {
-        double spare = ties.spare(group);
-        decided = ties.switches(group, decided, false);
-        ties.limit(group, true);
-        double length = stride(motion, group, t, limit, path);
-        if (motion.getIntegrator().isAdaptive() && spare < Double.POSITIVE_INFINITY) {
-            motion.acceleration(group, t + length, path.stage); // not all of them look at the end
-        }
-        return ties.limit(group, true) ? untilYield(motion, group, t, length, spare, path) : length;
+    /** Sets whether accelerations at the start of the next strides are known. */
+    void setStartKnown(boolean yes) {
+        isStartKnown = yes;
     }
 
-    /**
-     * Ends a stride in which a motor was overloaded, or a stop let go, where that begins: the forces that it would need are
-     * followed without their bounds until one reaches them. So the step is made of parts that are smooth.
-     */
-    private double untilYield(Motion motion, IntList group, double t, double length, double spare, Path path) {
-        kept = ties.switches(group, kept, false);
-        ties.switches(group, decided, true);
-        ties.limit(group, false);
-        double last = spare(motion, group, t + length, path);
-        double time = length;
-        if (last < 0 && spare > 0) {
-            time = findYield(motion, group, t, length, spare, last, path);
-        } else {
-            ties.switches(group, kept, true); // it has yielded for a while only, or from the start on
-        }
-        ties.limit(group, true);
-        return time;
-    }
-
-    private double spare(Motion motion, IntList group, double t, Path path) {
-        motion.acceleration(group, t, path.stage);
-        return ties.spare(group);
-    }
-
-    /** The time at which a force is beyond its bound by about what counts as reached, by the Illinois method. */
-    private double findYield(
-            Motion motion, IntList group, double t, double length, double first, double last, Path path) {
-        double a = 0;
-        double b = length;
-        double fa = first + HALF;
-        double fb = last + HALF;
-        double time = length;
-        for (int k = 0; k < 60 && b - a > 0x1p-50 * length; k++) {
-            time = k % 8 == 7 || Double.isInfinite(fa) || !(fb < 0) ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
-            again(group);
-            ties.switches(group, decided, true);
-            advance(motion, group, t, time, path);
-            double f = spare(motion, group, t + time, path) + HALF;
-            if (Math.abs(f) < HALF) {
-                break;
-            }
-            if (f > 0) {
-                a = time;
-                fa = f;
-                fb *= 0.5;
-            } else {
-                b = time;
-                fb = f;
-                fa *= 0.5;
-            }
-        }
-        return time;
-    }
-
-    /** A time at which the group has left its stop; 0 if there is none. */
-    private double leave(Motion motion, IntList group, double t, double length, Path path) {
-        for (double to = 0.5 * length; to > 1e-4 * length; to *= 0.5) {
-            again(group);
-            advance(motion, group, t, to, path);
-            if (ties.watch(group) > 1) {
-                return to;
-            }
-        }
-        again(group);
-        return 0;
-    }
-
-    /** The time at which the watched value is zero, by the Illinois method on motions made anew. */
-    private double find(
-            Motion motion, IntList group, double t, double low, double high, double atLow, double atHigh, Path path) {
-        double a = low;
-        double b = high;
-        double fa = atLow;
-        double fb = atHigh;
-        double time = high;
-        for (int k = 0; k < 60 && b - a > 0x1p-50 * high; k++) {
-            time = k % 8 == 7 || Double.isInfinite(fa) || Double.isInfinite(fb) ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
-            again(group);
-            advance(motion, group, t, time, path);
-            double f = ties.watch(group);
-            if (Math.abs(f) <= HALF) {
-                break;
-            }
-            if (f > 0) {
-                a = time;
-                fa = f;
-                fb *= 0.5;
-            } else {
-                b = time;
-                fb = f;
-                fa *= 0.5;
-            }
-        }
-        return time;
-    }
-
-    private void again(IntList group) {
+    void again(IntList group) {
         copy(group, startX, state.x());
         copy(group, startV, state.v());
     }
 
     /** Advances a group by at most a time, as far as the integrator does at once; returns how far. */
-    private double stride(Motion motion, IntList group, double t, double limit, Path path) {
+    double stride(Motion motion, IntList group, double t, double limit, Path path) {
         if (!motion.getIntegrator().isAdaptive()) {
             advance(motion, group, t, limit, path);
             return limit;
@@ -454,7 +300,8 @@ final class TiedMotion implements Serializable {
             double from = length * k / parts;
             double to = length * (k + 1) / parts;
             ties.begin(group, !motion.hasForces());
-            motion.getIntegrator().advance(motion, state, group, t + from, to - from, path);
+            path.isAtStart = isStartKnown && k == 0;
+            integrate(motion, group, t + from, to - from, path);
             if (!ties.project(group)) {
                 if (parts < MOST_PARTS) {
                     return false;
@@ -469,6 +316,15 @@ final class TiedMotion implements Serializable {
             }
         }
         return true;
+    }
+
+    /** A step of the integrator; where it is long enough the path is made of its ends, afterwards. */
+    private void integrate(Motion motion, IntList group, double t, double h, Path path) {
+        if (motion.getIntegrator() instanceof RungeKutta4 method && Math.abs(h) >= SHORT * trajectories.h()) {
+            method.advanceWithoutPath(motion, state, group, t, h, path);
+        } else {
+            motion.getIntegrator().advance(motion, state, group, t, h, path);
+        }
     }
 
     private static void copy(IntList group, double[] from, double[] to) {

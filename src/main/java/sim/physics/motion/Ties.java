@@ -234,8 +234,8 @@ public interface Ties extends Serializable {
     boolean decide(IntList bodies, double time);
 
     /**
-     * Lets ties that were overloaded in the last evaluation of accelerations act no longer, or lets those act that have
-     * been reached.
+     * Lets ties that were overloaded in the last evaluation of accelerations act no longer, and notes which of the others are
+     * within reach; or lets those act that are.
      *
      * @param bodies all bodies of an island, or of all islands
      * @param hold true for the latter
@@ -243,12 +243,31 @@ public interface Ties extends Serializable {
     void confirm(IntList bodies, boolean hold);
 
     /**
+     * Changes one of the ties that act, or act no longer, against what their forces and the accelerations ask for.
+     *
+     * @param bodies all bodies of an island, or of all islands
+     * @param a accelerations, as just found
+     * @return false if there is none, and nothing has changed
+     */
+    boolean reconsider(IntList bodies, double[] a);
+
+    /**
      * A value that turns negative when it must be decided anew which ties act, in units of what counts as reached.
      *
      * @param bodies all bodies of an island, or of all islands
+     * @param near whether to watch the ties that were within reach when it was last settled which act, or the others
      * @return infinite if there is nothing to watch
      */
-    double watch(IntList bodies);
+    double watch(IntList bodies, boolean near);
+
+    /**
+     * The time until a stop is reached at the speeds of now, for the ties of {@link #watch}.
+     *
+     * @param bodies all bodies of an island, or of all islands, just watched
+     * @param near which ties
+     * @return the least; negative where a stop has been passed, NaN if that cannot be said
+     */
+    double toGo(IntList bodies, boolean near);
 
     /**
      * An estimate of how long the ties that push will do so, at the accelerations that they cause.

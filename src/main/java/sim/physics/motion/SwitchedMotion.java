@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import sim.physics.internal.IntList;
+
+/**
+ * Advances bodies whose ties act at some times only, motors and stops, up to where it must be decided anew which of them act.
+ *
+ * <p>Ties that are within reach of acting at the start, those <i>near</i>, either leave or are pressed; the others are looked at
+ * first, since one of them may be reached before a near one has left.
+ */
+final class SwitchedMotion implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private static final double HALF = 0.5;
+
+    /** Part of a step in which a motor that reaches its speed is too strong to be followed over the whole step. */
+    private static final double STRONG = 1.0 / 32;
+
+    /** How much longer than it should take until then that motor is followed. */
+    private static final double AMPLE = 4;
+
+    /** Times that near ties are let act at one start, before the path is taken as it is. */
+    private static final int MOST_PRESSED = 3;
+
+    private static final int MOST_LOOKS = 60;
+
+    /** Changes of what acts at the start of a path; with more the forces are at their bounds by rounding only. */
+    private static final int MOST_CHANGES = 100;
+
+    private final Trajectories trajectories;
+    private final State state;
+    private final Ties ties;
+    private final TiedMotion tied;
+    private CourseObserver observer;
+
+    /** What motors and stops remember at the start of a stride, and at its end. */
+    private double[] decided = {};
+
+    private double[] kept = {};
+
+    SwitchedMotion(State state, Trajectories trajectories, Ties ties, TiedMotion tied) {
+        this.state = state;
+        this.trajectories = trajectories;
+        this.ties = ties;
+        this.tied = tied;
+    }
+
+    void setObserver(CourseObserver who) {
+        observer = who;
+    }
+
+    /** Advances a group from an offset until a motor reaches its speed or a joint its stop; returns how long. */
+    double advance(Motion motion, IntList group, double t, double tau, double limit, Path path) {
+        if (ties.decide(group, trajectories.h())) {
+            for (int k = 0; k < group.size; k++) {
+                trajectories.anchor(group.values[k], tau, state);
+            }
+        }
+        path.ensure(state.x().length);
+        begin(motion, group, t, path);
+        double push = ties.push(group, path.stage);
+        double most = push < STRONG * limit ? AMPLE * push : limit;
+        for (int tries = 0; ; tries++) {
+            double length = strideUntilYield(motion, group, t, most, path);
+            if (ties.watch(group, false) <= -HALF) {
+                length = find(motion, group, t, 0, length, false, path);
+            }
+            if (tries == MOST_PRESSED || ties.watch(group, true) > -HALF) {
+                return length;
+            }
+            double from = leave(motion, group, t, length, path);
+            if (from > 0) {
+                tied.again(group);
+                tied.advance(motion, group, t, length, path);
+                return find(motion, group, t, from, length, true, path);
+            }
+            ties.confirm(group, true); // they are pressed against their stops
+            begin(motion, group, t, path);
+        }
+    }
+
+    /** Finds the accelerations at the start, and settles which ties act. */
+    private void begin(Motion motion, IntList group, double t, Path path) {
+        motion.acceleration(group, t, path.stage);
+        ties.confirm(group, false);
+        int changes = 0;
+        while (changes < MOST_CHANGES && ties.reconsider(group, path.stage)) {
+            changes++;
+            ties.limit(group, false);
+            motion.acceleration(group, t, path.stage);
+        }
+        if (changes > 0) {
+            ties.limit(group, true);
+            motion.acceleration(group, t, path.stage);
+            ties.confirm(group, false);
+        }
+        path.knowsFirst = false;
+        path.takeFirst(group);
+        tied.setStartKnown(motion.getIntegrator() instanceof RungeKutta4);
+        if (observer != null) {
+            observer.decided(group);
+        }
+    }
+
+    /** A stride from where accelerations were just found, or to where a motor begins to yield or a stop lets go. */
+    private double strideUntilYield(Motion motion, IntList group, double t, double limit, Path path) {
+        double spare = ties.spare(group);
+        decided = ties.switches(group, decided, false);
+        ties.limit(group, true);
+        double length = tied.stride(motion, group, t, limit, path);
+        if (motion.getIntegrator().isAdaptive() && spare < Double.POSITIVE_INFINITY) {
+            motion.acceleration(group, t + length, path.stage); // not all of them look at the end
+        }
+        return ties.limit(group, true) ? untilYield(motion, group, t, length, spare, path) : length;
+    }
+
+    /**
+     * Ends a stride in which a motor was overloaded, or a stop let go, where that begins: the forces that it would need are
+     * followed without their bounds until one reaches them. So the step is made of parts that are smooth.
+     */
+    private double untilYield(Motion motion, IntList group, double t, double length, double spare, Path path) {
+        kept = ties.switches(group, kept, false);
+        ties.switches(group, decided, true);
+        ties.limit(group, false);
+        double last = spare(motion, group, t + length, path);
+        double time = length;
+        if (last < 0 && spare > 0) {
+            time = findYield(motion, group, t, length, spare, last, path);
+        } else {
+            ties.switches(group, kept, true); // it has yielded for a while only, or from the start on
+        }
+        ties.limit(group, true);
+        return time;
+    }
+
+    private double spare(Motion motion, IntList group, double t, Path path) {
+        motion.acceleration(group, t, path.stage);
+        return ties.spare(group);
+    }
+
+    /** The time at which a force is beyond its bound by about what counts as reached, by the Illinois method. */
+    private double findYield(
+            Motion motion, IntList group, double t, double length, double first, double last, Path path) {
+        double a = 0;
+        double b = length;
+        double fa = first + HALF;
+        double fb = last + HALF;
+        double time = length;
+        for (int k = 0; k < MOST_LOOKS && b - a > 0x1p-50 * length; k++) {
+            time = k % 8 == 7 || Double.isInfinite(fa) || !(fb < 0) ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
+            tied.again(group);
+            ties.switches(group, decided, true);
+            tied.advance(motion, group, t, time, path);
+            double f = spare(motion, group, t + time, path) + HALF;
+            if (Math.abs(f) < HALF) {
+                break;
+            }
+            if (f > 0) {
+                a = time;
+                fa = f;
+                fb *= 0.5;
+            } else {
+                b = time;
+                fb = f;
+                fa *= 0.5;
+            }
+        }
+        return time;
+    }
+
+    /** A time at which the near ties have been left, or 0 if there is none and the group is back at the start. */
+    private double leave(Motion motion, IntList group, double t, double length, Path path) {
+        for (double to = 0.5 * length; to > 1e-4 * length; to *= 0.5) {
+            tied.again(group);
+            tied.advance(motion, group, t, to, path);
+            if (ties.watch(group, true) > 1) {
+                return to;
+            }
+        }
+        tied.again(group);
+        return 0;
+    }
+
+    /**
+     * Goes to where the first tie, near or not, is reached: by Newton's method from the end at hand, on motions made anew;
+     * within what is left between the last places before and behind, which are otherwise approached by the Illinois method.
+     */
+    private double find(Motion motion, IntList group, double t, double low, double high, boolean near, Path path) {
+        double a = low;
+        double b = high;
+        double fa = 1;
+        double fb = ties.watch(group, near);
+        double next = high + ties.toGo(group, near);
+        double time = high;
+        if (low == 0) {
+            tied.again(group);
+            fa = ties.watch(group, near);
+        }
+        for (int k = 0; k < MOST_LOOKS && b - a > 0x1p-50 * high; k++) {
+            if (k % 4 == 3) {
+                next = 0.5 * (a + b);
+            } else if (!(next > a && next < b)) {
+                next = (a * fb - b * fa) / (fb - fa);
+            }
+            next = next > a && next < b ? next : 0.5 * (a + b); // values may be infinite
+            time = next;
+            tied.again(group);
+            tied.advance(motion, group, t, time, path);
+            double f = ties.watch(group, near);
+            if (Math.abs(f) <= HALF) {
+                break;
+            }
+            next = time + ties.toGo(group, near);
+            if (f > 0) {
+                a = time;
+                fa = f;
+                fb *= 0.5;
+            } else {
+                b = time;
+                fb = f;
+                fa *= 0.5;
+            }
+        }
+        return time;
+    }
+}
