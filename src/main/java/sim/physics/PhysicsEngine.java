@@ -160,6 +160,7 @@ public final class PhysicsEngine implements Steppable {
         while (admission.breakJoints(getTime())) {
             admit(0);
         }
+        motion.releaseDriven();
         if (audit != null) {
             audit.open();
         }

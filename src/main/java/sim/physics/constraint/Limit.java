@@ -160,6 +160,7 @@ public final class Limit extends Switched {
         to.isMotor = false;
         to.aboveLower = q - lower;
         to.belowUpper = upper - q;
+        to.restitution = restitution;
     }
 
     @Override

@@ -79,8 +79,8 @@ final class Generators implements Serializable {
         return true;
     }
 
-    /** Whether some generator couples bodies that no island of ties has all of; ties may be null. */
-    boolean couplesBeyond(Ties ties) {
+    /** Whether some generator couples bodies that no island of ties has all of, or may come to do so; ties may be null. */
+    boolean couplesBeyond(Ties ties, State state) {
         if (ties == null) {
             return coupled;
         }
@@ -88,20 +88,20 @@ final class Generators implements Serializable {
             knownVersion = ties.version();
             couplesBeyond = false;
             for (ForceGenerator g : driving) {
-                couplesBeyond |= g.isCoupled() && !isWithin(ties, g.getCoupledBodies());
+                couplesBeyond |= g.isCoupled() && !isWithin(ties, state, g.getCoupledBodies());
             }
         }
         return couplesBeyond;
     }
 
-    private static boolean isWithin(Ties ties, List<Body> bodies) {
+    private static boolean isWithin(Ties ties, State state, List<Body> bodies) {
         IntList island = null;
         for (int k = 0; bodies != null && k < bodies.size(); k++) {
             Body body = bodies.get(k);
-            if (body.state() == null || body.isFixed()) {
-                continue; // it does not move
+            if (body.isFixed()) {
+                continue;
             }
-            if (!ties.isTied(body.index()) || island != null && ties.island(body.index()) != island) {
+            if (body.state() != state || !ties.isTied(body.index()) || island != null && ties.island(body.index()) != island) {
                 return false;
             }
             island = ties.island(body.index());

@@ -165,7 +165,6 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         time = startOfStep;
         drivenMotion.begin();
         state.setUnsettled(true);
-        support.pushesDriven = false;
     }
 
     /**
@@ -367,11 +366,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         return drivenMotion.probe(companions(body), length);
     }
 
-    /**
-     * Whether some force couples bodies, be they tied to one another or not.
-     *
-     * @return false if {@link #isCoupled()} is and stays so
-     */
+    /** {@return whether some force couples bodies, be they tied to one another or not} */
     public boolean mayCouple() {
         return generators.coupled;
     }
@@ -382,7 +377,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      * @return false if each moves alone, or with those that it is tied to
      */
     public boolean isCoupled() {
-        return generators.coupled && generators.couplesBeyond(ties);
+        return generators.coupled && generators.couplesBeyond(ties, state);
     }
 
     /** The simulated time of an offset in the present step. */
@@ -392,6 +387,11 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     boolean isTiedGroup(IntList group) {
         return ties != null && (isCoupled() || isTied(group.values[0]));
+    }
+
+    /** Lets what contacts gave to driven bodies in the last step act no longer. */
+    public void releaseDriven() {
+        support.pushesDriven = false;
     }
 
     /** Anchors driven bodies at the start of a step where the last one left them. */

@@ -47,6 +47,9 @@ public final class SwitchedRow implements Serializable {
     /** How far q is below its upper stop. */
     public double belowUpper;
 
+    /** Of the stops. */
+    public double restitution;
+
     /** The size of the coordinate: of what it measures, length, or 1 for angles. */
     public double size;
 

@@ -83,13 +83,14 @@ final class DrivenHeap implements Serializable {
      * Takes in the motors and stops of tied bodies, and finds what impulses do to these, as their ties are prepared.
      *
      * @param length of the time for which forces are to act
+     * @param fall speed that they give to bodies in it
      */
-    void gather(IntList heap, Ties those, double length) {
+    void gather(IntList heap, Ties those, double length, double fall) {
         ties = those;
         switches.clear();
         for (int k = 0; k < heap.size; k++) {
             if (isFirstTied(heap.values[k])) {
-                switches.gather(ties.switched(ties.island(heap.values[k])), length);
+                switches.gather(ties.switched(ties.island(heap.values[k])), length, fall);
             }
         }
         for (int p = 0; p < system.size(); p++) {
@@ -102,6 +103,11 @@ final class DrivenHeap implements Serializable {
             }
             system.measure(p);
         }
+    }
+
+    /** Speeds at which motors and stops, in their order behind the contacts, are left by what strikes them now. */
+    double[] rebounds() {
+        return switches.rebounds();
     }
 
     private boolean isFirstTied(int body) {

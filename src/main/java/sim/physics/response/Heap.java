@@ -158,7 +158,7 @@ final class Heap implements Serializable {
         isFresh |= isEven();
         gather(tau);
         if (isDriven) {
-            driving.gather(heap, ties, until - tau);
+            driving.gather(heap, ties, until - tau, scale);
         }
         if (isEven()) {
             strike();
@@ -244,7 +244,7 @@ final class Heap implements Serializable {
         if (!system.isStruck(HARDLY * speed)) {
             return;
         }
-        system.strike(Math.max(speed, scale));
+        system.strike(Math.max(speed, scale), driving.rebounds());
         notes.strike(1);
         for (int k = 0; k < heap.size; k++) {
             int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;

@@ -250,6 +250,7 @@ final class HeapMatrix implements Serializable {
             }
         }
         System.arraycopy(velocity, 0, without, 0, rows);
+        System.arraycopy(impulse, 0, best, 0, rows); // if there are none that are better, as where velocities are no numbers
         evaluate();
     }
 

@@ -16,7 +16,7 @@ import sim.physics.motion.SwitchedTies;
 final class HeapSwitches implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** A stop is looked at if it may be reached by this turn, rad, or part of its size, or in this many times the time. */
+    /** A stop is looked at if it may be reached by this turn, rad, or part of its size, or at this many times its speed. */
     private static final double NEAR = 0.05;
 
     private static final double TIMES = 3;
@@ -35,6 +35,9 @@ final class HeapSwitches implements Serializable {
 
     private double[] greatest = {};
 
+    /** The same: the speed at which a stop that is struck now is left; else −∞. */
+    private double[] rebounds = {};
+
     HeapSwitches(HeapBodies by, HeapSystem system) {
         this.by = by;
         this.system = system;
@@ -45,18 +48,28 @@ final class HeapSwitches implements Serializable {
         sign.clear();
     }
 
-    /** Takes in the motors and stops of an island that is prepared for its replies, at the velocities of the system. */
-    void gather(SwitchedTies switched, double length) {
+    /**
+     * Takes in the motors and stops of an island that is prepared for its replies, at the velocities of the system.
+     *
+     * @param fall speed that forces give to bodies in the time
+     */
+    void gather(SwitchedTies switched, double length, double fall) {
         if (!isReadable(switched)) {
             return; // they go on deciding by themselves
+        }
+        double sway = 0;
+        for (int k = 0; k < switched.size(); k++) {
+            switched.read(k, row);
+            sway += row.isMotor ? Math.sqrt(mobility()) * row.limit * length : 0;
         }
         for (int k = 0; k < switched.size(); k++) {
             switched.read(k, row);
             if (row.isMotor) {
                 add(k, 1, row.speed, length);
             } else {
-                stop(k, 1, row.aboveLower, length);
-                stop(k, -1, row.belowUpper, length);
+                double speed = Math.sqrt(mobility()) * (sway + fall * Math.sqrt(lighterMass()));
+                stop(k, 1, row.aboveLower, length, speed);
+                stop(k, -1, row.belowUpper, length, speed);
             }
         }
     }
@@ -69,16 +82,36 @@ final class HeapSwitches implements Serializable {
         return all;
     }
 
-    private void stop(int k, int way, double gap, double length) {
+    /** What a unit along the coordinate at hand does to its speed if nothing else ties its bodies: ties make that less. */
+    private double mobility() {
+        double square = row.nx * row.nx + row.ny * row.ny;
+        return mobility(place(row.first), square, row.firstLever) + mobility(place(row.second), square, row.secondLever);
+    }
+
+    private double mobility(int place, double square, double lever) {
+        return place < 0 ? 0 : square * system.w[2 * place] + lever * lever * system.w[2 * place + 1];
+    }
+
+    private double lighterMass() {
+        int a = place(row.first);
+        int b = place(row.second);
+        return 1 / Math.max(a < 0 ? 0 : system.w[2 * a], b < 0 ? 0 : system.w[2 * b]);
+    }
+
+    /** Takes in a stop that may be reached; given what forces may change its coordinate's speed by. */
+    private void stop(int k, int way, double gap, double length, double speed) {
         if (gap == Double.POSITIVE_INFINITY) {
             return;
         }
         add(k, way, -gap / length, length);
         int p = system.size() - 1;
-        if (gap > NEAR * row.size && gap > -TIMES * length * system.normal(p)) {
+        double approach = -system.normal(p);
+        if (gap > NEAR * row.size && gap > (TIMES * approach + speed) * length) {
             system.removeLast();
             number.size--;
             sign.size--;
+        } else if (approach * length > Math.max(0, gap) && row.restitution * approach > speed) { // or it is back in no time
+            rebounds[number.size - 1] = row.restitution * approach;
         }
     }
 
@@ -89,15 +122,22 @@ final class HeapSwitches implements Serializable {
         if (first.length <= at) {
             first = Arrays.copyOf(first, 2 * at + 2);
             greatest = Arrays.copyOf(greatest, 2 * at + 2);
+            rebounds = Arrays.copyOf(rebounds, 2 * at + 2);
         }
         first[at] = way * length * row.force;
         greatest[at] = row.isMotor ? length * row.limit : Double.POSITIVE_INFINITY;
+        rebounds[at] = Double.NEGATIVE_INFINITY;
         system.add(place(row.first), place(row.second), row, way, 0, row.isMotor ? 0 : Double.POSITIVE_INFINITY);
         system.bound(system.size() - 1, bound);
     }
 
     private int place(int body) {
         return body < 0 ? -1 : by.place[body] - 1;
+    }
+
+    /** By point behind the contacts: the speed at which what strikes it now is to leave it. */
+    double[] rebounds() {
+        return rebounds;
     }
 
     /** Starts from the last forces; from now on motors may act. */

@@ -408,14 +408,15 @@ final class HeapSystem implements Serializable {
         return false;
     }
 
-    /** Ends the approach of points that close faster than they may. */
-    void strike(double scale) {
+    /** Ends the approach of points that close faster than they may; those behind contacts then part with given speeds. */
+    void strike(double scale, double[] rebounds) {
         if (kept.length < points) {
             kept = new double[2 * points];
         }
         for (int p = 0; p < points; p++) {
             kept[p] = data[STRIDE * p + BOUND];
-            data[STRIDE * p + BOUND] = Math.min(0, kept[p]);
+            double least = Math.min(0, kept[p]);
+            data[STRIDE * p + BOUND] = p < contacts ? least : Math.max(least, rebounds[p - contacts]);
         }
         solve(scale, true);
         for (int p = 0; p < points; p++) {

@@ -341,6 +341,7 @@ public final class Heaps implements Serializable {
             int body = dirty.values[k];
             if (by.lies[body] && trajectories.isDriven(body) && motion.isCoupled()) {
                 part(body); // since it came to lie there a force has been added that couples bodies
+                motion.support(body, 0, 0, 0);
                 changed.add(body);
             } else if (by.lies[body] && isDriven(body) && !isCalm(motion.companions(body))) {
                 giveUp(body);

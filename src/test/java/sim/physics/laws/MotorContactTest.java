@@ -14,10 +14,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.collision.Overlap;
+import sim.physics.constraint.GearJoint;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.SliderJoint;
+import sim.physics.constraint.WeldJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Spring;
@@ -304,5 +306,69 @@ class MotorContactTest {
             places[k] = pair[1].getX();
         }
         assertThat(places[1]).isEqualTo(places[0]);
+    }
+
+    /** An arm on a post on a base, with stops and no friction in its pin, that falls against the lower one. */
+    private Body arm(Body base, double restitution) {
+        Body post = put(new Body(new Rectangle(0.1, 2)).at(0, 2));
+        Body arm = put(new Body(new Rectangle(0.5, 0.1)).at(0.35, 3));
+        engine.add(new WeldJoint(base, post, 0, 1));
+        engine.add(new PinJoint(post, arm, 0, 3));
+        engine.add(new Limit(new GearJoint(arm, post, -1), -1, 2, restitution));
+        return arm;
+    }
+
+    private double heightOfItsFirstBounce(Body base, double restitution) {
+        Body arm = arm(base, restitution);
+        double last = 0;
+        while (arm.getAngularVelocity() <= 0) {
+            engine.step();
+        }
+        while (arm.getAngularVelocity() > 0) {
+            last = arm.getAngle();
+            engine.step();
+        }
+        return last;
+    }
+
+    /** Stops have their restitution also where the heap strikes them, within what a body falls in a step. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.3, 0.5, 0.8, 1})
+    void elasticStopsBounceOnWhatLies(double restitution) {
+        double exact = heightOfItsFirstBounce(put(Body.fixed(new Rectangle(6, 1)).at(0, 0.5)), restitution);
+        engine.bodies().forEach(engine::remove);
+        put(Body.fixed(new Rectangle(400, 2)).at(0, -1));
+        assertThat(heightOfItsFirstBounce(put(new Body(new Rectangle(6, 1)).at(0, 0.5)), restitution))
+                .isEqualTo(exact, within(0.1));
+    }
+
+    @Test
+    void elasticStopsComeToRestOnWhatLies() {
+        Body arm = arm(put(new Body(new Rectangle(6, 1)).at(0, 0.5)), 0.5);
+        step(400);
+        assertThat(arm.getAngle()).isEqualTo(-1, within(1e-9));
+        assertThat(arm.getAngularVelocity()).isEqualTo(0, within(1e-9));
+    }
+
+    /** A motor that crosses the whole range within a step does not get past the stops. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.02, 0.1, 0.3})
+    void stopsAreSeenBeforeMotorsPassThem(double timeStep) {
+        engine.setTimeStep(timeStep);
+        Body base = put(new Body(new Rectangle(3, 0.5)).at(0, 0.25));
+        Body post = put(new Body(new Rectangle(0.2, 1)).at(0, 1));
+        Body arm = put(new Body(new Rectangle(0.3, 0.05)).at(0, 1.5));
+        engine.add(new WeldJoint(base, post, 0, 0.5));
+        engine.add(new PinJoint(post, arm, 0, 1.5));
+        engine.add(Limit.angle(arm, post, -0.5, 0.5));
+        step(20);
+        drive(arm, post, 5, 10);
+        for (int k = 0; k < 60; k++) {
+            step(1);
+            assertThat(Math.abs(arm.getAngle() - post.getAngle())).isLessThan(0.5 + 1e-6);
+            if (k % 20 == 19) {
+                motors.get(0).setSpeed(-motors.get(0).getSpeed());
+            }
+        }
     }
 }

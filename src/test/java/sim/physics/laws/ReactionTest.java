@@ -7,6 +7,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.Motor;
@@ -102,6 +104,27 @@ class ReactionTest {
         double vx = rod.getVelocityX();
         engine.step();
         assertThat(rod.getVelocityX()).isEqualTo(vx);
+    }
+
+    /** A joint breaks also under what lies on its bodies, and bears it while that is less than its load. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.9, 1.1})
+    void aJointBreaksUnderWhatLiesOnIt(double strength) {
+        PhysicsEngine engine = heavy();
+        engine.setTimeStep(1 / 60.0);
+        Body beam = engine.add(new Body(new Rectangle(2, 0.2)).at(0, 0));
+        Body box = engine.add(new Body(new Rectangle(0.5, 0.5)).at(0.7, 0.35));
+        beam.setMass(1);
+        box.setMass(5);
+        box.setRestitution(0);
+        WeldJoint weld = new WeldJoint(beam, null, -1, 0);
+        weld.setBreakingLoad(Double.POSITIVE_INFINITY, strength * 5 * 9.81 * 0.7); // about its middle
+        engine.add(weld);
+        for (int k = 0; k < 200; k++) {
+            engine.step();
+        }
+        assertThat(engine.contains(weld)).isEqualTo(strength > 1);
+        assertThat(box.getY()).isLessThan(strength > 1 ? 0.36 : 0);
     }
 
     @Test
