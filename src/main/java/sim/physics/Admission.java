@@ -50,7 +50,8 @@ final class Admission implements Presence, Serializable {
     /** Null unless the engine is audited. */
     private Audit audit;
 
-    private final double[] written = new double[2 * State.BLOCK];
+    /** Positions and velocities of bodies that were written. */
+    private double[] written = {};
 
     Admission(
             State state,
@@ -109,9 +110,12 @@ final class Admission implements Presence, Serializable {
     IntList admit(double tau) {
         driven.clear();
         if (constraints != null) {
-            for (int k = 0; k < leaving.size(); k++) {
-                untie(leaving.get(k));
-            }
+            tellConstraints();
+        }
+        if (tau > 0 && (constraints != null || motion.mayCouple())) {
+            bringOthers(tau);
+        }
+        if (constraints != null) {
             regroup(tau);
         }
         if (trajectories.data().length == 0) {
@@ -168,29 +172,25 @@ final class Admission implements Presence, Serializable {
         return resting.rests(index) && state.isPushed(index) && trajectories.movesAs(index, tau, state);
     }
 
-    /** Forms islands anew where constraints have changed, and closes the joints of bodies that were written. */
-    private void regroup(double tau) {
-        int writtenBodies = state.touchedCount();
-        for (int k = 0; k < writtenBodies; k++) {
+    /** Cuts the constraints of bodies that leave, and tells the others of bodies that were written. */
+    private void tellConstraints() {
+        for (Body body : leaving) {
+            untie(body);
+        }
+        for (int k = 0; k < state.touchedCount(); k++) {
             Body body = state.body(state.touched(k));
             if (body != null) {
                 constraints.touched(body);
             }
         }
-        if (tau > 0) {
-            for (int k = 0; k < writtenBodies; k++) {
-                bringCompanions(state.touched(k), tau);
-            }
-        }
+    }
+
+    /** Forms islands anew where constraints have changed, and closes the joints of bodies that were written. */
+    private void regroup(double tau) {
         if (constraints.isChanged()) {
             IntList concerned = constraints.concerned();
             for (int k = 0; k < concerned.size; k++) {
                 bring(concerned.values[k], tau);
-            }
-            for (int index = 0; motion.mayCouple() && index < state.size(); index++) {
-                if (state.body(index) != null) {
-                    bring(index, tau); // what moves together may be others from now on
-                }
             }
             constraints.regroup();
         }
@@ -237,20 +237,42 @@ final class Admission implements Presence, Serializable {
         state.touch(index);
     }
 
-    /** Brings those that are tied to a body which was written, but not the body itself. */
-    private void bringCompanions(int index, double tau) {
-        if (state.body(index) == null || !motion.isTied(index)) {
-            return;
+    /** Brings those that move together with bodies that were written or may do so from now on, but not these themselves. */
+    private void bringOthers(double tau) {
+        int writtenBodies = state.touchedCount();
+        exchangeWritten(writtenBodies, false);
+        boolean all = motion.mayCouple() && constraints != null && constraints.isChanged();
+        for (int k = 0; k < writtenBodies; k++) {
+            int index = state.touched(k);
+            if (state.body(index) != null && motion.isTied(index)) {
+                IntList island = constraints.island(index);
+                for (int m = 0; m < island.size; m++) {
+                    bring(island.values[m], tau);
+                }
+            }
+            all |= state.body(index) != null && motion.isCoupled() && motion.ground().isDrivenByOthers(index);
         }
-        int b = State.BLOCK * index;
-        System.arraycopy(state.x(), b, written, 0, State.BLOCK);
-        System.arraycopy(state.v(), b, written, State.BLOCK, State.BLOCK);
-        IntList island = constraints.island(index);
-        for (int k = 0; k < island.size; k++) {
-            bring(island.values[k], tau);
+        for (int index = 0; all && index < state.size(); index++) {
+            if (state.body(index) != null) {
+                bring(index, tau);
+            }
         }
-        System.arraycopy(written, 0, state.x(), b, State.BLOCK);
-        System.arraycopy(written, State.BLOCK, state.v(), b, State.BLOCK);
+        exchangeWritten(writtenBodies, true);
+    }
+
+    /** Keeps the blocks of bodies that were written, or puts them back: bodies are brought in the same vectors. */
+    private void exchangeWritten(int bodies, boolean back) {
+        int n = State.BLOCK;
+        if (written.length < 2 * n * bodies) {
+            written = new double[4 * n * bodies];
+        }
+        double[] x = state.x();
+        double[] v = state.v();
+        for (int k = 0, at = 0; k < bodies; k++, at += 2 * n) {
+            int b = n * state.touched(k);
+            System.arraycopy(back ? written : x, back ? at : b, back ? x : written, back ? b : at, n);
+            System.arraycopy(back ? written : v, back ? at + n : b, back ? v : written, back ? b : at + n, n);
+        }
     }
 
     /** Cuts the constraints of a body that leaves. */
