@@ -28,7 +28,6 @@ final class HeapMatrix implements Serializable {
 
     /** Sweeps of the first round, and of the next ones. */
     private static final int FEW = 6;
-
     private static final int SWEEPS = 30;
 
     /** Steps of Newton's method in a round, and those in a row that may be in vain. */
@@ -37,6 +36,9 @@ final class HeapMatrix implements Serializable {
     private static final int VAIN = 3;
     private static final int REFINEMENTS = 3;
     private static final double WEIGHT = 1e-9;
+
+    /** How nearly a motor acts along the coordinate of a stop: the square of a cosine. */
+    private static final double ALONG = 1 - 1e-9;
 
     /** Error at which the impulses may start the next solution, as a part of the scale. */
     private static final double NEARLY = 1e-6;
@@ -53,6 +55,9 @@ final class HeapMatrix implements Serializable {
     private int[] bearer = {};
 
     private double[] friction = {};
+
+    /** The motor that acts along the coordinate of a stop, or −1. */
+    private int[] against = {};
 
     /** What a unit at a row does to all, row after row. */
     private double[] replies = {};
@@ -80,10 +85,6 @@ final class HeapMatrix implements Serializable {
     private double[] right = {};
     private double[] solution = {};
     private double[] rest = {};
-
-    HeapMatrix() {
-        // grows with the heaps
-    }
 
     /** Takes note that what rows do has changed. */
     void forget() {
@@ -115,6 +116,7 @@ final class HeapMatrix implements Serializable {
                 column(s, v, tangent[p]);
             }
         }
+        pair(s);
         isAssembled = true;
         return true;
     }
@@ -135,6 +137,7 @@ final class HeapMatrix implements Serializable {
             int n = 2 * rows;
             bearer = new int[n];
             friction = new double[n];
+            against = new int[n];
             bound = new double[n];
             least = new double[n];
             most = new double[n];
@@ -289,9 +292,41 @@ final class HeapMatrix implements Serializable {
 
     private void sweep() {
         for (int i = 0; i < rows; i++) {
-            double change = wanted(i) - impulse[i];
-            impulse[i] += change;
-            push(i, change);
+            set(i, wanted(i));
+            if (against[i] >= 0) {
+                settle(i, against[i]);
+            }
+        }
+    }
+
+    /**
+     * Finds the impulses of a stop and of the motor of its coordinate together. One after the other they would yield to each
+     * other by little in each sweep, since both can be strong and what they move light.
+     */
+    private void settle(int stop, int motor) {
+        double both = replies[stop * rows + motor];
+        double alone = velocity[stop] - own(stop) * impulse[stop] - both * impulse[motor];
+        double target = bound[motor] * both / own(motor);
+        double force = Math.max(least[motor], Math.min(most[motor], (target - alone) / both));
+        double missing = bound[stop] - (alone + both * force);
+        if (missing > 0 && target < bound[stop]) { // the motor drives it against the stop, as strongly as it can
+            force = both > 0 ? least[motor] : most[motor];
+            missing = bound[stop] - (alone + both * force);
+        }
+        set(stop, Math.max(0, missing / own(stop)));
+        set(motor, force);
+    }
+
+    /** Finds the motors that act along the coordinates of stops. */
+    private void pair(HeapSystem s) {
+        Arrays.fill(against, 0, rows, -1);
+        for (int p = s.contacts(); p < s.size(); p++) {
+            for (int q = s.contacts(); q < s.size() && normal[p] >= 0 && !s.isMotor(p); q++) {
+                int i = normal[p];
+                int k = s.isMotor(q) ? normal[q] : -1;
+                double both = k < 0 ? 0 : replies[i * rows + k];
+                against[i] = k >= 0 && both * both > ALONG * own(i) * own(k) ? k : against[i];
+            }
         }
     }
 
@@ -335,9 +370,7 @@ final class HeapMatrix implements Serializable {
             side[i] = isFree ? 0 : free <= down ? -1 : 1;
         }
         for (int i = 0; i < rows; i++) {
-            if (bearer[i] < 0 && unknown[i] < 0) {
-                set(i, side[i] < 0 ? least[i] : most[i]);
-            }
+            set(i, bearer[i] >= 0 || unknown[i] >= 0 ? impulse[i] : side[i] < 0 ? least[i] : most[i]);
         }
         slide(true);
         assemble(n);

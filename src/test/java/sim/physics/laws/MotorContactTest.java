@@ -5,6 +5,11 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -14,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.collision.Overlap;
+import sim.physics.constraint.Constraint;
 import sim.physics.constraint.GearJoint;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
@@ -372,6 +378,74 @@ class MotorContactTest {
             if (k % 20 == 19) {
                 motors.get(0).setSpeed(-motors.get(0).getSpeed());
             }
+        }
+    }
+
+    /** A strong motor that pushed a light arm against a stop leaves it when it turns back, and the stop lets go at once. */
+    @Test
+    void aServoTurnsBackFromItsStop() {
+        Body base = put(new Body(new Rectangle(3, 0.5)).at(0, 0.25));
+        Body post = put(new Body(new Rectangle(0.2, 1)).at(0, 1));
+        Body arm = put(new Body(new Rectangle(0.3, 0.05)).at(0, 1.5));
+        engine.add(new WeldJoint(base, post, 0, 0.5));
+        engine.add(new PinJoint(post, arm, 0, 1.5));
+        engine.add(Limit.angle(arm, post, -0.5, 0.5));
+        drive(arm, post, 5, 100);
+        for (int turn = 0; turn < 4; turn++) {
+            step(10);
+            double way = Math.signum(motors.get(0).getSpeed());
+            if (turn > 0) {
+                assertThat(arm.getAngularVelocity()).isEqualTo(5 * way, within(1e-3));
+                assertThat(engine.getReaction(motors.get(0)).torque()).isEqualTo(0, within(1e-3));
+            }
+            step(20);
+            assertThat(arm.getAngle() - post.getAngle()).isEqualTo(0.5 * way, within(1e-6));
+            assertThat(engine.getReaction(motors.get(0)).torque()).isEqualTo(100 * way, within(1e-9));
+            assertThat(base.getY()).isEqualTo(0.25, within(1e-5));
+            motors.get(0).setSpeed(-motors.get(0).getSpeed());
+        }
+    }
+
+    /** Engines that are written and read in the middle of a run, with motors and stops that push evenly, go on to the bit. */
+    @Test
+    void aCheckpointKeepsForcesOfMotorsInContact() throws IOException, ClassNotFoundException {
+        walker();
+        PhysicsEngine copy = null;
+        for (int k = 0; k < 240; k++) {
+            aim(engine, k);
+            engine.step();
+            if (copy != null) {
+                aim(copy, k);
+                copy.step();
+                for (int b = 0; b < engine.bodies().size(); b++) {
+                    Body one = engine.bodies().get(b);
+                    Body other = copy.bodies().get(b);
+                    assertThat(other.getX()).isEqualTo(one.getX());
+                    assertThat(other.getAngularVelocity()).isEqualTo(one.getAngularVelocity());
+                }
+            }
+            if (k % 37 == 36) {
+                copy = copyOf(engine);
+            }
+        }
+    }
+
+    private static void aim(PhysicsEngine one, int step) {
+        int m = 0;
+        for (Constraint c : one.allConstraints()) {
+            if (c instanceof Motor motor) {
+                motor.setSpeed(1.5 * Math.cos(step * 0.05 + m++));
+            }
+        }
+    }
+
+    private static PhysicsEngine copyOf(PhysicsEngine one) throws IOException, ClassNotFoundException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+            out.writeObject(one);
+        }
+        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
+            return (PhysicsEngine) in.readObject();
         }
     }
 
