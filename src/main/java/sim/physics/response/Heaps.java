@@ -42,6 +42,8 @@ public final class Heaps implements Serializable {
     /** Turn of driven bodies in a step, rad, up to which they may lie on something. */
     private static final double CALM = 0.5;
 
+    private static final int NONE = -1;
+
     private final State state;
     private final Trajectories trajectories;
     private final Motion motion;
@@ -110,7 +112,7 @@ public final class Heaps implements Serializable {
             return false;
         }
         boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
-        return !paused && (!isDriven(body) || isCalm(motion.companions(body)));
+        return !paused && (!isDriven(body) || isCalm(motion.companions(body), body));
     }
 
     /** Whether so much has happened to a body in this step that it is to lie on nothing. */
@@ -127,15 +129,28 @@ public final class Heaps implements Serializable {
         return trajectories.isDriven(body) && (motion.isTied(body) || !motion.ground().isRough());
     }
 
-    /** Whether bodies that move together turn so little in a step that forces may be constant for it. */
-    private boolean isCalm(IntList group) {
+    /**
+     * Whether those of some bodies that move together which lie on something, or are to, turn so little in a step that forces
+     * may be constant for it.
+     */
+    private boolean isCalm(IntList group, int body) {
         double most = 0;
         for (int k = 0; k < group.size; k++) {
             boolean round = heap.scales().isRound(group.values[k]);
             double spin = trajectories.data()[group.values[k] * Trajectories.STRIDE + Trajectories.OMEGA];
-            most = Math.max(most, round ? 0 : Math.abs(spin));
+            boolean counts = !round && (group.values[k] == body || liesItself(group.values[k]));
+            most = Math.max(most, counts ? Math.abs(spin) : 0);
         }
         return most * trajectories.h() <= CALM;
+    }
+
+    /** Whether a body has a lasting pair, not only those that move with it. */
+    private boolean liesItself(int body) {
+        boolean yes = false;
+        for (int k = 0; k < detection.pairs().countOf(body) && !yes; k++) {
+            yes = lasts(detection.pairs().of(body, k));
+        }
+        return yes;
     }
 
     /** Ends the lasting of all pairs of a body, and of those that move with it, for some steps. */
@@ -343,7 +358,7 @@ public final class Heaps implements Serializable {
                 part(body); // since it came to lie there a force has been added that couples bodies
                 motion.support(body, 0, 0, 0);
                 changed.add(body);
-            } else if (by.lies[body] && isDriven(body) && !isCalm(motion.companions(body))) {
+            } else if (by.lies[body] && isDriven(body) && !isCalm(motion.companions(body), NONE)) {
                 giveUp(body);
                 changed.add(body);
             } else if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {
