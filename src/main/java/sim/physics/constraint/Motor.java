@@ -16,6 +16,9 @@ public final class Motor extends Switched {
     /** Speed within which the target is reached, relative to the speeds of the bodies. */
     private static final double REACHED = 1e-12;
 
+    /** Way in a step, rad or relative to the size, of speeds that count at least: all less is the rounding of a brake. */
+    private static final double LEAST = 1e-3;
+
     private double speed;
     private double limit;
 
@@ -102,10 +105,11 @@ public final class Motor extends Switched {
     @Override
     double decide(double q, double now, double time) {
         double missing = speed - now;
-        isOn = Math.abs(missing) <= REACHED * Math.max(scale, Math.abs(speed));
+        double least = LEAST * (isAngle(0) ? 1 : getSize()) / time;
+        isOn = Math.abs(missing) <= REACHED * Math.max(least, Math.max(scale, Math.abs(speed)));
         force = isOn ? 0 : missing > 0 ? limit : -limit;
         if (!isOn) {
-            scale = Math.abs(speed) + Math.abs(now);
+            scale = Math.max(least, Math.abs(speed) + Math.abs(now));
         }
         return Double.NaN;
     }

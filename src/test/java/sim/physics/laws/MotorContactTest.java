@@ -257,6 +257,22 @@ class MotorContactTest {
         assertThat(arm.getAngularVelocity()).isFinite();
     }
 
+    /** A leg that stands, held by brakes: what an impact leaves of their speeds is rounding, and no speed that they have to brake. */
+    @Test
+    void brakesHoldWhatLandsAtRest() {
+        Body hip = put(new Body(new Rectangle(1, 0.6)).at(0, 2.3));
+        Body thigh = put(new Body(new Rectangle(0.2, 1)).at(0, 1.5));
+        Body shin = put(new Body(new Rectangle(0.2, 1)).at(0, 0.5));
+        engine.add(new PinJoint(hip, thigh, 0, 2));
+        engine.add(new PinJoint(thigh, shin, 0, 1));
+        drive(thigh, hip, 0, 40);
+        drive(shin, thigh, 0, 30);
+        engine.add(Limit.angle(shin, thigh, -1, 1));
+        step(60);
+        assertThat(hip.getY()).isEqualTo(2.3, within(1e-4));
+        assertThat(engine.getImpacts()).isLessThan(60);
+    }
+
     /** What two wheels on one axle have between them no impulse can part. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 1})
