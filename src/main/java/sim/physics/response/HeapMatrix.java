@@ -35,8 +35,6 @@ final class HeapMatrix implements Serializable {
     private static final int NEWTON_STEPS = 12;
 
     private static final int VAIN = 3;
-    private static final int REFINEMENTS = 3;
-    private static final double WEIGHT = 1e-9;
 
     /** Error at which the impulses may start the next solution, as a part of the scale. */
     private static final double NEARLY = 1e-6;
@@ -74,11 +72,8 @@ final class HeapMatrix implements Serializable {
     /** The equations. */
     private int[] unknown = {};
 
-    private double[] matrix = {};
-    private double[] factors = {};
-    private int[] pivots = {};
-    private double[] right = {};
-    private double[] solution = {};
+    private final HeapEquations equations = new HeapEquations();
+    private double[] along = {};
     private double[] rest = {};
 
     HeapMatrix() {
@@ -144,13 +139,10 @@ final class HeapMatrix implements Serializable {
             without = new double[n];
             side = new double[n];
             unknown = new int[n];
-            pivots = new int[n];
-            right = new double[n];
-            solution = new double[n];
+            along = new double[n];
             rest = new double[n];
             replies = new double[n * n];
-            matrix = new double[n * n];
-            factors = new double[n * n];
+            equations.ensure(n);
         }
         for (int p = 0; p < s.size(); p++) {
             if (normal[p] >= 0) {
@@ -220,9 +212,9 @@ final class HeapMatrix implements Serializable {
             best = keep(best);
             double beta = k > 0 && square < last ? square / last : 0;
             for (int i = 0; i < rows; i++) {
-                double along = beta == 0 ? 0 : beta * solution[i];
-                solution[i] = rest[i] + along;
-                impulse[i] += along;
+                double more = beta == 0 ? 0 : beta * along[i];
+                along[i] = rest[i] + more;
+                impulse[i] += more;
             }
             if (beta != 0) {
                 evaluate();
@@ -262,9 +254,14 @@ final class HeapMatrix implements Serializable {
     }
 
     private void push(int column, double change) {
+        if (change == 0) {
+            return;
+        }
+        double[] v = velocity;
+        double[] unit = replies;
         int o = column * rows;
-        for (int k = 0; change != 0 && k < rows; k++) {
-            velocity[k] += change * replies[o + k];
+        for (int k = 0; k < rows; k++) {
+            v[k] += change * unit[o + k];
         }
     }
 
@@ -340,17 +337,22 @@ final class HeapMatrix implements Serializable {
         }
         slide(true);
         assemble(n);
-        if (!eliminate(n)) {
+        if (!equations.solve(n)) {
             return false;
         }
+        go(1);
+        return true;
+    }
+
+    /** Goes a part of the way to the solution of the equations. */
+    private void go(double share) {
         for (int i = 0; i < rows; i++) {
             if (unknown[i] >= 0) {
-                impulse[i] += solution[unknown[i]];
+                impulse[i] += share * equations.solution(unknown[i]);
             }
         }
         slide(false);
         evaluate();
-        return true;
     }
 
     /** Lets friction that slides follow what bears it. */
@@ -376,7 +378,7 @@ final class HeapMatrix implements Serializable {
             int column = unknown[j];
             for (int i = 0; column >= 0 && i < rows; i++) {
                 if (unknown[i] >= 0) {
-                    matrix[unknown[i] * n + column] = replies[j * rows + i];
+                    equations.set(unknown[i] * n + column, replies[j * rows + i]);
                 }
             }
         }
@@ -384,83 +386,14 @@ final class HeapMatrix implements Serializable {
             int column = bearer[j] >= 0 && unknown[j] < 0 ? unknown[bearer[j]] : -1;
             for (int i = 0; column >= 0 && i < rows; i++) {
                 if (unknown[i] >= 0) {
-                    matrix[unknown[i] * n + column] += side[j] * friction[j] * replies[j * rows + i];
+                    equations.add(unknown[i] * n + column, side[j] * friction[j] * replies[j * rows + i]);
                 }
             }
         }
         for (int i = 0; i < rows; i++) {
             if (unknown[i] >= 0) {
-                right[unknown[i]] = bound[i] - velocity[i];
-                rest[unknown[i]] = own(i);
+                equations.setRight(unknown[i], bound[i] - velocity[i], own(i));
             }
-        }
-    }
-
-    /** Solves by elimination, of a matrix a little heavier, and refines; false if it is singular even so. */
-    private boolean eliminate(int n) {
-        System.arraycopy(matrix, 0, factors, 0, n * n);
-        for (int k = 0; k < n; k++) {
-            factors[k * n + k] += WEIGHT * rest[k];
-        }
-        for (int k = 0; k < n; k++) {
-            int pivot = k;
-            for (int row = k + 1; row < n; row++) {
-                pivot = Math.abs(factors[row * n + k]) > Math.abs(factors[pivot * n + k]) ? row : pivot;
-            }
-            pivots[k] = pivot;
-            for (int m = 0; pivot != k && m < n; m++) {
-                double swap = factors[k * n + m];
-                factors[k * n + m] = factors[pivot * n + m];
-                factors[pivot * n + m] = swap;
-            }
-            double own = factors[k * n + k];
-            if (!(Math.abs(own) > 0) || Double.isInfinite(own)) {
-                return false;
-            }
-            for (int row = k + 1; row < n; row++) {
-                double f = factors[row * n + k] / own;
-                factors[row * n + k] = f;
-                for (int m = k + 1; f != 0 && m < n; m++) {
-                    factors[row * n + m] -= f * factors[k * n + m];
-                }
-            }
-        }
-        Arrays.fill(solution, 0, n, 0);
-        for (int pass = 0; pass <= REFINEMENTS; pass++) {
-            for (int row = 0; row < n; row++) {
-                double sum = right[row];
-                for (int m = 0; m < n; m++) {
-                    sum -= matrix[row * n + m] * solution[m];
-                }
-                rest[row] = sum;
-            }
-            substitute(n);
-            for (int k = 0; k < n; k++) {
-                solution[k] += rest[k];
-            }
-        }
-        return true;
-    }
-
-    private void substitute(int n) {
-        for (int k = 0; k < n; k++) {
-            double swap = rest[k];
-            rest[k] = rest[pivots[k]];
-            rest[pivots[k]] = swap;
-        }
-        for (int row = 0; row < n; row++) {
-            double sum = rest[row];
-            for (int m = 0; m < row; m++) {
-                sum -= factors[row * n + m] * rest[m];
-            }
-            rest[row] = sum;
-        }
-        for (int row = n - 1; row >= 0; row--) {
-            double sum = rest[row];
-            for (int m = row + 1; m < n; m++) {
-                sum -= factors[row * n + m] * rest[m];
-            }
-            rest[row] = sum / factors[row * n + row];
         }
     }
 }
