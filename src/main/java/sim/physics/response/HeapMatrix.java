@@ -36,6 +36,9 @@ final class HeapMatrix implements Serializable {
 
     private static final int VAIN = 3;
 
+    /** Changes of bounds for each row. */
+    private static final int PIVOTS = 4;
+
     /** Error at which the impulses may start the next solution, as a part of the scale. */
     private static final double NEARLY = 1e-6;
 
@@ -184,6 +187,9 @@ final class HeapMatrix implements Serializable {
                 double before = least;
                 least = keep(least);
                 vain = least < before ? 0 : vain + 1;
+            }
+            if (round == 0 && least > exact) {
+                least = pivot(least, exact);
             }
             if (least <= exact || round >= LATE && least <= enough) {
                 break;
@@ -353,6 +359,104 @@ final class HeapMatrix implements Serializable {
         }
         slide(false);
         evaluate();
+    }
+
+    /**
+     * Goes to the solution of the equations only until a row comes to a bound, which it keeps from then on, and lets that row
+     * off its bound that misses most, until none does: the method of active sets. It ends where rows ask twice for the same, as
+     * motors of wheels that roll do, and a bound decides which of them gets it.
+     */
+    private double pivot(double least, double exact) {
+        restore();
+        double error = least;
+        for (int i = 0; i < rows; i++) {
+            side[i] = impulse[i] <= lower(i) ? -1 : impulse[i] >= upper(i) ? 1 : 0;
+        }
+        for (int k = PIVOTS * rows; k > 0 && solveFree(); k--) {
+            double share = stop();
+            go(share);
+            if (share == 1) {
+                error = keep(error);
+                if (error <= exact || !release(exact)) {
+                    return error;
+                }
+            }
+        }
+        return error;
+    }
+
+    /** Solves the equations of rows at no bound. */
+    private boolean solveFree() {
+        int n = 0;
+        for (int i = 0; i < rows; i++) {
+            unknown[i] = side[i] == 0 ? n++ : -1;
+            if (bearer[i] < 0 && side[i] != 0) {
+                impulse[i] = side[i] < 0 ? least[i] : most[i];
+            }
+        }
+        slide(false);
+        evaluate();
+        assemble(n);
+        return equations.solve(n);
+    }
+
+    /** How far impulses may go until the first one is at a bound, which is noted. */
+    private double stop() {
+        double share = 1;
+        int first = -1;
+        double way = 0;
+        for (int i = 0; i < rows; i++) {
+            for (int sign = -1; sign <= 1 && unknown[i] >= 0; sign += 2) {
+                double room = sign < 0 ? impulse[i] - lower(i) : upper(i) - impulse[i];
+                double nearer = sign * equations.solution(unknown[i]) - widening(i);
+                if (nearer > 0 && room < share * nearer) {
+                    share = Math.max(0, room / nearer);
+                    first = i;
+                    way = sign;
+                }
+            }
+        }
+        if (first >= 0) {
+            reach(first, way);
+        }
+        return share;
+    }
+
+    /** By how much the bounds of friction get wider on the whole way. */
+    private double widening(int row) {
+        int by = bearer[row];
+        return by < 0 || unknown[by] < 0 ? 0 : friction[row] * equations.solution(unknown[by]);
+    }
+
+    private void reach(int row, double way) {
+        side[row] = way;
+        if (bears(row) && side[row + 1] == 0) {
+            side[row + 1] = 1; // where nothing is borne there is no friction
+        }
+    }
+
+    private boolean bears(int row) {
+        return row + 1 < rows && bearer[row + 1] == row;
+    }
+
+    /** Lets the row off its bound that misses most; false if all are right. */
+    private boolean release(double exact) {
+        double most = exact;
+        int worst = -1;
+        for (int i = 0; i < rows; i++) {
+            double miss = side[i] == 0 ? 0 : Math.abs(wanted(i) - impulse[i]) * own(i);
+            if (miss > most) {
+                most = miss;
+                worst = i;
+            }
+        }
+        if (worst >= 0) {
+            side[worst] = 0;
+            if (bears(worst)) {
+                side[worst + 1] = velocity[worst + 1] > 0 ? -1 : 1;
+            }
+        }
+        return worst >= 0;
     }
 
     /** Lets friction that slides follow what bears it. */
