@@ -362,8 +362,8 @@ final class HeapMatrix implements Serializable {
     }
 
     /**
-     * Goes to the solution of the equations only until a row comes to a bound, which it keeps from then on, and lets that row
-     * off its bound that misses most, until none does: the method of active sets. It ends where rows ask twice for the same, as
+     * The method of active sets: goes to the solution of the equations only until a row comes to a bound, which it keeps then,
+     * and lets off its bound the row that misses most, until none does. It ends also where rows ask twice for the same, as
      * motors of wheels that roll do, and a bound decides which of them gets it.
      */
     private double pivot(double least, double exact) {
@@ -375,11 +375,9 @@ final class HeapMatrix implements Serializable {
         for (int k = PIVOTS * rows; k > 0 && solveFree(); k--) {
             double share = stop();
             go(share);
-            if (share == 1) {
-                error = keep(error);
-                if (error <= exact || !release(exact)) {
-                    return error;
-                }
+            error = share == 1 ? keep(error) : error;
+            if (error <= exact || share == 1 && !release(exact)) {
+                break;
             }
         }
         return error;
@@ -431,7 +429,7 @@ final class HeapMatrix implements Serializable {
     private void reach(int row, double way) {
         side[row] = way;
         if (bears(row) && side[row + 1] == 0) {
-            side[row + 1] = 1; // where nothing is borne there is no friction
+            side[row + 1] = 1; // where nothing is borne nothing rubs
         }
     }
 
@@ -445,10 +443,8 @@ final class HeapMatrix implements Serializable {
         int worst = -1;
         for (int i = 0; i < rows; i++) {
             double miss = side[i] == 0 ? 0 : Math.abs(wanted(i) - impulse[i]) * own(i);
-            if (miss > most) {
-                most = miss;
-                worst = i;
-            }
+            worst = miss > most ? i : worst;
+            most = Math.max(miss, most);
         }
         if (worst >= 0) {
             side[worst] = 0;

@@ -30,7 +30,10 @@ final class HeapSwitches implements Serializable {
 
     private final IntList sign = new IntList();
 
-    /** The same: its first impulse; of motors the greatest one. */
+    /** By island: the number of points up to its last one. */
+    private final IntList ends = new IntList();
+
+    /** By point again: its first impulse; of motors the greatest one. */
     private double[] first = {};
 
     private double[] greatest = {};
@@ -43,14 +46,13 @@ final class HeapSwitches implements Serializable {
     void clear() {
         number.clear();
         sign.clear();
+        ends.clear();
     }
 
     /** Takes in the motors and stops of an island that is prepared for its replies, at the velocities of the system. */
     void gather(SwitchedTies switched, double length) {
-        if (!isReadable(switched)) {
-            return; // they go on deciding by themselves
-        }
-        for (int k = 0; k < switched.size(); k++) {
+        boolean all = isReadable(switched); // else they go on deciding by themselves
+        for (int k = 0; all && k < switched.size(); k++) {
             switched.read(k, row);
             if (row.isMotor) {
                 add(k, 1, row.speed, length);
@@ -59,6 +61,7 @@ final class HeapSwitches implements Serializable {
                 stop(k, -1, row.belowUpper, length);
             }
         }
+        ends.add(number.size);
     }
 
     private boolean isReadable(SwitchedTies switched) {
@@ -111,20 +114,23 @@ final class HeapSwitches implements Serializable {
         }
     }
 
-    /** Lets the motors and stops of an island push as has been found, evenly over a time; returns how many points it has. */
-    int freeze(SwitchedTies switched, int from, double length) {
+    /**
+     * Lets the motors and stops of an island push as has been found, evenly over a time.
+     *
+     * @param island its number in the order in which islands were taken in
+     */
+    void freeze(SwitchedTies switched, int island, double length) {
         if (!isReadable(switched)) {
-            return 0;
+            return;
         }
-        int at = from;
+        int at = island == 0 ? 0 : ends.values[island - 1];
         for (int k = 0; k < switched.size(); k++) {
             double impulse = 0;
-            while (at < number.size && number.values[at] == k) {
+            while (at < ends.values[island] && number.values[at] == k) {
                 impulse += sign.values[at] * system.normalImpulse(system.contacts() + at);
                 at++;
             }
             switched.freeze(k, impulse / length);
         }
-        return at - from;
     }
 }
