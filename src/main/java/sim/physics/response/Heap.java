@@ -31,6 +31,9 @@ final class Heap implements Serializable {
     /** Speed that is none, relative to that which the forces give in the time of a solution. */
     private static final double STILL = 1e-7;
 
+    /** Solutions for which points that are hardly open count as closed, once without that there was none. */
+    private static final int RELENTS = 1000;
+
     /** Turn of a body, rad, for which a solution holds; and how many there are in a step at most. */
     private static final double TURN = 0.1;
 
@@ -48,6 +51,7 @@ final class Heap implements Serializable {
     private final ContactLedger ledger;
     private final BodyScale scales;
     private final HeapSystem system = new HeapSystem();
+    private final HeapStrike striking = new HeapStrike();
 
     private final IntList heap = new IntList();
     private final HeapNotes notes;
@@ -241,10 +245,10 @@ final class Heap implements Serializable {
         for (int k = 0; k < heap.size; k++) {
             speed = Math.max(speed, speed(k));
         }
-        if (!system.isStruck(HARDLY * speed)) {
+        if (!HeapStrike.isDue(system, HARDLY * speed)) {
             return;
         }
-        system.strike(Math.max(speed, scale));
+        striking.strike(system, Math.max(speed, scale));
         notes.strike(1);
         for (int k = 0; k < heap.size; k++) {
             int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
@@ -343,7 +347,7 @@ final class Heap implements Serializable {
         for (int k = 0; k < heap.size; k++) {
             scale = Math.max(scale, speed(k));
         }
-        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : system.solve(scale, true);
+        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? system.solve(scale, true) : pile();
         if (!by.afford(heap, HeapEnergy.gained(system))) {
             done = system.solve(scale, false); // regaining gaps must not add energy
             by.afford(heap, HeapEnergy.gained(system));
@@ -356,6 +360,28 @@ final class Heap implements Serializable {
         if (halts) {
             HeapEnergy.halt(system);
         }
+    }
+
+    /** Solves for bodies that nothing drives; where that leads nowhere, points that are hardly open count as closed. */
+    private boolean pile() {
+        int relents = 0;
+        for (int k = 0; k < heap.size; k++) {
+            relents = Math.max(relents, by.relents[heap.values[k]] - 1);
+        }
+        if (relents > 0) {
+            system.relent();
+        }
+        boolean done = system.solve(scale, true);
+        if (!done && relents <= 0) {
+            relents = RELENTS;
+            system.again();
+            system.relent();
+            done = system.solve(scale, true);
+        }
+        for (int k = 0; k < heap.size; k++) {
+            by.relents[heap.values[k]] = relents;
+        }
+        return done;
     }
 
     /** How often something has happened in this step to a body of the heap, at most. */

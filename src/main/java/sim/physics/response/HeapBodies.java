@@ -59,6 +59,9 @@ final class HeapBodies implements Serializable {
 
     double[] lost = {};
 
+    /** Solutions for which open points of its heap are taken for closed. */
+    int[] relents = {};
+
     /** Its number in the heap that is being solved, plus 1. */
     int[] place = {};
 
@@ -91,6 +94,7 @@ final class HeapBodies implements Serializable {
             turns = Arrays.copyOf(turns, n);
             ends = Arrays.copyOf(ends, n);
             lost = Arrays.copyOf(lost, n);
+            relents = Arrays.copyOf(relents, n);
             place = Arrays.copyOf(place, n);
         }
     }

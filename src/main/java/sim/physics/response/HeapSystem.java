@@ -39,6 +39,9 @@ final class HeapSystem implements Serializable {
 
     static final int MOST = 8;
 
+    /** Speed at which open points may be taken for closed, relative to the error that is good enough: 1e-5 of a size a step. */
+    private static final double HOVER = 1e7;
+
     private static final int SWEEPS = 6;
     private static final int LEAST_SWEEPS = 20;
     private static final int WORK = 50_000;
@@ -90,7 +93,7 @@ final class HeapSystem implements Serializable {
 
     private double[] scratch = {};
 
-    /** Least normal velocities, while others are in their place, or impulses. */
+    /** Impulses of before. */
     private double[] kept = {};
 
     double[] data = new double[8 * STRIDE];
@@ -114,6 +117,22 @@ final class HeapSystem implements Serializable {
     /** Says which error of velocities is good enough in the end; the least that is said counts. */
     void allow(double error) {
         enough = Math.min(enough, error);
+    }
+
+    /**
+     * Takes points that are open by next to nothing for closed. Where more points touch than the bodies have freedoms, in a
+     * pile of discs, not all of them can close at once, and which do would take long to find.
+     */
+    void relent() {
+        for (int p = 0; p < contacts; p++) {
+            double least = data[STRIDE * p + BOUND];
+            data[STRIDE * p + BOUND] = least < 0 && least > -HOVER * enough ? 0 : least;
+        }
+    }
+
+    /** Puts back the velocities without impulses. */
+    void again() {
+        System.arraycopy(free, 0, v, 0, 3 * count);
     }
 
     /** Makes room for one more body, and gives it its inverse masses. */
@@ -395,31 +414,6 @@ final class HeapSystem implements Serializable {
         for (int p = 0; p < contacts; p++) {
             rows.pushSecond(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
             rows.pushFirst(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
-        }
-    }
-
-    /** Whether a point closes faster than it may. */
-    boolean isStruck(double speed) {
-        for (int p = 0; p < points; p++) {
-            if (!isMotor(p) && normal(p) < Math.min(0, data[STRIDE * p + BOUND]) - speed) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Ends the approach of points that close faster than they may. */
-    void strike(double scale) {
-        if (kept.length < points) {
-            kept = new double[2 * points];
-        }
-        for (int p = 0; p < points; p++) {
-            kept[p] = data[STRIDE * p + BOUND];
-            data[STRIDE * p + BOUND] = Math.min(0, kept[p]);
-        }
-        solve(scale, true);
-        for (int p = 0; p < points; p++) {
-            data[STRIDE * p + BOUND] = kept[p];
         }
     }
 
