@@ -25,14 +25,18 @@ final class HeapStrike implements Serializable {
         return false;
     }
 
-    /** Ends the approach of points that close faster than they may. */
-    void strike(HeapSystem s, double scale) {
+    /**
+     * Ends the approach of points that close faster than they may.
+     *
+     * @param lift part that points which have to part get of the speed for that
+     */
+    void strike(HeapSystem s, double scale, double lift) {
         if (kept.length < s.size()) {
             kept = new double[2 * s.size()];
         }
         for (int p = 0; p < s.size(); p++) {
             kept[p] = s.bound(p);
-            s.bound(p, Math.min(0, kept[p]));
+            s.bound(p, kept[p] > 0 && !s.isMotor(p) ? lift * kept[p] : Math.min(0, kept[p]));
         }
         s.solve(scale, true);
         for (int p = 0; p < s.size(); p++) {
