@@ -62,6 +62,9 @@ public final class PhysicsEngine implements Steppable {
     private final CollisionDetection detection = new CollisionDetection(state, trajectories, new BruteForce());
     private final CollisionResponse response = new CollisionResponse(state, trajectories, motion, detection);
 
+    /** What repeats the steps on a schedule; null before {@link #scheduleOn}. */
+    private Repeating scheduled;
+
     private final IntList changed = new IntList();
     private final IntList groups = new IntList();
 
@@ -975,16 +978,20 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Starts the engine on a schedule: one step in each unit of schedule time.
+     * Starts the engine on a schedule: one step in each unit of schedule time. If it was started before, there or on another
+     * schedule, that ends: no engine makes two steps at a time.
      *
      * @param schedule MASON's schedule
      * @return stops the engine
      */
     public Repeating scheduleOn(Schedule schedule) {
         Objects.requireNonNull(schedule, "schedule");
-        Repeating repeating = new Repeating(this, ORDERING, 1);
-        schedule.scheduleOnce(schedule.getTime() < Schedule.EPOCH ? Schedule.EPOCH : schedule.getTime() + 1, ORDERING, repeating);
-        return repeating;
+        if (scheduled != null) {
+            scheduled.stop();
+        }
+        scheduled = new Repeating(this, ORDERING, 1);
+        schedule.scheduleOnce(schedule.getTime() < Schedule.EPOCH ? Schedule.EPOCH : schedule.getTime() + 1, ORDERING, scheduled);
+        return scheduled;
     }
 
     @Override

@@ -321,6 +321,21 @@ class LifeOfBodiesTest {
     }
 
     @Test
+    void anEngineThatIsScheduledTwiceMakesOneStepAtATime() {
+        SimState state = new SimState(1);
+        state.start();
+        PhysicsEngine engine = new PhysicsEngine();
+        Body body = engine.add(new Body(new Circle(1)).moving(1, 0));
+        engine.scheduleOn(state.schedule);
+        engine.scheduleOn(state.schedule);
+        for (int k = 0; k < 5; k++) {
+            state.schedule.step(state);
+        }
+        assertThat(body.getX()).isEqualTo(5);
+        state.finish();
+    }
+
+    @Test
     void aStepAllocatesNothing() {
         PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 30, 3);
         run(engine, 60_000);

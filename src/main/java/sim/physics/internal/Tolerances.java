@@ -25,8 +25,8 @@ public final class Tolerances {
     /** Part of the step that a search for an impact moves on at least when it got stuck in a sustained contact. */
     public static final double FORCED_PROGRESS = 1e-4;
 
-    /** Penetration, relative to the bodies, that no impact leaves: they were put into one another. */
-    public static final double OVERLAP = 1e-6;
+    /** Penetration, relative to the bodies, that no impact leaves: they were put into one another, or a heap has let go of them. */
+    public static final double OVERLAP = 1e-8;
 
     /** Gap up to which a second point of two parallel edges belongs to the same impact, relative to the bodies. */
     public static final double FLUSH = 1e-11;

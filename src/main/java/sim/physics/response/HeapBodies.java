@@ -15,6 +15,9 @@ final class HeapBodies implements Serializable {
 
     private static final int LONGEST = 7;
 
+    /** The same of bodies that are tied to others, whose bounces cost more. */
+    private static final int LONGEST_TIED = 1;
+
     /** By how much longer forces are to hold on driven bodies than last time, if no point has closed. */
     private static final double LONGER = 1.2;
 
@@ -99,9 +102,9 @@ final class HeapBodies implements Serializable {
         }
     }
 
-    /** Lets a driven body lie on nothing for some steps; for more steps each time. */
-    void giveUp(int body, double step) {
-        givenUpTimes[body] = Math.min(givenUpTimes[body] + 1, LONGEST);
+    /** Lets a driven body lie on nothing for some steps; for more steps each time, but not many if it is tied to others. */
+    void giveUp(int body, double step, boolean isTied) {
+        givenUpTimes[body] = Math.min(givenUpTimes[body] + 1, isTied ? LONGEST_TIED : LONGEST);
         givenUp[body] = step + (2 << givenUpTimes[body]);
     }
 

@@ -141,7 +141,7 @@ public final class Heaps implements Serializable {
     /** Ends the lasting of all pairs of a body, and of those that move with it, for some steps. */
     private void giveUp(int body) {
         if (!trajectories.isDriven(body)) {
-            by.giveUp(body, trajectories.step());
+            by.giveUp(body, trajectories.step(), false);
             motion.support(body, 0, 0, 0);
             motion.ground().resume(body);
             part(body);
@@ -150,7 +150,7 @@ public final class Heaps implements Serializable {
         IntList group = motion.companions(body);
         for (int k = 0; k < group.size; k++) {
             int one = group.values[k];
-            by.giveUp(one, trajectories.step());
+            by.giveUp(one, trajectories.step(), motion.isTied(one));
             motion.support(one, 0, 0, 0);
             part(one);
         }
