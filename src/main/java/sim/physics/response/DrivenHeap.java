@@ -167,14 +167,14 @@ final class DrivenHeap implements Serializable {
 
     /** Lets driven bodies, and their motors and stops, be pushed evenly over a time. */
     void support(IntList heap, double time, double[] pushes) {
-        int from = 0;
+        int island = 0;
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             if (trajectories.isDriven(body)) {
                 motion.support(body, pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
             }
             if (isFirstTied(body)) {
-                from += switches.freeze(ties.switched(ties.island(body)), from, time);
+                switches.freeze(ties.switched(ties.island(body)), island++, time);
             }
         }
     }

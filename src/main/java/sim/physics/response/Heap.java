@@ -28,6 +28,11 @@ final class Heap implements Serializable {
     /** Speed at which points hardly close, relative to the bodies'. */
     private static final double HARDLY = 1e-12;
 
+    /** The same for points that have just been struck; and the part of the speed that they lack which they get then at once. */
+    private static final double STRUCK = 1e-9;
+
+    private static final double LIFT = 0.1;
+
     /** Speed that is none, relative to that which the forces give in the time of a solution. */
     private static final double STILL = 1e-7;
 
@@ -84,6 +89,9 @@ final class Heap implements Serializable {
 
     /** How much of gaps the paths of driven bodies may take while forces hold, relative to the smaller body. */
     private double sag;
+
+    /** Points of tied bodies that are deeper than they may be, by the error of an instant. */
+    private final IntList deep = new IntList();
 
     private boolean halts;
     private double scale;
@@ -245,10 +253,14 @@ final class Heap implements Serializable {
         for (int k = 0; k < heap.size; k++) {
             speed = Math.max(speed, speed(k));
         }
-        if (!HeapStrike.isDue(system, HARDLY * speed)) {
+        boolean isStuck = false;
+        for (int k = 0; k < deep.size; k++) {
+            isStuck |= Math.abs(system.normal(deep.values[k])) <= STRUCK * speed; // forces that act evenly come too late
+        }
+        if (!isStuck && !HeapStrike.isDue(system, HARDLY * speed)) {
             return;
         }
-        striking.strike(system, Math.max(speed, scale), driving.rebounds());
+        striking.strike(system, Math.max(speed, scale), driving.rebounds(), isStuck ? LIFT : 0);
         notes.strike(1);
         for (int k = 0; k < heap.size; k++) {
             int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
@@ -261,6 +273,7 @@ final class Heap implements Serializable {
         manifold = manifold == null ? new Manifold() : manifold;
         notes.clear();
         system.clear();
+        deep.clear();
         scale = 0;
         for (int k = 0; k < heap.size; k++) {
             enter(k, tau);
@@ -319,6 +332,9 @@ final class Heap implements Serializable {
             int p = system.size();
             system.add(number(a), number(b), point);
             notes.add(pair, k);
+            if (isTied && manifold.gaps[k] < -depth) {
+                deep.add(p);
+            }
             double bend = scales.bend(manifold, point, a, b, left) + (isDriven ? size * sag : 0);
             system.bound(p, HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven()));
             if (isRubbed) {

@@ -34,11 +34,9 @@ final class HeapMatrix implements Serializable {
     private static final int NEWTON_STEPS = 12;
 
     private static final int VAIN = 3;
-    private static final int REFINEMENTS = 3;
-    private static final double WEIGHT = 1e-9;
 
-    /** How nearly a motor acts along the coordinate of a stop: the square of a cosine. */
-    private static final double ALONG = 1 - 1e-9;
+    /** Changes of bounds for each row. */
+    private static final int PIVOTS = 4;
 
     /** Error at which the impulses may start the next solution, as a part of the scale. */
     private static final double NEARLY = 1e-6;
@@ -48,6 +46,7 @@ final class HeapMatrix implements Serializable {
     /** Number of rows, and of each point's normal and tangential one, or −1. */
     private int rows;
 
+    private final HeapNumbers numbers = new HeapNumbers();
     private int[] normal = {};
     private int[] tangent = {};
 
@@ -79,11 +78,8 @@ final class HeapMatrix implements Serializable {
     /** The equations. */
     private int[] unknown = {};
 
-    private double[] matrix = {};
-    private double[] factors = {};
-    private int[] pivots = {};
-    private double[] right = {};
-    private double[] solution = {};
+    private final HeapEquations equations = new HeapEquations();
+    private double[] along = {};
     private double[] rest = {};
 
     /** Takes note that what rows do has changed. */
@@ -93,15 +89,8 @@ final class HeapMatrix implements Serializable {
 
     /** Assembles the rows of a system; false if they are too many. */
     boolean assemble(HeapSystem s) {
-        if (isAssembled) {
-            return true;
-        }
-        if (s.size() > MOST) {
-            return false;
-        }
-        number(s);
-        if (rows > MOST) {
-            return false;
+        if (isAssembled || s.size() > MOST || number(s) > MOST) {
+            return isAssembled;
         }
         double[] v = s.scratch();
         for (int p = 0; p < s.size(); p++) {
@@ -116,23 +105,15 @@ final class HeapMatrix implements Serializable {
                 column(s, v, tangent[p]);
             }
         }
-        pair(s);
+        numbers.pair(s, replies, against);
         isAssembled = true;
         return true;
     }
 
-    private void number(HeapSystem s) {
-        if (normal.length < s.size()) {
-            normal = new int[2 * s.size()];
-            tangent = new int[2 * s.size()];
-        }
-        rows = 0;
-        for (int p = 0; p < s.size(); p++) {
-            boolean moves = s.normalMobility(p) < Double.POSITIVE_INFINITY;
-            normal[p] = moves ? rows++ : -1;
-            boolean rubs = moves && s.friction(p) > 0 && s.tangentMobility(p) < Double.POSITIVE_INFINITY;
-            tangent[p] = rubs ? rows++ : -1;
-        }
+    private int number(HeapSystem s) {
+        rows = numbers.number(s);
+        normal = numbers.normal;
+        tangent = numbers.tangent;
         if (bearer.length < rows) {
             int n = 2 * rows;
             bearer = new int[n];
@@ -147,13 +128,10 @@ final class HeapMatrix implements Serializable {
             without = new double[n];
             side = new double[n];
             unknown = new int[n];
-            pivots = new int[n];
-            right = new double[n];
-            solution = new double[n];
+            along = new double[n];
             rest = new double[n];
             replies = new double[n * n];
-            matrix = new double[n * n];
-            factors = new double[n * n];
+            equations.ensure(n);
         }
         for (int p = 0; p < s.size(); p++) {
             if (normal[p] >= 0) {
@@ -164,6 +142,7 @@ final class HeapMatrix implements Serializable {
                 friction[tangent[p]] = s.friction(p);
             }
         }
+        return rows;
     }
 
     private void column(HeapSystem s, double[] v, int column) {
@@ -196,6 +175,9 @@ final class HeapMatrix implements Serializable {
                 least = keep(least);
                 vain = least < before ? 0 : vain + 1;
             }
+            if (round == 0 && least > exact) {
+                least = pivot(least, exact);
+            }
             if (least <= exact || round >= LATE && least <= enough) {
                 break;
             }
@@ -223,9 +205,9 @@ final class HeapMatrix implements Serializable {
             best = keep(best);
             double beta = k > 0 && square < last ? square / last : 0;
             for (int i = 0; i < rows; i++) {
-                double along = beta == 0 ? 0 : beta * solution[i];
-                solution[i] = rest[i] + along;
-                impulse[i] += along;
+                double more = beta == 0 ? 0 : beta * along[i];
+                along[i] = rest[i] + more;
+                impulse[i] += more;
             }
             if (beta != 0) {
                 evaluate();
@@ -266,9 +248,10 @@ final class HeapMatrix implements Serializable {
     }
 
     private void push(int column, double change) {
-        int o = column * rows;
-        for (int k = 0; change != 0 && k < rows; k++) {
-            velocity[k] += change * replies[o + k];
+        double[] v = velocity;
+        double[] unit = replies;
+        for (int k = 0, o = column * rows; change != 0 && k < rows; k++) {
+            v[k] += change * unit[o + k];
         }
     }
 
@@ -317,19 +300,6 @@ final class HeapMatrix implements Serializable {
         set(motor, force);
     }
 
-    /** Finds the motors that act along the coordinates of stops. */
-    private void pair(HeapSystem s) {
-        Arrays.fill(against, 0, rows, -1);
-        for (int p = s.contacts(); p < s.size(); p++) {
-            for (int q = s.contacts(); q < s.size() && normal[p] >= 0 && !s.isMotor(p); q++) {
-                int i = normal[p];
-                int k = s.isMotor(q) ? normal[q] : -1;
-                double both = k < 0 ? 0 : replies[i * rows + k];
-                against[i] = k >= 0 && both * both > ALONG * own(i) * own(k) ? k : against[i];
-            }
-        }
-    }
-
     /** Keeps the impulses if they are the best so far; returns the least error of velocities so far. */
     private double keep(double before) {
         double worst = 0;
@@ -374,17 +344,116 @@ final class HeapMatrix implements Serializable {
         }
         slide(true);
         assemble(n);
-        if (!eliminate(n)) {
+        if (!equations.solve(n)) {
             return false;
         }
+        go(1);
+        return true;
+    }
+
+    /** Goes a part of the way to the solution of the equations. */
+    private void go(double share) {
         for (int i = 0; i < rows; i++) {
             if (unknown[i] >= 0) {
-                impulse[i] += solution[unknown[i]];
+                impulse[i] += share * equations.solution(unknown[i]);
             }
         }
         slide(false);
         evaluate();
-        return true;
+    }
+
+    /**
+     * The method of active sets: goes to the solution of the equations only until a row comes to a bound, which it keeps then,
+     * and lets off its bound the row that misses most, until none does. It ends also where rows ask twice for the same, as
+     * motors of wheels that roll do, and a bound decides which of them gets it.
+     */
+    private double pivot(double least, double exact) {
+        restore();
+        double error = least;
+        for (int i = 0; i < rows; i++) {
+            side[i] = impulse[i] <= lower(i) ? -1 : impulse[i] >= upper(i) ? 1 : 0;
+        }
+        for (int k = PIVOTS * rows; k > 0 && solveFree(); k--) {
+            double share = stop();
+            go(share);
+            error = share == 1 ? keep(error) : error;
+            if (error <= exact || share == 1 && !release(exact)) {
+                break;
+            }
+        }
+        return error;
+    }
+
+    /** Solves the equations of rows at no bound. */
+    private boolean solveFree() {
+        int n = 0;
+        for (int i = 0; i < rows; i++) {
+            unknown[i] = side[i] == 0 ? n++ : -1;
+            if (bearer[i] < 0 && side[i] != 0) {
+                impulse[i] = side[i] < 0 ? least[i] : most[i];
+            }
+        }
+        slide(false);
+        evaluate();
+        assemble(n);
+        return equations.solve(n);
+    }
+
+    /** How far impulses may go until the first one is at a bound, which is noted. */
+    private double stop() {
+        double share = 1;
+        int first = -1;
+        double way = 0;
+        for (int i = 0; i < rows; i++) {
+            for (int sign = -1; sign <= 1 && unknown[i] >= 0; sign += 2) {
+                double room = sign < 0 ? impulse[i] - lower(i) : upper(i) - impulse[i];
+                double nearer = sign * equations.solution(unknown[i]) - widening(i);
+                if (nearer > 0 && room < share * nearer) {
+                    share = Math.max(0, room / nearer);
+                    first = i;
+                    way = sign;
+                }
+            }
+        }
+        if (first >= 0) {
+            reach(first, way);
+        }
+        return share;
+    }
+
+    /** By how much the bounds of friction get wider on the whole way. */
+    private double widening(int row) {
+        int by = bearer[row];
+        return by < 0 || unknown[by] < 0 ? 0 : friction[row] * equations.solution(unknown[by]);
+    }
+
+    private void reach(int row, double way) {
+        side[row] = way;
+        if (bears(row) && side[row + 1] == 0) {
+            side[row + 1] = 1; // where nothing is borne nothing rubs
+        }
+    }
+
+    private boolean bears(int row) {
+        return row + 1 < rows && bearer[row + 1] == row;
+    }
+
+    /** Lets the row off its bound that misses most; false if all are right. */
+    private boolean release(double exact) {
+        double most = exact;
+        int worst = -1;
+        for (int i = 0; i < rows; i++) {
+            double miss = side[i] == 0 ? 0 : Math.abs(wanted(i) - impulse[i]) * own(i);
+            worst = miss > most ? i : worst;
+            most = Math.max(miss, most);
+        }
+        if (worst >= 0) {
+            side[worst] = 0;
+            if (bears(worst)) {
+                side[worst + 1] = velocity[worst + 1] > 0 ? -1 : 1;
+            }
+        }
+        return worst >= 0;
     }
 
     /** Lets friction that slides follow what bears it. */
@@ -410,7 +479,7 @@ final class HeapMatrix implements Serializable {
             int column = unknown[j];
             for (int i = 0; column >= 0 && i < rows; i++) {
                 if (unknown[i] >= 0) {
-                    matrix[unknown[i] * n + column] = replies[j * rows + i];
+                    equations.set(unknown[i] * n + column, replies[j * rows + i]);
                 }
             }
         }
@@ -418,83 +487,14 @@ final class HeapMatrix implements Serializable {
             int column = bearer[j] >= 0 && unknown[j] < 0 ? unknown[bearer[j]] : -1;
             for (int i = 0; column >= 0 && i < rows; i++) {
                 if (unknown[i] >= 0) {
-                    matrix[unknown[i] * n + column] += side[j] * friction[j] * replies[j * rows + i];
+                    equations.add(unknown[i] * n + column, side[j] * friction[j] * replies[j * rows + i]);
                 }
             }
         }
         for (int i = 0; i < rows; i++) {
             if (unknown[i] >= 0) {
-                right[unknown[i]] = bound[i] - velocity[i];
-                rest[unknown[i]] = own(i);
+                equations.setRight(unknown[i], bound[i] - velocity[i], own(i));
             }
-        }
-    }
-
-    /** Solves by elimination, of a matrix a little heavier, and refines; false if it is singular even so. */
-    private boolean eliminate(int n) {
-        System.arraycopy(matrix, 0, factors, 0, n * n);
-        for (int k = 0; k < n; k++) {
-            factors[k * n + k] += WEIGHT * rest[k];
-        }
-        for (int k = 0; k < n; k++) {
-            int pivot = k;
-            for (int row = k + 1; row < n; row++) {
-                pivot = Math.abs(factors[row * n + k]) > Math.abs(factors[pivot * n + k]) ? row : pivot;
-            }
-            pivots[k] = pivot;
-            for (int m = 0; pivot != k && m < n; m++) {
-                double swap = factors[k * n + m];
-                factors[k * n + m] = factors[pivot * n + m];
-                factors[pivot * n + m] = swap;
-            }
-            double own = factors[k * n + k];
-            if (!(Math.abs(own) > 0) || Double.isInfinite(own)) {
-                return false;
-            }
-            for (int row = k + 1; row < n; row++) {
-                double f = factors[row * n + k] / own;
-                factors[row * n + k] = f;
-                for (int m = k + 1; f != 0 && m < n; m++) {
-                    factors[row * n + m] -= f * factors[k * n + m];
-                }
-            }
-        }
-        Arrays.fill(solution, 0, n, 0);
-        for (int pass = 0; pass <= REFINEMENTS; pass++) {
-            for (int row = 0; row < n; row++) {
-                double sum = right[row];
-                for (int m = 0; m < n; m++) {
-                    sum -= matrix[row * n + m] * solution[m];
-                }
-                rest[row] = sum;
-            }
-            substitute(n);
-            for (int k = 0; k < n; k++) {
-                solution[k] += rest[k];
-            }
-        }
-        return true;
-    }
-
-    private void substitute(int n) {
-        for (int k = 0; k < n; k++) {
-            double swap = rest[k];
-            rest[k] = rest[pivots[k]];
-            rest[pivots[k]] = swap;
-        }
-        for (int row = 0; row < n; row++) {
-            double sum = rest[row];
-            for (int m = 0; m < row; m++) {
-                sum -= factors[row * n + m] * rest[m];
-            }
-            rest[row] = sum;
-        }
-        for (int row = n - 1; row >= 0; row--) {
-            double sum = rest[row];
-            for (int m = row + 1; m < n; m++) {
-                sum -= factors[row * n + m] * rest[m];
-            }
-            rest[row] = sum / factors[row * n + row];
         }
     }
 }

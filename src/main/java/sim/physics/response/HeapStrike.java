@@ -29,14 +29,15 @@ final class HeapStrike implements Serializable {
      * Ends the approach of points that close faster than they may.
      *
      * @param rebounds by points behind the contacts: speeds with which they are to part then
+     * @param lift part that points which have to part get of the speed for that
      */
-    void strike(HeapSystem s, double scale, double[] rebounds) {
+    void strike(HeapSystem s, double scale, double[] rebounds, double lift) {
         if (kept.length < s.size()) {
             kept = new double[2 * s.size()];
         }
         for (int p = 0; p < s.size(); p++) {
             kept[p] = s.bound(p);
-            double least = Math.min(0, kept[p]);
+            double least = kept[p] > 0 && !s.isMotor(p) ? lift * kept[p] : Math.min(0, kept[p]);
             s.bound(p, p < s.contacts() ? least : Math.max(least, rebounds[p - s.contacts()]));
         }
         s.solve(scale, true);

@@ -30,7 +30,10 @@ final class HeapSwitches implements Serializable {
 
     private final IntList sign = new IntList();
 
-    /** The same: its first impulse; of motors the greatest one. */
+    /** By island: the number of points up to its last one. */
+    private final IntList ends = new IntList();
+
+    /** By point again: its first impulse; of motors the greatest one. */
     private double[] first = {};
 
     private double[] greatest = {};
@@ -46,6 +49,7 @@ final class HeapSwitches implements Serializable {
     void clear() {
         number.clear();
         sign.clear();
+        ends.clear();
     }
 
     /**
@@ -54,15 +58,13 @@ final class HeapSwitches implements Serializable {
      * @param fall speed that forces give to bodies in the time
      */
     void gather(SwitchedTies switched, double length, double fall) {
-        if (!isReadable(switched)) {
-            return; // they go on deciding by themselves
-        }
+        boolean all = isReadable(switched); // else they go on deciding by themselves
         double sway = 0;
-        for (int k = 0; k < switched.size(); k++) {
+        for (int k = 0; all && k < switched.size(); k++) {
             switched.read(k, row);
             sway += row.isMotor ? Math.sqrt(mobility()) * row.limit * length : 0;
         }
-        for (int k = 0; k < switched.size(); k++) {
+        for (int k = 0; all && k < switched.size(); k++) {
             switched.read(k, row);
             if (row.isMotor) {
                 add(k, 1, row.speed, length);
@@ -72,6 +74,7 @@ final class HeapSwitches implements Serializable {
                 stop(k, -1, row.belowUpper, length, speed);
             }
         }
+        ends.add(number.size);
     }
 
     private boolean isReadable(SwitchedTies switched) {
@@ -151,20 +154,23 @@ final class HeapSwitches implements Serializable {
         }
     }
 
-    /** Lets the motors and stops of an island push as has been found, evenly over a time; returns how many points it has. */
-    int freeze(SwitchedTies switched, int from, double length) {
+    /**
+     * Lets the motors and stops of an island push as has been found, evenly over a time.
+     *
+     * @param island its number in the order in which islands were taken in
+     */
+    void freeze(SwitchedTies switched, int island, double length) {
         if (!isReadable(switched)) {
-            return 0;
+            return;
         }
-        int at = from;
+        int at = island == 0 ? 0 : ends.values[island - 1];
         for (int k = 0; k < switched.size(); k++) {
             double impulse = 0;
-            while (at < number.size && number.values[at] == k) {
+            while (at < ends.values[island] && number.values[at] == k) {
                 impulse += sign.values[at] * system.normalImpulse(system.contacts() + at);
                 at++;
             }
             switched.freeze(k, impulse / length);
         }
-        return at - from;
     }
 }

@@ -245,6 +245,46 @@ class MotorContactTest {
         assertThat(yields).isGreaterThan(0);
     }
 
+    /** Two arms, each an island with a motor of its own, press a box between them: it is pressed, and lies still. */
+    @Test
+    void fingersPressWithTheirOwnTorques() {
+        engine.bodies().forEach(body -> body.setFriction(0.6));
+        Body base = put(Body.fixed(new Rectangle(0.5, 0.5)).at(0, 4));
+        Body box = put(new Body(new Rectangle(0.8, 0.8)).at(0, 0.4));
+        for (int side = -1; side <= 1; side += 2) {
+            Body finger = put(new Body(new Rectangle(0.2, 3)).at(side * 0.8, 2.2));
+            engine.add(new PinJoint(base, finger, side * 0.8, 3.7));
+            drive(finger, base, side * -0.3, 40);
+        }
+        step(90);
+        long before = engine.getImpacts();
+        double x = box.getX();
+        for (int k = 0; k < 90; k++) {
+            step(1);
+            for (int side = 0; side < 2; side++) {
+                double torque = engine.getReaction(motors.get(side)).torque();
+                assertThat(torque).isEqualTo(side == 0 ? 40 : -40, within(1e-6));
+            }
+        }
+        assertThat(engine.getImpacts()).isEqualTo(before);
+        assertThat(box.getX()).isEqualTo(x, within(1e-3));
+    }
+
+    /** Two strong motors ask one wheel for different speeds: the stronger one gets its own, the other gives its bound. */
+    @Test
+    void theStrongerOfTwoMotorsHasItsSpeed() {
+        engine.bodies().forEach(body -> body.setFriction(0));
+        car(1e-3);
+        Body wheel = engine.bodies().get(2);
+        step(2);
+        drive(wheel, chassis, -4, 1e5);
+        drive(wheel, chassis, -3, 5e4);
+        step(5);
+        assertThat(wheel.getAngularVelocity() - chassis.getAngularVelocity()).isEqualTo(-4, within(1e-9));
+        assertThat(engine.getReaction(motors.get(3)).torque()).isEqualTo(5e4, within(1e-4));
+        assertThat(engine.contacts(wheel)).isNotEmpty();
+    }
+
     @Test
     void aBrakeYieldsFromRest() {
         Body arm = put(new Body(new Rectangle(2, 0.1)).at(1, 5));

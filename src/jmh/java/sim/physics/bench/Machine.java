@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.bench;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Consumer;
+
+/** Machines on the ground, and what their controllers do. */
+final class Machine {
+    /** Radius of a wheel, m. */
+    static final double RADIUS = 0.4;
+
+    /** Speed that the motors of wheels ask for, rad/s. */
+    static final double SPIN = -8;
+
+    static final Map<String, Consumer<Machine>> ALL = new LinkedHashMap<>();
+
+    static {
+        ALL.put("car", Machine::car);
+        ALL.put("springs", Machine::springs);
+        ALL.put("bumps", Machine::bumps);
+        ALL.put("tank", Machine::tank);
+        ALL.put("walker", Machine::walker);
+        ALL.put("ragdoll", Machine::ragdoll);
+        ALL.put("gripper", Machine::gripper);
+    }
+
+    private final MachineWorld world;
+
+    /** The body whose place and velocity tell how it went. */
+    int main;
+
+    private int[] hinges = {};
+    private int taken = -1;
+
+    Machine(String name, MachineWorld world) {
+        this.world = world;
+        ALL.get(name).accept(this);
+    }
+
+    /** What the controller does before a step. */
+    void control(int step) {
+        for (int k = 0; k < hinges.length; k++) {
+            world.drive(hinges[k], 1.5 * StrictMath.sin(step * 0.05 + k * 1.7));
+        }
+        if (step == 120 && taken >= 0) {
+            world.remove(taken);
+        }
+    }
+
+    private void ground(double friction) {
+        world.box(400, 2, 0, -1, friction, true);
+    }
+
+    private void wheel(double x, double torque) {
+        int wheel = world.disc(RADIUS, x, RADIUS, 0.9);
+        world.pin(main, wheel, x, RADIUS);
+        world.motor(wheel, SPIN, torque);
+    }
+
+    private void car() {
+        ground(0.9);
+        main = world.box(3, 0.5, 0, 0.8, 0.9, false);
+        wheel(-1, 6);
+        wheel(1, 6);
+    }
+
+    private void springs() {
+        ground(0.9);
+        main = world.box(3, 0.5, 0, 1.3, 0.9, false);
+        for (int x = -1; x <= 1; x += 2) {
+            int wheel = world.disc(RADIUS, x, RADIUS, 0.9);
+            world.suspend(main, wheel, x, RADIUS, 0.04, 400, 20);
+            world.motor(wheel, SPIN, 5);
+        }
+    }
+
+    private void bumps() {
+        car();
+        for (int k = 0; k < 12; k++) {
+            world.box(0.6, 0.1, 4 + 2.2 * k, 0.05, 0.9, true);
+        }
+    }
+
+    private void tank() {
+        ground(0.9);
+        main = world.box(6, 0.5, 0, 0.8, 0.9, false);
+        for (int k = 0; k < 6; k++) {
+            wheel(k - 2.5, 3);
+        }
+    }
+
+    private int limb(double width, double height, double x, double y, double friction, int on, double hinge) {
+        int limb = world.box(width, height, x, y, friction, false);
+        world.pin(on, limb, x, hinge);
+        return limb;
+    }
+
+    /** Two legs of two links, with motors at hips and knees and stops at the knees. */
+    private void walker() {
+        ground(0.9);
+        main = world.box(1, 0.6, 0, 2.3, 0.9, false);
+        hinges = new int[4];
+        for (int side = 0; side < 2; side++) {
+            double x = 0.6 * side - 0.3;
+            int thigh = limb(0.2, 1, x, 1.5, 0.9, main, 2);
+            int shin = limb(0.2, 1, x, 0.5, 0.9, thigh, 1);
+            world.motor(thigh, 0, 40);
+            world.motor(shin, 0, 30);
+            world.stops(shin, -1, 1);
+            hinges[2 * side] = thigh;
+            hinges[2 * side + 1] = shin;
+        }
+    }
+
+    /** A trunk with arms and legs that is thrown and lies. */
+    private void ragdoll() {
+        ground(0.6);
+        main = world.box(0.5, 1, 0, 3, 0.6, false);
+        for (int side = -1; side <= 1; side += 2) {
+            int arm = world.box(0.15, 0.8, side * 0.35, 3, 0.6, false);
+            world.pin(main, arm, side * 0.35, 3.4);
+            world.stops(arm, -1.5, 1.5);
+            int thigh = limb(0.2, 1, side * 0.15, 2, 0.6, main, 2.5);
+            world.stops(thigh, -0.8, 0.8);
+            int shin = limb(0.2, 1, side * 0.15, 1, 0.6, thigh, 1.5);
+            world.stops(shin, -1.2, 1.2);
+        }
+        world.launch(2, 0);
+    }
+
+    /** Two fingers that press a box between them, one braked, and bear it when its support is taken away after 2 s. */
+    private void gripper() {
+        ground(0.6);
+        int base = world.box(1.6, 0.4, 0, 4, 0.6, true);
+        taken = world.box(0.5, 0.8, 0, 0.4, 0.6, true);
+        main = world.box(0.8, 0.8, 0, 1.2, 0.9, false);
+        int left = limb(0.2, 2.7, -0.51, 2.35, 0.9, base, 3.7);
+        int right = limb(0.2, 2.7, 0.51, 2.35, 0.9, base, 3.7);
+        world.motor(left, 0.3, 100);
+        world.stops(left, -0.5, 0.004);
+        world.motor(right, -0.3, 40);
+    }
+}
