@@ -46,7 +46,7 @@ final class HeapGaps {
             return (least - gap) / time;
         }
         double regained = REGAIN * (room - gap);
-        double lift = 2 * (bend - Math.max(0, gap + depth)); // or it would be too deep before the time is over
-        return (isEven ? regained + Math.max(0, lift) : regained) / time;
+        double lift = bend - Math.max(0, gap + depth); // or it would be too deep before the time is over
+        return (isEven ? regained + Math.max(0, 2 * lift) : Math.max(regained, lift)) / time;
     }
 }

@@ -5,7 +5,7 @@ package sim.physics.response;
 import java.io.Serializable;
 
 /**
- * Makes one point of a {@link HeapSystem} right while the others keep their impulses: open, held by friction, or sliding, along
+ * Makes points of a {@link HeapSystem} right, one while the others keep their impulses: open, held by friction, or sliding, along
  * the normal and the tangent together (as in Jean's block relaxation, 1999).
  */
 final class HeapRelaxation implements Serializable {
@@ -18,8 +18,20 @@ final class HeapRelaxation implements Serializable {
         // without state
     }
 
+    /** Makes one point after the other right, that many times; returns the largest change of the last time, as a velocity. */
+    double sweep(HeapSystem s, int times) {
+        double change = 0;
+        for (int k = 0; k < times; k++) {
+            change = 0;
+            for (int p = 0; p < s.size(); p++) {
+                change = Math.max(change, relax(s, p));
+            }
+        }
+        return change;
+    }
+
     /** Makes one point right; returns by how much its velocity has changed. */
-    double relax(HeapSystem s, int p) {
+    private double relax(HeapSystem s, int p) {
         double[] data = s.data;
         int o = HeapSystem.STRIDE * p;
         double n = data[o + HeapSystem.MOBILITY_N];
