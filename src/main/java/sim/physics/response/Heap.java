@@ -33,6 +33,9 @@ final class Heap implements Serializable {
 
     private static final double LIFT = 0.1;
 
+    /** Change of velocity that is none, relative to the speeds. */
+    private static final double SAME = 1e-13;
+
     /** Speed that is none, relative to that which the forces give in the time of a solution. */
     private static final double STILL = 1e-7;
 
@@ -72,6 +75,9 @@ final class Heap implements Serializable {
 
     private boolean isFresh;
 
+    /** Whether bodies that have got what the forces give them until then are solved for anew, because one has been struck. */
+    private boolean isResumed;
+
     /** Whether bodies of the heap are driven. */
     private boolean isDriven;
 
@@ -83,6 +89,9 @@ final class Heap implements Serializable {
 
     /** Whether bodies are tied to others. */
     private boolean isTied;
+
+    /** Velocities before that, 3 per body. */
+    private double[] before = {};
 
     /** Null while nothing ties bodies together. */
     private Ties ties;
@@ -168,6 +177,7 @@ final class Heap implements Serializable {
             rubbing.unpay(heap, tau);
         }
         isFresh |= isEven();
+        isResumed = !isFresh;
         gather(tau);
         if (isDriven) {
             driving.gather(heap, ties, until - tau, scale);
@@ -302,9 +312,13 @@ final class Heap implements Serializable {
         motion.fall(body, fall, 0);
         double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
-        double time = until - Math.max(tau, by.paidUntil[body]);
-        for (int c = 0; c < State.BLOCK && time > 0 && !isEven(); c++) {
-            system.v[3 * k + c] += fall[c] * time;
+        if (isResumed) {
+            before = before.length < 3 * heap.size ? new double[6 * heap.size] : before;
+            System.arraycopy(system.v, 3 * k, before, 3 * k, State.BLOCK);
+            by.unpay(body, tau, system.v, 3 * k);
+        }
+        for (int c = 0; c < State.BLOCK && !isEven(); c++) {
+            system.v[3 * k + c] += fall[c] * (until - tau);
         }
     }
 
@@ -320,7 +334,7 @@ final class Heap implements Serializable {
             }
             return;
         }
-        ledger.open(pair, tau, manifold, !state.body(a).isFixed(), !isFresh);
+        ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
         double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
         if (isEven()) {
             detection.marks().setDepth(pair, HeapGaps.depth(true, size));
@@ -336,11 +350,17 @@ final class Heap implements Serializable {
                 deep.add(p);
             }
             double bend = scales.bend(manifold, point, a, b, left) + (isDriven ? size * sag : 0);
-            system.bound(p, HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven()));
+            double least = HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven());
+            if (isResumed && least > 0) {
+                double now = system.normal(p, before);
+                double lift = (bend - Math.max(0, manifold.gaps[k] + depth)) / left;
+                least = now >= Math.max(0, lift) ? Math.min(least, now) : least; // as it was found; else gaps are noise
+            }
+            system.bound(p, least);
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
-            if (isFresh && !isEven()) {
+            if (!isEven()) {
                 notes.start(p, left);
             }
         }
@@ -364,11 +384,15 @@ final class Heap implements Serializable {
             scale = Math.max(scale, speed(k));
         }
         boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? system.solve(scale, true) : pile();
-        if (!by.afford(heap, HeapEnergy.gained(system))) {
+        double[] from = isResumed ? before : system.free();
+        if (!by.afford(heap, HeapEnergy.gained(system, from))) {
             done = system.solve(scale, false); // regaining gaps must not add energy
-            by.afford(heap, HeapEnergy.gained(system));
+            by.afford(heap, HeapEnergy.gained(system, from));
         }
-        notes.note(isFresh ? until - tau : 0, done);
+        notes.press(until - tau);
+        if (isFresh) {
+            notes.note(until - tau, done || !Boolean.getBoolean("n0") && !system.isTied());
+        }
         if (isRubbed) {
             rubbing.end();
         }
@@ -411,6 +435,16 @@ final class Heap implements Serializable {
 
     private double speed(int k) {
         return scales.speed(heap.values[k], system.v, 3 * k);
+    }
+
+    /** Whether a body that has got what forces give it goes on as it did, but for rounding. */
+    private boolean keepsCourse(int k, int body, double tau) {
+        double none = SAME * scale;
+        return isResumed
+                && by.paidUntil[body] > tau
+                && Math.abs(system.v[3 * k] - before[3 * k]) <= none
+                && Math.abs(system.v[3 * k + 1] - before[3 * k + 1]) <= none
+                && Math.abs(system.v[3 * k + 2] - before[3 * k + 2]) * scales.radius(body) <= none;
     }
 
     /** Finds what holds a heap that stands still from now on, when it has been stopped; nothing else depends on that. */
@@ -478,9 +512,8 @@ final class Heap implements Serializable {
                 continue;
             }
             int o = body * Trajectories.STRIDE + Trajectories.VX;
-            boolean same = by.paidUntil[body] > tau && Arrays.equals(d, o, o + 3, system.v, 3 * k, 3 * k + 3);
-            by.paidUntil[body] = still ? 0 : Math.max(by.paidUntil[body], until);
-            if (!same) {
+            if (!keepsCourse(k, body, tau)) {
+                by.paidUntil[body] = still ? 0 : until;
                 by.pay(body, tau, d, o, system.v, 3 * k);
                 System.arraycopy(system.v, 3 * k, d, o, 3);
                 coast(body);

@@ -35,13 +35,8 @@ final class HeapNotes implements Serializable {
         system.start(p, time * ledger.start(pair, k, false), time * ledger.start(pair, k, true));
     }
 
-    /** Notes what has been found: impulses at once if the time is 0, else forces, from which the next solution starts if right. */
+    /** Notes the forces from which the next solution is to start, if they are right. */
     void note(double time, boolean right) {
-        if (time == 0) {
-            strike(1);
-            return;
-        }
-        press(time);
         for (int p = 0; p < system.contacts(); p++) {
             double fn = right ? system.normalImpulse(p) / time : 0;
             double ft = right ? system.tangentImpulse(p) / time : 0;

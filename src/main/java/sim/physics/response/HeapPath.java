@@ -19,7 +19,7 @@ final class HeapPath {
     private static final int LINES = 40;
 
     /** Way back beyond the start at which another start is better. */
-    private static final double LOST = -10;
+    private static final double LOST = -0.1;
 
     /** What a line meets at its end: nothing, that a point closes or opens, or a bound of friction. */
     private static final int NOTHING = 0;

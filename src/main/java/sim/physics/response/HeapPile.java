@@ -9,7 +9,7 @@ package sim.physics.response;
  */
 final class HeapPile {
     /** Sweeps before each attempt. */
-    private static final int[] SWEEPS = {4, 20, 80, 180};
+    private static final int[] SWEEPS = java.util.Arrays.stream(System.getProperty("sw","4,20,80,180").split(",")).mapToInt(Integer::parseInt).toArray();
 
     private static final int NEWTON_STEPS = 4;
 
@@ -44,7 +44,7 @@ final class HeapPile {
         newton.begin(s);
         path.begin(s);
         for (int sweeps : SWEEPS) {
-            if (relaxation.sweep(s, sweeps) <= exact) {
+            if (relaxation.conjugate(s, sweeps) <= exact) {
                 return true;
             }
             start = s.impulses(start);

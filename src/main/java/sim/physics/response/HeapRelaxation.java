@@ -30,6 +30,44 @@ final class HeapRelaxation implements Serializable {
         return change;
     }
 
+    private double[] before = {};
+    private double[] direction = {};
+
+    double conjugate(HeapSystem s, int times) {
+        int n = s.size();
+        if (direction.length < 2 * n) { direction = new double[4 * n]; }
+        java.util.Arrays.fill(direction, 0, 2 * n, 0);
+        double last = 0;
+        double change = 0;
+        double[] d = s.data;
+        for (int k = 0; k < times; k++) {
+            before = s.impulses(before);
+            change = sweep(s, 1);
+            double square = 0;
+            for (int p = 0; p < n; p++) {
+                int o = HeapSystem.STRIDE * p;
+                double x = d[o + HeapSystem.IMPULSE_N] - before[2 * p];
+                double y = d[o + HeapSystem.IMPULSE_T] - before[2 * p + 1];
+                before[2 * p] = x;
+                before[2 * p + 1] = y;
+                square += x * x * d[o + HeapSystem.MOBILITY_N] + (y == 0 ? 0 : y * y * d[o + HeapSystem.MOBILITY_T]);
+            }
+            double beta = k > 0 && square < last ? square / last : 0;
+            for (int p = 0; p < n; p++) {
+                double x = beta == 0 ? 0 : beta * direction[2 * p];
+                double y = beta == 0 ? 0 : beta * direction[2 * p + 1];
+                direction[2 * p] = before[2 * p] + x;
+                direction[2 * p + 1] = before[2 * p + 1] + y;
+                if (x != 0 || y != 0) {
+                    s.addImpulse(p, x, y);
+                    s.apply(p, x, y);
+                }
+            }
+            last = square;
+        }
+        return sweep(s, 1);
+    }
+
     /** Makes one point right; returns by how much its velocity has changed. */
     private double relax(HeapSystem s, int p) {
         double[] data = s.data;
