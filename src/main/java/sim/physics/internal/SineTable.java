@@ -86,6 +86,40 @@ public final class SineTable {
         out[at + 3] = sin * armX + cos * armY;
     }
 
+    /**
+     * Cosine and sine of an angle and some quarter turns: the same as those of {@link #turn}, exchanged without any error.
+     *
+     * @param x rad
+     * @param quarters 0 to 3
+     * @param cos gets the cosine
+     * @param sin gets the sine
+     * @param k index into both
+     */
+    public static void direct(double x, int quarters, double[] cos, double[] sin, int k) {
+        if (!(Math.abs(x) < LARGE)) {
+            directFar(x, quarters, cos, sin, k);
+            return;
+        }
+        double shifted = x * PER_RADIAN + ROUND;
+        double count = shifted - ROUND;
+        int entry = (int) Double.doubleToRawLongBits(shifted) + quarters * (SIZE / 4) & SIZE - 1;
+        double c = TABLE[2 * entry];
+        double s = TABLE[2 * entry + 1];
+        double d = x - count * PART_1 - count * PART_2;
+        double z = d * d;
+        double sine = d - d * z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040)));
+        double versine = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720)));
+        cos[k] = c - (c * versine + s * sine);
+        sin[k] = s - (s * versine - c * sine);
+    }
+
+    private static void directFar(double x, int quarters, double[] cos, double[] sin, int k) {
+        double c = Trig.cos(x);
+        double s = Trig.sin(x);
+        cos[k] = quarters == 0 ? c : quarters == 1 ? -s : quarters == 2 ? -c : s;
+        sin[k] = quarters == 0 ? s : quarters == 1 ? c : quarters == 2 ? -s : -c;
+    }
+
     private static void turnFar(double x, double armX, double armY, double[] out, int at) {
         Trig.sinCos(x, out, at);
         double cos = out[at];
