@@ -395,7 +395,12 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
 
     @Override
     public boolean hasNeighbours(IntList bodies) {
-        return marks.hasNeighbours(bodies);
+        for (int k = 0; k < bodies.size; k++) {
+            if (!notes.has(bodies.values[k], BodyNotes.ALOOF) && marks.hasNeighbours(bodies.values[k])) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**

@@ -36,6 +36,12 @@ final class HungChain implements Serializable {
     /** What the energy may be off by after a step, relative to the kinetic energy; a step that is off by more was too long. */
     private static final double WRONG = 0.05;
 
+    /** What a field does to links far away fades from link to link; below this part of it numbers would soon be denormal. */
+    private static final double NOTHING = 0x1p-200;
+
+    /** Links from which on it can fade so far. */
+    private static final int FADING = 256;
+
     /** The largest turn of a link that is followed at once. */
     private static final double HALF_TURN = Math.PI;
 
@@ -104,6 +110,9 @@ final class HungChain implements Serializable {
     private double middle1;
 
     private double roughness;
+
+    /** Unknowns below this are none. */
+    private double nothing;
 
     private HungChain(PinTree tree) {
         this.tree = tree;
@@ -215,6 +224,7 @@ final class HungChain implements Serializable {
 
     /** A step, (13); returns its roughness, see {@link PinTree#roughness}. */
     double step(double gx, double gy, double h) {
+        nothing = NOTHING * first * (Math.abs(gx) + Math.abs(gy));
         eliminate(gx, gy);
         accelerate(alpha0, 0.5 * h);
         eliminate(gx, gy);
@@ -328,6 +338,7 @@ final class HungChain implements Serializable {
         double x1 = middle1;
         double y0 = x0;
         double y1 = x1;
+        boolean isLong = links > FADING;
         turn(middle, x0, x1, alpha, c);
         int q = middle + 1;
         for (int k = middle - 1; k >= 0; k--, q++) {
@@ -338,6 +349,10 @@ final class HungChain implements Serializable {
             w0 = z0[q] - p01[q] * y1 + p00[q] * y0;
             y1 = z1[q] - p01[q] * y0 + p11[q] * y1;
             y0 = w0;
+            if (isLong) {
+                y0 = Math.abs(y0) < nothing ? 0 : y0;
+                y1 = Math.abs(y1) < nothing ? 0 : y1;
+            }
             turn(q, y0, y1, alpha, c);
         }
         if (q < links) {
@@ -363,6 +378,7 @@ final class HungChain implements Serializable {
         double x1 = middle1;
         double y0 = x0;
         double y1 = x1;
+        boolean isLong = links > FADING;
         roughness = 0;
         finish(middle, x0, x1, h);
         int q = middle + 1;
@@ -374,6 +390,10 @@ final class HungChain implements Serializable {
             w0 = z0[q] - p01[q] * y1 + p00[q] * y0;
             y1 = z1[q] - p01[q] * y0 + p11[q] * y1;
             y0 = w0;
+            if (isLong) {
+                y0 = Math.abs(y0) < nothing ? 0 : y0;
+                y1 = Math.abs(y1) < nothing ? 0 : y1;
+            }
             finish(q, y0, y1, h);
         }
         if (q < links) {
