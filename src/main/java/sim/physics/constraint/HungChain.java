@@ -45,69 +45,75 @@ final class HungChain implements Serializable {
     /** The largest turn of a link that is followed at once. */
     private static final double HALF_TURN = Math.PI;
 
+    /** Values of a link; together, since there are more of them than a processor has registers for arrays. */
+    private static final int STRIDE = 32;
+
+    /** At a stage: n and the angular velocity. */
+    private static final int COS = 0;
+
+    private static final int SIN = 1;
+    private static final int TURNING = 2;
+
+    /** σ L; the diagonal blocks, τ I + ι n⊥ n⊥ᵀ, as τ, τ + ι and ι; and σ L / J. */
+    private static final int SWING = 3;
+
+    private static final int TAU = 4;
+    private static final int ALL = 5;
+    private static final int IOTA = 6;
+    private static final int LEVER = 7;
+
+    /** Inverses of the eliminated blocks, without the sign beside the diagonal, and those times the right-hand sides. */
+    private static final int P00 = 8;
+
+    private static final int P01 = 9;
+    private static final int P11 = 10;
+    private static final int Z0 = 11;
+    private static final int Z1 = 12;
+
+    /** Angle of n, but for quarter turns, and angular velocity at the start of a step; and those quarter turns. */
+    private static final int BASE = 13;
+
+    private static final int OMEGA = 14;
+    private static final int QUARTERS = 15;
+
+    /** Angular accelerations of the first three stages. */
+    private static final int ALPHA = 16;
+
+    /** The state at the start and at the end of a step. */
+    private static final int ANGLE = 19;
+
+    private static final int X = 20;
+    private static final int Y = 21;
+    private static final int U = 22;
+    private static final int V = 23;
+
+    /** L, of either sign; from the near pin to the centre of mass, along n; mass and moment of inertia. */
+    private static final int LENGTH = 24;
+
+    private static final int REACH = 25;
+    private static final int MASS = 26;
+    private static final int INERTIA = 27;
+
+    /** What the turn from the axis of the link to n is beyond quarter turns, with cosine and sine. */
+    private static final int REST = 28;
+
+    private static final int REST_COS = 29;
+    private static final int REST_SIN = 30;
+
     private final PinTree tree;
     private final int links;
+
+    /** By link. */
+    private final double[] link;
+
+    /** Where the link in the middle lies among them, and its unknown. */
     private final int middle;
 
-    /** By link: L, of either sign, and the turn from the axis of the link to n: quarter turns and a rest. */
-    private final double[] length;
-
-    private final int[] quarters;
-    private final double[] rest;
-    private final double[] restCos;
-    private final double[] restSin;
-
-    /** By link: the diagonal blocks, τ I + ι n⊥ n⊥ᵀ, as τ, τ + ι and ι; σ L; and σ L / J. */
-    private final double[] tau;
-
-    private final double[] all;
-    private final double[] iota;
-    private final double[] swing;
-    private final double[] lever;
+    private double middle0;
+    private double middle1;
 
     /** σ of the first link. */
     private double first;
-
-    /** From the near pin to the centre of mass, along n; mass and moment of inertia. */
-    private final double[] reach;
-
-    private final double[] mass;
-    private final double[] inertia;
-
-    /** Where the links are at the start or the end of a step, and how fast they move. */
-    private final double[] x;
-
-    private final double[] y;
-    private final double[] u;
-    private final double[] v;
-
-    /** Angle and angular velocity at the start and the end of a step, the angle of n there, and n there and at a stage. */
-    private final double[] angle;
-
-    private final double[] omega;
-    private final double[] base;
-    private final double[] cos;
-    private final double[] sin;
-
-    /** Angular velocity at a stage, and angular accelerations of the stages. */
-    private final double[] turning;
-
-    private final double[] alpha0;
-    private final double[] alpha1;
-    private final double[] alpha2;
-
-    /** Inverses of the eliminated blocks, without the sign beside the diagonal, and those times the right-hand sides. */
-    private final double[] p00;
-
-    private final double[] p01;
-    private final double[] p11;
-    private final double[] z0;
-    private final double[] z1;
-
-    /** The unknown of the link in the middle. */
-    private double middle0;
-
-    private double middle1;
 
     private double roughness;
 
@@ -117,38 +123,8 @@ final class HungChain implements Serializable {
     private HungChain(PinTree tree) {
         this.tree = tree;
         links = tree.links;
-        middle = (links - 1) / 2;
-        quarters = new int[links];
-        length = new double[links];
-        rest = new double[links];
-        restCos = new double[links];
-        restSin = new double[links];
-        tau = new double[links];
-        all = new double[links];
-        iota = new double[links];
-        swing = new double[links];
-        lever = new double[links];
-        reach = new double[links];
-        mass = new double[links];
-        inertia = new double[links];
-        x = new double[links];
-        y = new double[links];
-        u = new double[links];
-        v = new double[links];
-        angle = new double[links];
-        omega = new double[links];
-        base = new double[links];
-        cos = new double[links];
-        sin = new double[links];
-        turning = new double[links];
-        alpha0 = new double[links];
-        alpha1 = new double[links];
-        alpha2 = new double[links];
-        p00 = new double[links];
-        p01 = new double[links];
-        p11 = new double[links];
-        z0 = new double[links];
-        z1 = new double[links];
+        link = new double[STRIDE * links];
+        middle = STRIDE * ((links - 1) / 2);
     }
 
     /**
@@ -173,21 +149,24 @@ final class HungChain implements Serializable {
 
     /** Takes the masses over; returns null if they differ so much that numbers would become too large. */
     private HungChain weigh() {
+        double[] l = link;
         first = Math.sqrt(tree.link[PinTree.KNOT]);
         double sigma = first;
         double before = 0; // 1/μ of the near knot
-        for (int k = 0, o = 0; k < links; k++, o += PinTree.STRIDE) {
-            aim(k, tree.link[o + PinTree.EX], tree.link[o + PinTree.EY]);
-            mass[k] = tree.link[o + PinTree.MASS];
-            inertia[k] = tree.link[o + PinTree.INERTIA];
-            double mu = tree.link[o + PinTree.KNOT];
-            double per = sigma / tree.link[o + PinTree.HUB];
-            tau[k] = sigma * sigma * (before + 1 / mu);
-            iota[k] = sigma * length[k] * length[k] * per;
-            all[k] = tau[k] + iota[k];
-            swing[k] = sigma * length[k];
-            lever[k] = length[k] * per;
-            reach[k] = tree.link[o + PinTree.FAR] / mass[k] * length[k];
+        for (int k = 0; k < links; k++) {
+            int o = STRIDE * k;
+            int t = PinTree.STRIDE * k;
+            aim(o, tree.link[t + PinTree.EX], tree.link[t + PinTree.EY]);
+            double mu = tree.link[t + PinTree.KNOT];
+            double per = sigma / tree.link[t + PinTree.HUB];
+            l[o + MASS] = tree.link[t + PinTree.MASS];
+            l[o + INERTIA] = tree.link[t + PinTree.INERTIA];
+            l[o + REACH] = tree.link[t + PinTree.FAR] / l[o + MASS] * l[o + LENGTH];
+            l[o + TAU] = sigma * sigma * (before + 1 / mu);
+            l[o + IOTA] = sigma * l[o + LENGTH] * l[o + LENGTH] * per;
+            l[o + ALL] = l[o + TAU] + l[o + IOTA];
+            l[o + SWING] = sigma * l[o + LENGTH];
+            l[o + LEVER] = l[o + LENGTH] * per;
             before = 1 / mu;
             sigma = mu / sigma;
             if (!(sigma >= first / WIDEST && sigma <= first * WIDEST)) {
@@ -198,27 +177,28 @@ final class HungChain implements Serializable {
     }
 
     /** Along an axis of the link there is no rest, and mirror images have mirrored bits. */
-    private void aim(int k, double ex, double ey) {
+    private void aim(int o, double ex, double ey) {
         boolean isSteep = Math.abs(ey) > Math.abs(ex);
         double along = isSteep ? ey : ex;
         double across = isSteep ? -ex : ey;
-        quarters[k] = isSteep ? 1 : 0;
-        length[k] = Math.copySign(Math.sqrt(ex * ex + ey * ey), along);
-        rest[k] = Trig.atan2(Math.copySign(1, along) * across, Math.abs(along));
-        restCos[k] = along / length[k];
-        restSin[k] = across / length[k];
+        double length = Math.copySign(Math.sqrt(ex * ex + ey * ey), along);
+        link[o + LENGTH] = length;
+        link[o + QUARTERS] = SineTable.quarters(isSteep ? 1 : 0);
+        link[o + REST] = Trig.atan2(Math.copySign(1, along) * across, Math.abs(along));
+        link[o + REST_COS] = along / length;
+        link[o + REST_SIN] = across / length;
     }
 
     /** Turns n to where the angle has it. */
-    private void point(int k) {
-        double known = angle[k];
-        base[k] = known + rest[k];
-        SineTable.direct(known, quarters[k], cos, sin, k);
-        if (rest[k] != 0) {
-            double c = cos[k];
-            double s = sin[k];
-            cos[k] = restCos[k] * c - restSin[k] * s;
-            sin[k] = restCos[k] * s + restSin[k] * c;
+    private void point(int o) {
+        double[] l = link;
+        l[o + BASE] = l[o + ANGLE] + l[o + REST];
+        SineTable.direct(l[o + ANGLE], l[o + QUARTERS], l, o + COS);
+        if (l[o + REST] != 0) {
+            double c = l[o + COS];
+            double s = l[o + SIN];
+            l[o + COS] = l[o + REST_COS] * c - l[o + REST_SIN] * s;
+            l[o + SIN] = l[o + REST_COS] * s + l[o + REST_SIN] * c;
         }
     }
 
@@ -226,11 +206,11 @@ final class HungChain implements Serializable {
     double step(double gx, double gy, double h) {
         nothing = NOTHING * first * (Math.abs(gx) + Math.abs(gy));
         eliminate(gx, gy);
-        accelerate(alpha0, 0.5 * h);
+        accelerate(0, 0.5 * h);
         eliminate(gx, gy);
-        accelerate(alpha1, 0.5 * h);
+        accelerate(1, 0.5 * h);
         eliminate(gx, gy);
-        accelerate(alpha2, h);
+        accelerate(2, h);
         eliminate(gx, gy);
         finish(h);
         return roughness;
@@ -238,25 +218,27 @@ final class HungChain implements Serializable {
 
     /** Eliminates the links from both ends, and solves for the one in the middle. */
     private void eliminate(double gx, double gy) {
+        double[] l = link;
         double a00 = 0; // what the link before it leaves in a block, without the sign beside the diagonal, and in its right side
         double a01 = 0;
         double a11 = 0;
         double x0 = first * gx;
         double x1 = first * gy;
         int q = eliminateOdd();
-        boolean isOdd = q < links - 1;
-        double b00 = isOdd ? p00[q + 1] : 0; // the same from the tip
-        double b01 = isOdd ? p01[q + 1] : 0;
-        double b11 = isOdd ? p11[q + 1] : 0;
-        double y0 = isOdd ? z0[q + 1] : 0;
-        double y1 = isOdd ? z1[q + 1] : 0;
-        for (int k = 0; k < middle; k++, q--) {
-            double c = cos[k];
-            double s = sin[k];
-            double across = iota[k] * s;
-            double square = turning[k] * turning[k] * swing[k];
-            double d00 = tau[k] + across * s - a00;
-            double d11 = all[k] - across * s - a11;
+        int odd = q + STRIDE;
+        boolean isOdd = odd < l.length;
+        double b00 = isOdd ? l[odd + P00] : 0; // the same from the tip
+        double b01 = isOdd ? l[odd + P01] : 0;
+        double b11 = isOdd ? l[odd + P11] : 0;
+        double y0 = isOdd ? l[odd + Z0] : 0;
+        double y1 = isOdd ? l[odd + Z1] : 0;
+        for (int o = 0; o < middle; o += STRIDE, q -= STRIDE) {
+            double c = l[o + COS];
+            double s = l[o + SIN];
+            double across = l[o + IOTA] * s;
+            double square = l[o + TURNING] * l[o + TURNING] * l[o + SWING];
+            double d00 = l[o + TAU] + across * s - a00;
+            double d11 = l[o + ALL] - across * s - a11;
             double d01 = a01 - across * c;
             double f0 = square * c + x0;
             double f1 = square * s + x1;
@@ -266,17 +248,17 @@ final class HungChain implements Serializable {
             a01 = d01 * per;
             x0 = a00 * f0 - a01 * f1;
             x1 = a11 * f1 - a01 * f0;
-            p00[k] = a00;
-            p01[k] = a01;
-            p11[k] = a11;
-            z0[k] = x0;
-            z1[k] = x1;
-            c = cos[q];
-            s = sin[q];
-            across = iota[q] * s;
-            square = turning[q] * turning[q] * swing[q];
-            d00 = tau[q] + across * s - b00;
-            d11 = all[q] - across * s - b11;
+            l[o + P00] = a00;
+            l[o + P01] = a01;
+            l[o + P11] = a11;
+            l[o + Z0] = x0;
+            l[o + Z1] = x1;
+            c = l[q + COS];
+            s = l[q + SIN];
+            across = l[q + IOTA] * s;
+            square = l[q + TURNING] * l[q + TURNING] * l[q + SWING];
+            d00 = l[q + TAU] + across * s - b00;
+            d11 = l[q + ALL] - across * s - b11;
             d01 = b01 - across * c;
             f0 = square * c + y0;
             f1 = square * s + y1;
@@ -286,44 +268,50 @@ final class HungChain implements Serializable {
             b01 = d01 * per;
             y0 = b00 * f0 - b01 * f1;
             y1 = b11 * f1 - b01 * f0;
-            p00[q] = b00;
-            p01[q] = b01;
-            p11[q] = b11;
-            z0[q] = y0;
-            z1[q] = y1;
+            l[q + P00] = b00;
+            l[q + P01] = b01;
+            l[q + P11] = b11;
+            l[q + Z0] = y0;
+            l[q + Z1] = y1;
         }
         meet(a00 + b00, a01 + b01, a11 + b11, x0 + y0, x1 + y1);
     }
 
     /** The last link goes first if there are not as many before the middle as behind; returns the last one that is left. */
     private int eliminateOdd() {
-        int q = links - 1;
+        double[] l = link;
+        int o = l.length - STRIDE;
         if (links % 2 == 0) {
-            double across = iota[q] * sin[q];
-            double square = turning[q] * turning[q] * swing[q];
-            double d00 = tau[q] + across * sin[q];
-            double d11 = all[q] - across * sin[q];
-            double d01 = -across * cos[q];
+            double c = l[o + COS];
+            double s = l[o + SIN];
+            double across = l[o + IOTA] * s;
+            double square = l[o + TURNING] * l[o + TURNING] * l[o + SWING];
+            double d00 = l[o + TAU] + across * s;
+            double d11 = l[o + ALL] - across * s;
+            double d01 = -across * c;
             double per = 1 / (d00 * d11 - d01 * d01);
-            p00[q] = d11 * per;
-            p01[q] = d01 * per;
-            p11[q] = d00 * per;
-            z0[q] = p00[q] * square * cos[q] - p01[q] * square * sin[q];
-            z1[q] = p11[q] * square * sin[q] - p01[q] * square * cos[q];
-            q--;
+            l[o + P00] = d11 * per;
+            l[o + P01] = d01 * per;
+            l[o + P11] = d00 * per;
+            l[o + Z0] = square * (l[o + P00] * c - l[o + P01] * s);
+            l[o + Z1] = square * (l[o + P11] * s - l[o + P01] * c);
+            o -= STRIDE;
         }
-        return q;
+        return o;
     }
 
+    /** Solves for the link in the middle, given what both sides leave there. */
     private void meet(double a00, double a01, double a11, double x0, double x1) {
-        int k = middle;
-        double across = iota[k] * sin[k];
-        double square = turning[k] * turning[k] * swing[k];
-        double d00 = tau[k] + across * sin[k] - a00;
-        double d11 = all[k] - across * sin[k] - a11;
-        double d01 = a01 - across * cos[k];
-        double f0 = square * cos[k] + x0;
-        double f1 = square * sin[k] + x1;
+        double[] l = link;
+        double c = l[middle + COS];
+        double s = l[middle + SIN];
+        double across = l[middle + IOTA] * s;
+        double square = l[middle + TURNING] * l[middle + TURNING] * l[middle + SWING];
+        double d00 = l[middle + TAU] + across * s - a00;
+        double d11 = l[middle + ALL] - across * s - a11;
+        double d01 = a01 - across * c;
+        double f0 = square * c + x0;
+        double f1 = square * s + x1;
         double per = 1 / (d00 * d11 - d01 * d01);
         middle0 = per * (d11 * f0 - d01 * f1);
         middle1 = per * (d00 * f1 - d01 * f0);
@@ -333,47 +321,47 @@ final class HungChain implements Serializable {
      * The angular accelerations, from the middle to both ends, and the links at the next stage: by c times the rates of this
      * one from the start.
      */
-    private void accelerate(double[] alpha, double c) {
+    private void accelerate(int stage, double c) {
+        double[] l = link;
         double x0 = middle0;
         double x1 = middle1;
         double y0 = x0;
         double y1 = x1;
         boolean isLong = links > FADING;
-        turn(middle, x0, x1, alpha, c);
-        int q = middle + 1;
-        for (int k = middle - 1; k >= 0; k--, q++) {
-            double w0 = z0[k] - p01[k] * x1 + p00[k] * x0;
-            x1 = z1[k] - p01[k] * x0 + p11[k] * x1;
+        accelerate(middle, x0, x1, stage, c);
+        int q = middle + STRIDE;
+        for (int o = middle - STRIDE; o >= 0; o -= STRIDE, q += STRIDE) {
+            double w0 = l[o + Z0] - l[o + P01] * x1 + l[o + P00] * x0;
+            x1 = l[o + Z1] - l[o + P01] * x0 + l[o + P11] * x1;
             x0 = w0;
-            turn(k, x0, x1, alpha, c);
-            w0 = z0[q] - p01[q] * y1 + p00[q] * y0;
-            y1 = z1[q] - p01[q] * y0 + p11[q] * y1;
+            accelerate(o, x0, x1, stage, c);
+            w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
+            y1 = l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1;
             y0 = w0;
             if (isLong) {
                 y0 = Math.abs(y0) < nothing ? 0 : y0;
                 y1 = Math.abs(y1) < nothing ? 0 : y1;
             }
-            turn(q, y0, y1, alpha, c);
+            accelerate(q, y0, y1, stage, c);
         }
-        if (q < links) {
-            turn(q, z0[q] - p01[q] * y1 + p00[q] * y0, z1[q] - p01[q] * y0 + p11[q] * y1, alpha, c);
+        if (q < l.length) {
+            double w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
+            accelerate(q, w0, l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1, stage, c);
         }
     }
 
-    private double alpha(int k, double g0, double g1) {
-        return lever[k] * (cos[k] * g1 - sin[k] * g0);
-    }
-
-    private void turn(int k, double g0, double g1, double[] alpha, double c) {
-        double found = alpha(k, g0, g1);
-        double turned = base[k] + c * turning[k];
-        alpha[k] = found;
-        turning[k] = omega[k] + c * found;
-        SineTable.direct(turned, quarters[k], cos, sin, k); // (45), (46)
+    private void accelerate(int o, double g0, double g1, int stage, double c) {
+        double[] l = link;
+        double alpha = l[o + LEVER] * (l[o + COS] * g1 - l[o + SIN] * g0);
+        double turned = l[o + BASE] + c * l[o + TURNING];
+        l[o + ALPHA + stage] = alpha;
+        l[o + TURNING] = l[o + OMEGA] + c * alpha;
+        SineTable.direct(turned, l[o + QUARTERS], l, o + COS); // (45), (46)
     }
 
     /** The same at the last stage, and the links at the end of the step, (13). */
     private void finish(double h) {
+        double[] l = link;
         double x0 = middle0;
         double x1 = middle1;
         double y0 = x0;
@@ -381,14 +369,14 @@ final class HungChain implements Serializable {
         boolean isLong = links > FADING;
         roughness = 0;
         finish(middle, x0, x1, h);
-        int q = middle + 1;
-        for (int k = middle - 1; k >= 0; k--, q++) {
-            double w0 = z0[k] - p01[k] * x1 + p00[k] * x0;
-            x1 = z1[k] - p01[k] * x0 + p11[k] * x1;
+        int q = middle + STRIDE;
+        for (int o = middle - STRIDE; o >= 0; o -= STRIDE, q += STRIDE) {
+            double w0 = l[o + Z0] - l[o + P01] * x1 + l[o + P00] * x0;
+            x1 = l[o + Z1] - l[o + P01] * x0 + l[o + P11] * x1;
             x0 = w0;
-            finish(k, x0, x1, h);
-            w0 = z0[q] - p01[q] * y1 + p00[q] * y0;
-            y1 = z1[q] - p01[q] * y0 + p11[q] * y1;
+            finish(o, x0, x1, h);
+            w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
+            y1 = l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1;
             y0 = w0;
             if (isLong) {
                 y0 = Math.abs(y0) < nothing ? 0 : y0;
@@ -396,45 +384,48 @@ final class HungChain implements Serializable {
             }
             finish(q, y0, y1, h);
         }
-        if (q < links) {
-            finish(q, z0[q] - p01[q] * y1 + p00[q] * y0, z1[q] - p01[q] * y0 + p11[q] * y1, h);
+        if (q < l.length) {
+            double w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
+            finish(q, w0, l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1, h);
         }
     }
 
-    private void finish(int k, double g0, double g1, double h) {
-        double last = alpha(k, g0, g1);
-        double before = omega[k];
-        double one = alpha0[k];
-        double two = alpha1[k];
-        double three = alpha2[k];
+    private void finish(int o, double g0, double g1, double h) {
+        double[] l = link;
+        double last = l[o + LEVER] * (l[o + COS] * g1 - l[o + SIN] * g0);
+        double before = l[o + OMEGA];
+        double one = l[o + ALPHA];
+        double two = l[o + ALPHA + 1];
+        double three = l[o + ALPHA + 2];
         double sum = two + three;
         double rough = Math.abs(one - sum + last) + Math.abs(two - three);
         if (!(rough <= roughness && Math.abs(h * before) <= HALF_TURN)) { // seldom; a maximum would make each wait for the last
             roughness = rough >= 0 && Math.abs(h * before) <= HALF_TURN ? rough : Double.POSITIVE_INFINITY; // NaN stays
         }
         double sixth = h / 6;
-        angle[k] = angle[k] + h * (before + sixth * (one + sum));
-        omega[k] = before + sixth * (one + 2 * sum + last);
-        turning[k] = omega[k];
-        point(k);
+        l[o + ANGLE] = l[o + ANGLE] + h * (before + sixth * (one + sum));
+        l[o + OMEGA] = before + sixth * (one + 2 * sum + last);
+        l[o + TURNING] = l[o + OMEGA];
+        point(o);
     }
 
     /** Where the angles say that the links are, and how fast they move at the end of a step; (42), (43). */
     void place() {
+        double[] l = link;
         double px = tree.places.hangsAtX();
         double py = tree.places.hangsAtY();
         double pu = 0;
         double pv = 0;
-        for (int k = 0; k < links; k++) {
-            double c = cos[k];
-            double s = sin[k];
-            double turn = omega[k];
-            double near = reach[k];
-            double far = length[k];
-            x[k] = px + near * c;
-            y[k] = py + near * s;
-            u[k] = pu - turn * (near * s);
-            v[k] = pv + turn * (near * c);
+        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
+            double c = l[o + COS];
+            double s = l[o + SIN];
+            double turn = l[o + OMEGA];
+            double near = l[o + REACH];
+            double far = l[o + LENGTH];
+            l[o + X] = px + near * c;
+            l[o + Y] = py + near * s;
+            l[o + U] = pu - turn * (near * s);
+            l[o + V] = pv + turn * (near * c);
             px += far * c;
             py += far * s;
             pu -= turn * (far * s);
@@ -451,59 +442,62 @@ final class HungChain implements Serializable {
      * @return false if it is off by too much; then nothing is changed
      */
     boolean restoreEnergy(State state, double gx, double gy) {
+        double[] l = link;
         double[] x0 = state.x();
         double[] v0 = state.v();
         double kinetic = 0;
         double growth = 0;
-        for (int k = 0; k < links; k++) {
+        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
             int b = tree.block[k];
-            double m = mass[k];
-            double turn = omega[k];
-            kinetic += m * (u[k] * u[k] + v[k] * v[k]) + inertia[k] * turn * turn;
-            growth += m * ((u[k] - v0[b]) * (u[k] + v0[b]) + (v[k] - v0[b + 1]) * (v[k] + v0[b + 1]))
-                    + inertia[k] * (turn - v0[b + 2]) * (turn + v0[b + 2])
-                    - 2 * m * (gx * (x[k] - x0[b]) + gy * (y[k] - x0[b + 1]));
+            double m = l[o + MASS];
+            double turn = l[o + OMEGA];
+            kinetic += m * (l[o + U] * l[o + U] + l[o + V] * l[o + V]) + l[o + INERTIA] * turn * turn;
+            growth += m * ((l[o + U] - v0[b]) * (l[o + U] + v0[b]) + (l[o + V] - v0[b + 1]) * (l[o + V] + v0[b + 1]))
+                    + l[o + INERTIA] * (turn - v0[b + 2]) * (turn + v0[b + 2])
+                    - 2 * m * (gx * (l[o + X] - x0[b]) + gy * (l[o + Y] - x0[b + 1]));
         }
         if (!(Math.abs(growth) <= WRONG * kinetic)) {
             return false;
         }
         double scale = Math.sqrt(1 - growth / kinetic);
-        for (int k = 0; kinetic > 0 && k < links; k++) {
-            u[k] *= scale;
-            v[k] *= scale;
-            omega[k] *= scale;
-            turning[k] *= scale;
+        for (int o = 0; kinetic > 0 && o < l.length; o += STRIDE) {
+            l[o + U] *= scale;
+            l[o + V] *= scale;
+            l[o + OMEGA] *= scale;
+            l[o + TURNING] *= scale;
         }
         return true;
     }
 
     /** Takes a state over. */
     void begin(State state) {
+        double[] l = link;
         double[] from = state.x();
         double[] rates = state.v();
-        for (int k = 0; k < links; k++) {
+        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
             int b = tree.block[k];
-            x[k] = from[b];
-            y[k] = from[b + 1];
-            angle[k] = from[b + 2];
-            u[k] = rates[b];
-            v[k] = rates[b + 1];
-            omega[k] = rates[b + 2];
-            turning[k] = omega[k];
-            point(k);
+            l[o + X] = from[b];
+            l[o + Y] = from[b + 1];
+            l[o + ANGLE] = from[b + 2];
+            l[o + U] = rates[b];
+            l[o + V] = rates[b + 1];
+            l[o + OMEGA] = rates[b + 2];
+            l[o + TURNING] = l[o + OMEGA];
+            point(o);
         }
     }
 
     /** Whether a state is, to the bit, that of the end of the last step. */
     boolean isAt(State state) {
+        double[] l = link;
         double[] other = state.x();
         double[] rates = state.v();
         long different = 0;
-        for (int k = 0; k < links; k++) {
+        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
             int b = tree.block[k];
-            different |= bits(x[k]) ^ bits(other[b]) | bits(u[k]) ^ bits(rates[b]);
-            different |= bits(y[k]) ^ bits(other[b + 1]) | bits(v[k]) ^ bits(rates[b + 1]);
-            different |= bits(angle[k]) ^ bits(other[b + 2]) | bits(omega[k]) ^ bits(rates[b + 2]);
+            different |= bits(l[o + X]) ^ bits(other[b]) | bits(l[o + U]) ^ bits(rates[b]);
+            different |= bits(l[o + Y]) ^ bits(other[b + 1]) | bits(l[o + V]) ^ bits(rates[b + 1]);
+            different |= bits(l[o + ANGLE]) ^ bits(other[b + 2]) | bits(l[o + OMEGA]) ^ bits(rates[b + 2]);
         }
         return different == 0;
     }
@@ -514,21 +508,22 @@ final class HungChain implements Serializable {
 
     /** Lets the next state be one that is not where the last step ended. */
     void forget() {
-        x[0] = Double.NaN;
+        link[X] = Double.NaN;
     }
 
     /** Writes where the links are into the state vectors. */
     void scatter(State state) {
+        double[] l = link;
         double[] to = state.x();
         double[] rates = state.v();
-        for (int k = 0; k < links; k++) {
+        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
             int b = tree.block[k];
-            to[b] = x[k];
-            to[b + 1] = y[k];
-            to[b + 2] = angle[k];
-            rates[b] = u[k];
-            rates[b + 1] = v[k];
-            rates[b + 2] = omega[k];
+            to[b] = l[o + X];
+            to[b + 1] = l[o + Y];
+            to[b + 2] = l[o + ANGLE];
+            rates[b] = l[o + U];
+            rates[b + 1] = l[o + V];
+            rates[b + 2] = l[o + OMEGA];
         }
     }
 }

@@ -87,37 +87,49 @@ public final class SineTable {
     }
 
     /**
-     * Cosine and sine of an angle and some quarter turns: the same as those of {@link #turn}, exchanged without any error.
+     * What {@link #direct} wants for an angle to be turned by some quarters.
+     *
+     * @param quarters 0 to 3
+     * @return what it adds to round
+     */
+    public static double quarters(int quarters) {
+        return ROUND + quarters * (SIZE / 4);
+    }
+
+    /**
+     * Cosine and sine of an angle and some quarter turns, which are without any error: the bits of {@link #turn}.
      *
      * @param x rad
-     * @param quarters 0 to 3
-     * @param cos gets the cosine
-     * @param sin gets the sine
-     * @param k index into both
+     * @param quarters from {@link #quarters}
+     * @param out gets the cosine at index {@code at}, then the sine
+     * @param at index into {@code out}
+     * @throws IndexOutOfBoundsException if {@code out} has no such places
      */
-    public static void direct(double x, int quarters, double[] cos, double[] sin, int k) {
+    public static void direct(double x, double quarters, double[] out, int at) {
         if (!(Math.abs(x) < LARGE)) {
-            directFar(x, quarters, cos, sin, k);
+            directFar(x, quarters, out, at);
             return;
         }
-        double shifted = x * PER_RADIAN + ROUND;
-        double count = shifted - ROUND;
-        int entry = (int) Double.doubleToRawLongBits(shifted) + quarters * (SIZE / 4) & SIZE - 1;
+        double shifted = x * PER_RADIAN + quarters;
+        double count = shifted - quarters;
+        int entry = (int) Double.doubleToRawLongBits(shifted) & SIZE - 1;
         double c = TABLE[2 * entry];
         double s = TABLE[2 * entry + 1];
         double d = x - count * PART_1 - count * PART_2;
         double z = d * d;
         double sine = d - d * z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040)));
         double versine = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720)));
-        cos[k] = c - (c * versine + s * sine);
-        sin[k] = s - (s * versine - c * sine);
+        out[at] = c - (c * versine + s * sine);
+        out[at + 1] = s - (s * versine - c * sine);
     }
 
-    private static void directFar(double x, int quarters, double[] cos, double[] sin, int k) {
-        double c = Trig.cos(x);
-        double s = Trig.sin(x);
-        cos[k] = quarters == 0 ? c : quarters == 1 ? -s : quarters == 2 ? -c : s;
-        sin[k] = quarters == 0 ? s : quarters == 1 ? c : quarters == 2 ? -s : -c;
+    private static void directFar(double x, double quarters, double[] out, int at) {
+        Trig.sinCos(x, out, at);
+        for (double turned = ROUND; turned < quarters; turned += SIZE / 4) {
+            double cos = out[at];
+            out[at] = -out[at + 1];
+            out[at + 1] = cos;
+        }
     }
 
     private static void turnFar(double x, double armX, double armY, double[] out, int at) {
