@@ -4,7 +4,6 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import sim.physics.internal.SineTable;
-import sim.physics.internal.Trig;
 import sim.physics.motion.State;
 
 /**
@@ -27,12 +26,6 @@ import sim.physics.motion.State;
 final class HungChain implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** J and the masses of the points, in units of m L² and m: less would be too little to divide by. */
-    private static final double LEAST = 1.0 / 64;
-
-    /** By how much σ may change along the chain. */
-    private static final double WIDEST = 0x1p64;
-
     /** What the energy may be off by after a step, relative to the kinetic energy; a step that is off by more was too long. */
     private static final double WRONG = 0.05;
 
@@ -46,7 +39,7 @@ final class HungChain implements Serializable {
     private static final double HALF_TURN = Math.PI;
 
     /** Values of a link; together, since there are more of them than a processor has registers for arrays. */
-    private static final int STRIDE = 32;
+    static final int STRIDE = 32;
 
     /** At a stage: n and the angular velocity. */
     private static final int COS = 0;
@@ -55,12 +48,12 @@ final class HungChain implements Serializable {
     private static final int TURNING = 2;
 
     /** σ L; the diagonal blocks, τ I + ι n⊥ n⊥ᵀ, as τ, τ + ι and ι; and σ L / J. */
-    private static final int SWING = 3;
+    static final int SWING = 3;
 
-    private static final int TAU = 4;
-    private static final int ALL = 5;
-    private static final int IOTA = 6;
-    private static final int LEVER = 7;
+    static final int TAU = 4;
+    static final int ALL = 5;
+    static final int IOTA = 6;
+    static final int LEVER = 7;
 
     /** Inverses of the eliminated blocks, without the sign beside the diagonal, and those times the right-hand sides. */
     private static final int P00 = 8;
@@ -74,7 +67,7 @@ final class HungChain implements Serializable {
     private static final int BASE = 13;
 
     private static final int OMEGA = 14;
-    private static final int QUARTERS = 15;
+    static final int QUARTERS = 15;
 
     /** Angular accelerations of the first three stages. */
     private static final int ALPHA = 16;
@@ -88,17 +81,17 @@ final class HungChain implements Serializable {
     private static final int V = 23;
 
     /** L, of either sign; from the near pin to the centre of mass, along n; mass and moment of inertia. */
-    private static final int LENGTH = 24;
+    static final int LENGTH = 24;
 
-    private static final int REACH = 25;
-    private static final int MASS = 26;
-    private static final int INERTIA = 27;
+    static final int REACH = 25;
+    static final int MASS = 26;
+    static final int INERTIA = 27;
 
     /** What the turn from the axis of the link to n is beyond quarter turns, with cosine and sine. */
-    private static final int REST = 28;
+    static final int REST = 28;
 
-    private static final int REST_COS = 29;
-    private static final int REST_SIN = 30;
+    static final int REST_COS = 29;
+    static final int REST_SIN = 30;
 
     private final PinTree tree;
     private final int links;
@@ -113,7 +106,7 @@ final class HungChain implements Serializable {
     private double middle1;
 
     /** σ of the first link. */
-    private double first;
+    private final double first;
 
     private double roughness;
 
@@ -125,6 +118,7 @@ final class HungChain implements Serializable {
         links = tree.links;
         link = new double[STRIDE * links];
         middle = STRIDE * ((links - 1) / 2);
+        first = HungMasses.first(tree);
     }
 
     /**
@@ -133,60 +127,8 @@ final class HungChain implements Serializable {
      * @return null if it is none of this kind
      */
     static HungChain of(PinTree tree) {
-        boolean yes = !tree.isFree && tree.runCount == 1;
-        for (int k = 0; yes && k < tree.links; k++) {
-            int o = PinTree.STRIDE * k;
-            double[] l = tree.link;
-            double square = l[o + PinTree.EX] * l[o + PinTree.EX] + l[o + PinTree.EY] * l[o + PinTree.EY];
-            double least = LEAST * l[o + PinTree.MASS];
-            yes = !tree.isOdd[k]
-                    && l[o + PinTree.FAR] >= least
-                    && l[o + PinTree.FAR] <= l[o + PinTree.MASS]
-                    && Math.abs(l[o + PinTree.HUB]) >= least * square;
-        }
-        return yes ? new HungChain(tree).weigh() : null;
-    }
-
-    /** Takes the masses over; returns null if they differ so much that numbers would become too large. */
-    private HungChain weigh() {
-        double[] l = link;
-        first = Math.sqrt(tree.link[PinTree.KNOT]);
-        double sigma = first;
-        double before = 0; // 1/μ of the near knot
-        for (int k = 0; k < links; k++) {
-            int o = STRIDE * k;
-            int t = PinTree.STRIDE * k;
-            aim(o, tree.link[t + PinTree.EX], tree.link[t + PinTree.EY]);
-            double mu = tree.link[t + PinTree.KNOT];
-            double per = sigma / tree.link[t + PinTree.HUB];
-            l[o + MASS] = tree.link[t + PinTree.MASS];
-            l[o + INERTIA] = tree.link[t + PinTree.INERTIA];
-            l[o + REACH] = tree.link[t + PinTree.FAR] / l[o + MASS] * l[o + LENGTH];
-            l[o + TAU] = sigma * sigma * (before + 1 / mu);
-            l[o + IOTA] = sigma * l[o + LENGTH] * l[o + LENGTH] * per;
-            l[o + ALL] = l[o + TAU] + l[o + IOTA];
-            l[o + SWING] = sigma * l[o + LENGTH];
-            l[o + LEVER] = l[o + LENGTH] * per;
-            before = 1 / mu;
-            sigma = mu / sigma;
-            if (!(sigma >= first / WIDEST && sigma <= first * WIDEST)) {
-                return null;
-            }
-        }
-        return this;
-    }
-
-    /** Along an axis of the link there is no rest, and mirror images have mirrored bits. */
-    private void aim(int o, double ex, double ey) {
-        boolean isSteep = Math.abs(ey) > Math.abs(ex);
-        double along = isSteep ? ey : ex;
-        double across = isSteep ? -ex : ey;
-        double length = Math.copySign(Math.sqrt(ex * ex + ey * ey), along);
-        link[o + LENGTH] = length;
-        link[o + QUARTERS] = SineTable.quarters(isSteep ? 1 : 0);
-        link[o + REST] = Trig.atan2(Math.copySign(1, along) * across, Math.abs(along));
-        link[o + REST_COS] = along / length;
-        link[o + REST_SIN] = across / length;
+        HungChain chain = HungMasses.areSuited(tree) ? new HungChain(tree) : null;
+        return chain != null && HungMasses.weigh(chain.link, tree) ? chain : null;
     }
 
     /** Turns n to where the angle has it. */

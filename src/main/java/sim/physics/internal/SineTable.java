@@ -97,7 +97,7 @@ public final class SineTable {
     }
 
     /**
-     * Cosine and sine of an angle and some quarter turns, which are without any error: the bits of {@link #turn}.
+     * Cosine and sine of an angle and some quarter turns, which add no error to those of {@link #turn}.
      *
      * @param x rad
      * @param quarters from {@link #quarters}
