@@ -230,16 +230,19 @@ public final class PhysicsEngine implements Steppable {
         double until = Math.min(end, response.heaps().until(body));
         IntList group = motion.companions(body);
         double tau = trajectories.offset(body);
-        for (int k = 0; k < group.size; k++) {
-            detection.setPathEnd(group.values[k], until);
+        detection.setPathEnd(group, until);
+        if (entry == Entry.BODY) {
+            detection.enter(group, tau);
         }
-        for (int k = 0; k < group.size; k++) {
-            switch (entry) {
-                case TOGETHER -> entering.add(group.values[k]);
-                case BODY -> detection.enter(group.values[k], tau);
-                default -> detection.moved(group.values[k], tau, false, -1);
+        for (int k = 0; entry != Entry.BODY && k < group.size; k++) {
+            if (entry == Entry.TOGETHER) {
+                entering.add(group.values[k]);
+            } else {
+                detection.moved(group.values[k], tau, false, -1);
             }
-            note(group.values[k], tau);
+        }
+        for (int k = 0; audit != null && k < group.size; k++) {
+            audit.noted(group.values[k], tau);
         }
     }
 

@@ -63,6 +63,11 @@ final class Room implements Serializable {
         notes.set(body, BodyNotes.ALOOF, view.getCategory() == 0 || view.getCollidesWith() == 0);
     }
 
+    /** Whether a body can collide with nobody, so that it leaves no box, and needs none. */
+    boolean isAloof(int body) {
+        return notes.has(body, BodyNotes.ALOOF);
+    }
+
     /** Takes note of how many pairs a body has in a new box. */
     void count(int body, int pairs) {
         boolean isCrowded = notes.has(body, BodyNotes.CROWDED);
