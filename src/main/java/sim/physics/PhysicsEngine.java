@@ -268,6 +268,9 @@ public final class PhysicsEngine implements Steppable {
         double tau = detection.nextTime();
         IntList touching = detection.nextImpacts();
         int pair = touching.size == 1 ? touching.values[0] : -1;
+        if (pair >= 0 && !asksAuthors && bounce(pair, tau)) {
+            return;
+        }
         now = getTime() + tau;
         admission.setNow(tau);
         if (asksAuthors) {
@@ -309,6 +312,20 @@ public final class PhysicsEngine implements Steppable {
             settleHeaps(tau);
         }
         followGroups();
+    }
+
+    /** The same for an impact that is plain, of which nobody is told; false if it is not. */
+    private boolean bounce(int pair, double tau) {
+        IntList deflected = response.bounce(pair, tau);
+        if (deflected.size == 0) {
+            return false;
+        }
+        boolean parts = detection.parts(pair, tau);
+        moved(deflected.values[0], tau, false, parts ? pair : -1);
+        if (deflected.size > 1) {
+            moved(deflected.values[1], tau, false, pair);
+        }
+        return true;
     }
 
     /** A body has a new path. */

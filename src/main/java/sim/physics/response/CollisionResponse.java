@@ -31,10 +31,12 @@ public final class CollisionResponse implements Serializable {
     private final Pairs pairs;
 
     private ImpulseSolver solver = new TwoBodyImpulse();
+    private boolean isClosedForm = true;
     private final ContactLoader loader;
     private final Listeners listeners;
 
     private final Impact impact = new Impact();
+    private final FreeBounce freeBounce;
     private final SimultaneousImpact simultaneous;
 
     /** Null while nothing ties bodies together. */
@@ -70,6 +72,7 @@ public final class CollisionResponse implements Serializable {
         this.listeners = new Listeners(state, trajectories);
         this.loader = new ContactLoader(state, trajectories);
         this.simultaneous = new SimultaneousImpact(state);
+        this.freeBounce = new FreeBounce(state, trajectories);
         this.bounces = new Bounces(trajectories, motion);
         ContactLedger ledger = new ContactLedger(trajectories);
         this.resting = new RestingContacts(state, trajectories, motion, detection, this, ledger);
@@ -109,6 +112,38 @@ public final class CollisionResponse implements Serializable {
             }
         }
         respondToSeveral(touching, tau);
+        return changed;
+    }
+
+    /**
+     * Solves the impact of a pair if it is plain: elastic, at one point, without friction, of bodies that nothing has ever
+     * accelerated, ties or bears, and nobody wants to know of it.
+     *
+     * @param pair the only one that touches
+     * @param tau offset in the present step
+     * @return the bodies whose velocities have changed, valid until the next call; empty if there is more to it, and nothing is
+     *     solved
+     */
+    public IntList bounce(int pair, double tau) {
+        changed.clear();
+        int a = pairs.first(pair);
+        int b = pairs.second(pair);
+        boolean isFree = trajectories.areStraight() && jointed == null && listeners.isEmpty() && isClosedForm;
+        if (!isFree || loader.restitution(a, b) != 1 || loader.friction(a, b) != 0) {
+            return changed;
+        }
+        if (manifold == null) {
+            manifold = new Manifold();
+        }
+        trajectories.bring(a, tau);
+        trajectories.bring(b, tau);
+        detection.narrowPhase().contact(pair, tau, manifold);
+        double least = -Tolerances.OVERLAP * Math.min(trajectories.radius(a), trajectories.radius(b));
+        if (manifold.count == 1 && manifold.gap >= least) {
+            impacts++;
+            deepest = Math.min(deepest, manifold.gap);
+            freeBounce.solve(a, b, manifold, changed);
+        }
         return changed;
     }
 
@@ -305,6 +340,7 @@ public final class CollisionResponse implements Serializable {
     public void setSolver(ImpulseSolver solver) {
         simultaneous.setBordered(Objects.requireNonNull(solver, "solver") instanceof BorderedImpulse);
         this.solver = solver;
+        isClosedForm = solver instanceof TwoBodyImpulse;
     }
 
     /**
