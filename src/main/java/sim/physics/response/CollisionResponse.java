@@ -72,7 +72,7 @@ public final class CollisionResponse implements Serializable {
         this.listeners = new Listeners(state, trajectories);
         this.loader = new ContactLoader(state, trajectories);
         this.simultaneous = new SimultaneousImpact(state);
-        this.freeBounce = new FreeBounce(state, trajectories);
+        this.freeBounce = new FreeBounce(state, trajectories, detection.narrowPhase(), loader);
         this.bounces = new Bounces(trajectories, motion);
         ContactLedger ledger = new ContactLedger(trajectories);
         this.resting = new RestingContacts(state, trajectories, motion, detection, this, ledger);
@@ -116,33 +116,20 @@ public final class CollisionResponse implements Serializable {
     }
 
     /**
-     * Solves the impact of a pair if it is plain: elastic, at one point, without friction, of bodies that nothing has ever
-     * accelerated, ties or bears, and nobody wants to know of it.
+     * Solves the impact of a pair if it is plain, as {@link FreeBounce} has it, and nobody is to be told.
      *
      * @param pair the only one that touches
      * @param tau offset in the present step
-     * @return the bodies whose velocities have changed, valid until the next call; empty if there is more to it, and nothing is
-     *     solved
+     * @return the bodies whose velocities have changed, valid until the next call; none if nothing was solved
      */
     public IntList bounce(int pair, double tau) {
         changed.clear();
-        int a = pairs.first(pair);
-        int b = pairs.second(pair);
-        boolean isFree = trajectories.areStraight() && jointed == null && listeners.isEmpty() && isClosedForm;
-        if (!isFree || loader.restitution(a, b) != 1 || loader.friction(a, b) != 0) {
-            return changed;
+        if (trajectories.areStraight() && jointed == null && isClosedForm && listeners.isEmpty()) {
+            freeBounce.solve(pair, pairs.first(pair), pairs.second(pair), tau, changed);
         }
-        if (manifold == null) {
-            manifold = new Manifold();
-        }
-        trajectories.bring(a, tau);
-        trajectories.bring(b, tau);
-        detection.narrowPhase().contact(pair, tau, manifold);
-        double least = -Tolerances.OVERLAP * Math.min(trajectories.radius(a), trajectories.radius(b));
-        if (manifold.count == 1 && manifold.gap >= least) {
+        if (changed.size > 0) {
             impacts++;
-            deepest = Math.min(deepest, manifold.gap);
-            freeBounce.solve(a, b, manifold, changed);
+            deepest = Math.min(deepest, freeBounce.gap());
         }
         return changed;
     }
@@ -438,7 +425,7 @@ public final class CollisionResponse implements Serializable {
             jointed.settle(changed);
         }
         if (!listeners.isEmpty()) {
-            tellOfAll();
+            listeners.tell(simultaneous, impact);
         }
     }
 
@@ -499,23 +486,6 @@ public final class CollisionResponse implements Serializable {
     private void unstick(int pair) {
         if (!impact.sticky) {
             detection.marks().setSticky(pair, false);
-        }
-    }
-
-    /** Tells of each pair once, with the impulses of its points together. */
-    private void tellOfAll() {
-        for (int k = 0; k < simultaneous.pointCount(); k++) {
-            int a = simultaneous.bodyA(k);
-            int b = simultaneous.bodyB(k);
-            simultaneous.get(k, impact);
-            approach = simultaneous.approach(k);
-            boolean two = k + 1 < simultaneous.pointCount()
-                    && simultaneous.bodyA(k + 1) == a
-                    && simultaneous.bodyB(k + 1) == b;
-            if (two) {
-                impact.jn += simultaneous.normalImpulse(++k);
-            }
-            listeners.tell(a, b, impact, approach);
         }
     }
 

@@ -4,7 +4,9 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import sim.physics.collision.narrow.Manifold;
+import sim.physics.collision.narrow.NarrowPhase;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Tolerances;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
@@ -21,14 +23,48 @@ final class FreeBounce implements Serializable {
 
     private final State state;
     private final Trajectories trajectories;
+    private final NarrowPhase narrowPhase;
+    private final ContactLoader loader;
+    private transient Manifold manifold;
 
-    FreeBounce(State state, Trajectories trajectories) {
+    FreeBounce(State state, Trajectories trajectories, NarrowPhase narrowPhase, ContactLoader loader) {
         this.state = state;
         this.trajectories = trajectories;
+        this.narrowPhase = narrowPhase;
+        this.loader = loader;
     }
 
-    /** Gives two bodies at their anchors the velocities after the impact, and lists those of them that are not fixed. */
-    void solve(int a, int b, Manifold m, IntList changed) {
+    /**
+     * Gives two bodies the velocities after their impact.
+     *
+     * @param pair number of their pair
+     * @param a body A, which nothing has ever accelerated
+     * @param b body B, likewise
+     * @param tau offset in the present step
+     * @param changed takes those of them that are not fixed; neither if there is more to the impact, and nothing is solved
+     */
+    void solve(int pair, int a, int b, double tau, IntList changed) {
+        if (loader.restitution(a, b) != 1 || loader.friction(a, b) != 0) {
+            return;
+        }
+        if (manifold == null) {
+            manifold = new Manifold();
+        }
+        trajectories.bring(a, tau);
+        trajectories.bring(b, tau);
+        narrowPhase.contact(pair, tau, manifold);
+        double deepest = -Tolerances.OVERLAP * Math.min(trajectories.radius(a), trajectories.radius(b));
+        if (manifold.count == 1 && manifold.gap >= deepest) {
+            solve(a, b, manifold, changed);
+        }
+    }
+
+    /** The gap at the impact that was solved last. */
+    double gap() {
+        return manifold.gap;
+    }
+
+    private void solve(int a, int b, Manifold m, IntList changed) {
         double[] w = state.w().values();
         double[] d = trajectories.data();
         int oa = a * Trajectories.STRIDE;
