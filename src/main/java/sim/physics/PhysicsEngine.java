@@ -155,6 +155,11 @@ public final class PhysicsEngine implements Steppable {
 
     /** Motion, (5)–(15): driven bodies get their paths over the step; all others are on their way already. */
     private void drive() {
+        boolean isFree = response.isFree() && constraints == null && audit == null;
+        if (isFree && !admission.isNeeded() && !motion.isPushed()) {
+            response.begin(); // nobody has changed anything, and all go on as they did
+            return;
+        }
         changed.clear();
         detection.gather();
         motion.anchorDriven();

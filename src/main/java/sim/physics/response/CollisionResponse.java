@@ -31,7 +31,6 @@ public final class CollisionResponse implements Serializable {
     private final Pairs pairs;
 
     private ImpulseSolver solver = new TwoBodyImpulse();
-    private boolean isClosedForm = true;
     private final ContactLoader loader;
     private final Listeners listeners;
 
@@ -48,6 +47,7 @@ public final class CollisionResponse implements Serializable {
     private final LastingContacts lasting;
     private final Wedged wedged;
     private transient Manifold manifold;
+
     /** From when on the courses of the two hold that are brought to the instant of their impact. */
     private double since;
 
@@ -83,9 +83,7 @@ public final class CollisionResponse implements Serializable {
 
     /** Begins a step. */
     public void begin() {
-        if (!wedged.isEmpty()) {
-            wedged.begin();
-        }
+        wedged.begin();
     }
 
     /**
@@ -124,14 +122,17 @@ public final class CollisionResponse implements Serializable {
      */
     public IntList bounce(int pair, double tau) {
         changed.clear();
-        if (trajectories.areStraight() && jointed == null && isClosedForm && listeners.isEmpty()) {
+        if (isFree() && solver instanceof TwoBodyImpulse && listeners.isEmpty()) {
             freeBounce.solve(pair, pairs.first(pair), pairs.second(pair), tau, changed);
         }
-        if (changed.size > 0) {
-            impacts++;
-            deepest = Math.min(deepest, freeBounce.gap());
-        }
+        impacts += changed.size > 0 ? 1 : 0;
+        deepest = changed.size > 0 ? Math.min(deepest, freeBounce.gap()) : deepest;
         return changed;
+    }
+
+    /** {@return whether no body has ever been accelerated, and none is tied, rests or lies on another one} */
+    public boolean isFree() {
+        return trajectories.areStraight() && jointed == null && resting.isEmpty() && heaps.isEmpty();
     }
 
     /** From which offset in the step on a body's motion has been smooth. */
@@ -327,7 +328,6 @@ public final class CollisionResponse implements Serializable {
     public void setSolver(ImpulseSolver solver) {
         simultaneous.setBordered(Objects.requireNonNull(solver, "solver") instanceof BorderedImpulse);
         this.solver = solver;
-        isClosedForm = solver instanceof TwoBodyImpulse;
     }
 
     /**
@@ -433,8 +433,8 @@ public final class CollisionResponse implements Serializable {
     private void collect(int pair, double tau, boolean alone) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
-        locate(pair, tau);
         impact.sticky = false;
+        locate(pair, tau);
         load(a, b, 0);
         if (isWedged(pair, a, b, tau)) {
             goOn(a, b);
