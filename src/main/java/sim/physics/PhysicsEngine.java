@@ -155,6 +155,11 @@ public final class PhysicsEngine implements Steppable {
 
     /** Motion, (5)–(15): driven bodies get their paths over the step; all others are on their way already. */
     private void drive() {
+        boolean isFree = response.isFree() && constraints == null && audit == null;
+        if (isFree && !admission.isNeeded() && !motion.isPushed()) {
+            response.begin(); // nobody has changed anything, and all go on as they did
+            return;
+        }
         changed.clear();
         detection.gather();
         motion.anchorDriven();
@@ -271,6 +276,9 @@ public final class PhysicsEngine implements Steppable {
         double tau = detection.nextTime();
         IntList touching = detection.nextImpacts();
         int pair = touching.size == 1 ? touching.values[0] : -1;
+        if (pair >= 0 && !asksAuthors && bounce(pair, tau)) {
+            return;
+        }
         now = getTime() + tau;
         admission.setNow(tau);
         if (asksAuthors) {
@@ -312,6 +320,20 @@ public final class PhysicsEngine implements Steppable {
             settleHeaps(tau);
         }
         followGroups();
+    }
+
+    /** The same for an impact that is plain, of which nobody is told; false if it is not. */
+    private boolean bounce(int pair, double tau) {
+        IntList deflected = response.bounce(pair, tau);
+        if (deflected.size == 0) {
+            return false;
+        }
+        boolean parts = detection.parts(pair, tau);
+        moved(deflected.values[0], tau, false, parts ? pair : -1);
+        if (deflected.size > 1) {
+            moved(deflected.values[1], tau, false, pair);
+        }
+        return true;
     }
 
     /** A body has a new path. */

@@ -205,7 +205,6 @@ final class Enclosures implements Serializable {
             agenda.schedule(body, Agenda.NEVER);
             return;
         }
-        room.enclose(body, tau, detection.end(body));
-        agenda.schedule(body, Math.max(step + 1, room.leavingDate(body, tau, step, h)));
+        agenda.schedule(body, room.enclose(body, tau, detection.end(body), step, h));
     }
 }

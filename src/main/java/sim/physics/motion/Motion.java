@@ -109,11 +109,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         return ties != null && ties.isTied(body);
     }
 
-    /**
-     * The integrator of driven bodies.
-     *
-     * @return never null
-     */
+    /** {@return the integrator of driven bodies, never null} */
     public Integrator getIntegrator() {
         return integrator;
     }
@@ -206,6 +202,11 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         double ay = generators.gravityY + w[b] * view.appliedY() + support.acceleration(body, 1);
         double alpha = w[b + State.THETA] * view.appliedTorque() + support.acceleration(body, 2); // (6)
         trajectories.accelerate(body, ax, ay, alpha);
+    }
+
+    /** {@return whether forces were applied to a body for the last step} */
+    public boolean isPushed() {
+        return pushed.size > 0;
     }
 
     /**
