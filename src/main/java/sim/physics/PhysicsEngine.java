@@ -159,6 +159,7 @@ public final class PhysicsEngine implements Steppable {
         detection.gather();
         motion.anchorDriven();
         motion.endApplied(changed);
+        motion.groups().begin();
         admit(0);
         while (admission.breakJoints(getTime())) {
             admit(0);
@@ -478,7 +479,7 @@ public final class PhysicsEngine implements Steppable {
         if (!motion.add(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
         }
-        touchAll();
+        touch(generator);
     }
 
     /**
@@ -491,13 +492,23 @@ public final class PhysicsEngine implements Steppable {
         if (!motion.remove(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it is not in this engine");
         }
-        touchAll();
+        touch(generator);
     }
 
     /** Lets all bodies start anew from their places. */
     private void touchAll() {
         for (Body body : bodies()) {
             state.touch(body.index());
+        }
+    }
+
+    /** Lets all bodies start anew from their places that a generator may act on. */
+    private void touch(ForceGenerator generator) {
+        List<Body> named = generator.getBodies();
+        for (Body body : named == null ? bodies() : named) {
+            if (contains(body)) {
+                state.touch(body.index());
+            }
         }
     }
 
