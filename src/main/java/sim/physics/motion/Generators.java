@@ -42,9 +42,9 @@ final class Generators implements Serializable {
         boolean isCoupled;
 
         /** The last sum that it was counted in; a body that it couples. */
-        private long counted;
+        private transient long counted;
 
-        int first;
+        transient int first;
 
         Entry(ForceGenerator generator, long order) {
             this.generator = generator;
@@ -78,7 +78,7 @@ final class Generators implements Serializable {
 
     private long orders;
 
-    private long sums;
+    private transient long sums;
 
     /** Sum of the uniform fields. */
     double gravityX;
