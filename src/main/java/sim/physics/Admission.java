@@ -4,6 +4,7 @@ package sim.physics;
 
 import java.io.Serializable;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.Overlaps;
@@ -11,6 +12,7 @@ import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.Reaction;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.Groups;
@@ -50,6 +52,11 @@ final class Admission implements Presence, Serializable {
 
     /** Null unless the engine is audited. */
     private Audit audit;
+
+    /** By first body of an island the last round of closing joints that came to it. */
+    private transient int[] closed = {};
+
+    private transient int rounds;
 
     /** Positions and velocities of bodies that were written. */
     private double[] written = {};
@@ -201,13 +208,14 @@ final class Admission implements Presence, Serializable {
 
     /** Closes the joints of the islands that have bodies that start anew; their bodies all start anew then. */
     private void close(double tau) {
+        int round = ++rounds;
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
             if (state.body(index) == null || !motion.isTied(index)) {
                 continue;
             }
             IntList island = constraints.island(index);
-            if (firstTouched(island, k)) {
+            if (isFirst(island, round)) {
                 for (int m = 0; m < island.size; m++) {
                     bring(island.values[m], tau);
                 }
@@ -216,15 +224,15 @@ final class Admission implements Presence, Serializable {
         }
     }
 
-    /** Whether no body of an island is among the first k that start anew. */
-    private boolean firstTouched(IntList island, int k) {
-        for (int m = 0; m < k; m++) {
-            int earlier = state.touched(m);
-            if (state.body(earlier) != null && motion.isTied(earlier) && constraints.island(earlier) == island) {
-                return false;
-            }
+    /** Whether an island has not been asked about in this round. */
+    private boolean isFirst(IntList island, int round) {
+        int first = island.values[0];
+        if (closed == null || closed.length <= first) { // null: just restored
+            closed = closed == null ? new int[first + 1] : Arrays.copyOf(closed, Growth.length(closed.length, first + 1));
         }
-        return true;
+        boolean yes = closed[first] != round;
+        closed[first] = round;
+        return yes;
     }
 
     /** Brings a body that was not written to the present instant, and lets it start anew from there. */

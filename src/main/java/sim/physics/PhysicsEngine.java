@@ -160,9 +160,9 @@ public final class PhysicsEngine implements Steppable {
         motion.anchorDriven();
         motion.endApplied(changed);
         motion.groups().begin();
-        admit(0);
+        letIn(0); // all driven bodies follow new paths anyway
         while (admission.breakJoints(getTime())) {
-            admit(0);
+            letIn(0);
         }
         motion.releaseDriven();
         if (audit != null) {
@@ -380,12 +380,17 @@ public final class PhysicsEngine implements Steppable {
         steps++;
     }
 
-    /** Lets in what authors have changed since the last look. */
-    private void admit(double tau) {
+    /** Lets in what authors have changed since the last look; returns the driven bodies among those. */
+    private IntList letIn(double tau) {
         if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
             setBroadPhase(new CellGrid());
         }
-        IntList driven = admission.admit(tau);
+        return admission.admit(tau);
+    }
+
+    /** The same within a step: driven bodies are noted, to follow new paths. */
+    private void admit(double tau) {
+        IntList driven = letIn(tau);
         for (int k = 0; k < driven.size; k++) {
             noteGroup(driven.values[k]);
         }
