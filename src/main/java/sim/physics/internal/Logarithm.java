@@ -7,9 +7,6 @@ package sim.physics.internal;
  * log(2ᵏ m) = k log 2 + 2 atanh((m − 1)/(m + 1)) with m between √½ and √2, by the power series.
  */
 public final class Logarithm {
-    /** Where the series of the inverse hyperbolic tangent ends. */
-    public static final double LARGEST = 0.17157;
-
     /** The logarithm of 2: its first 32 bits, whose multiples by an exponent are exact, and the rest. */
     private static final double LOG2_HIGH = 0x1.62e42feep-1;
 
@@ -40,13 +37,8 @@ public final class Logarithm {
         return k * LOG2_HIGH + (twiceAtanh((m - 1) / (m + 1)) + (k * LOG2_LOW + lost / y));
     }
 
-    /**
-     * The logarithm of (1 + s) / (1 − s).
-     *
-     * @param s its absolute value is at most {@link #LARGEST}
-     * @return 2 atanh s, within two units in the last place
-     */
-    public static double twiceAtanh(double s) {
+    /** 2 atanh s for |s| ≤ 0.1716. */
+    private static double twiceAtanh(double s) {
         double z = s * s;
         double sum = 1.0 / 21;
         sum = sum * z + 1.0 / 19;

@@ -113,12 +113,8 @@ final class PolygonPatch extends SurfacePatch {
         out[1] = 0;
         out[2] = 0;
         double whole = 0;
-        double first = distance(xy[0] - cx, xy[1] - cy);
-        double rho = first;
         for (int k = 0, e = 0; k < xy.length; k += 2, e += 3) {
-            double rhoEnd = k + 2 < xy.length ? distance(xy[k + 2] - cx, xy[k + 3] - cy) : first;
-            whole += addEdge(xy[k] - cx, xy[k + 1] - cy, e, rho, rhoEnd, cx, cy, out);
-            rho = rhoEnd;
+            whole += addEdge(xy[k], xy[k + 1], edges[e], edges[e + 1], edges[e + 2], cx, cy, out);
         }
         if (whole * (reach + Math.abs(cx) + Math.abs(cy)) > LOSS * reach * 2 * area) {
             slenderBody.integrals(cx, cy, out);
@@ -128,28 +124,24 @@ final class PolygonPatch extends SurfacePatch {
         out[2] /= area;
     }
 
-    private static double distance(double x, double y) {
-        return Math.sqrt(x * x + y * y);
-    }
-
     /**
-     * Adds the integrals of e and r·e over the triangle of the centre and the edge from c + p, given the distances of its ends.
+     * Adds the integrals of e and r·e over the triangle of the centre and the edge from (ax, ay) along (tx, ty).
      *
      * @return twice its area
      */
-    private double addEdge(double px, double py, int edge, double rho, double rhoEnd, double cx, double cy, double[] out) {
-        double tx = edges[edge];
-        double ty = edges[edge + 1];
-        double length = edges[edge + 2];
+    private static double addEdge(
+            double ax, double ay, double tx, double ty, double length, double cx, double cy, double[] out) {
+        double px = ax - cx;
+        double py = ay - cy;
         double d = px * ty - py * tx;
         double s = px * tx + py * ty;
         double end = s + length;
         double h = Math.abs(d);
+        double rho = Math.sqrt(d * d + s * s);
+        double rhoEnd = Math.sqrt(d * d + end * end);
         double sum = rho + rhoEnd;
-        double per = 1 / sum;
-        double rise = length * ((s + end) * per);
-        double part = length * per; // Δa = 2 atanh of it
-        double bend = d * (part <= Logarithm.LARGEST ? Logarithm.twiceAtanh(part) : asinhRise(s, rho, end, rhoEnd, length, h));
+        double rise = length * ((s + end) / sum);
+        double bend = d * asinhRise(s, rho, end, rhoEnd, length, h);
         double ex = 0.5 * d * (tx * rise + ty * bend);
         double ey = 0.5 * d * (ty * rise - tx * bend);
         out[0] += ex;
