@@ -187,7 +187,6 @@ public final class PhysicsEngine implements Steppable {
 
     /** Gives all driven bodies new paths from the start of the step on. */
     private void followAll() {
-        detection.encloseGathered();
         IntList driven = motion.driven();
         boolean isShared = sharedMotion.advance();
         entering.clear();

@@ -49,7 +49,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     private final IntList together = new IntList();
 
     /** Bodies whose pairs are looked at together, while the step begins. */
-    private final Gathered gathered;
+    private final IntList gathered = new IntList();
 
     private boolean gathers;
     private long step;
@@ -68,7 +68,6 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         this.enclosures = new Enclosures(this, state, trajectories, pairs, broadPhase);
         Boxes boxes = enclosures.boxes();
         notes = boxes.notes();
-        gathered = new Gathered(notes);
         NarrowPhase narrowPhase = new NarrowPhase(pairs, trajectories, enclosures.shapes(), boxes);
         this.search = new PairSearch(pairs, trajectories, marks, narrowPhase);
         this.watch = new Watch(this, pairs, marks, search, queue, enclosures.order());
@@ -187,13 +186,13 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
      * @param except a pair that need not be looked at, or −1
      */
     public void moved(int body, double tau, boolean teleported, int except) {
-        if (gathers && !trajectories.areStraight()) {
-            gathered.add(body, teleported);
-            return;
-        }
         enclosures.moved(body, tau, teleported, step, h);
         watch.clearList();
         if (notes.has(body, BodyNotes.IDLE)) {
+            return;
+        }
+        if (gathers && !trajectories.areStraight()) {
+            gathered.add(body);
             return;
         }
         boolean straight = trajectories.areStraight() && narrowPhase().isContinuous() && marks.areShallow();
@@ -222,7 +221,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     }
 
     /**
-     * Lets bodies that get new trajectories at the start of the step, and their pairs, wait until all have theirs. Those that
+     * Lets the pairs of bodies that get new trajectories at the start of the step wait until all have theirs. Those that
      * wait still, because an author's force has failed in the last step, do so on.
      */
     public void gather() {
@@ -232,23 +231,18 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         gathers = true;
     }
 
-    /** Tells the broad phase of the bodies that wait, of each once. */
-    public void encloseGathered() {
-        gathered.enclose(enclosures, step, h);
-        watch.clearList();
-    }
-
     /**
      * Looks at the pairs that have waited, and at those of other bodies, at each once.
      *
      * @param others indices of bodies that have entered new trajectories
      */
     public void lookAtGathered(IntList others) {
-        encloseGathered();
         gathers = false;
-        IntList all = gathered.with(others);
-        if (all.size > 0) {
-            lookAround(all, 0);
+        for (int k = 0; k < others.size; k++) {
+            gathered.add(others.values[k]);
+        }
+        if (gathered.size > 0) {
+            lookAround(gathered, 0);
         }
     }
 

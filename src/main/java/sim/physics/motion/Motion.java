@@ -221,14 +221,14 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     /**
-     * Lets the forces that were applied for the step before act no longer. Bodies that are written are to be admitted anyway.
+     * Lets the forces that were applied for the step before act no longer.
      *
-     * @param changed takes the others whose course changes
+     * @param changed takes the bodies whose course changes
      */
     public void endApplied(IntList changed) {
         for (int k = 0; k < pushed.size; k++) {
             int body = pushed.values[k];
-            if (state.body(body) != null && !trajectories.isDriven(body) && !state.isTouched(body)) {
+            if (state.body(body) != null && !trajectories.isDriven(body)) {
                 trajectories.bring(body, 0);
                 course(body);
                 changed.add(body);

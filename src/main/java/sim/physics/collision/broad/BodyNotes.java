@@ -25,12 +25,6 @@ public final class BodyNotes implements Serializable {
     /** Many are near it. */
     public static final int CROWDED = 16;
 
-    /** It has a new path from the start of the step on, which the broad phase has not been told of. */
-    public static final int WAITS = 32;
-
-    /** The same, and a new place. */
-    public static final int TELEPORTED = 64;
-
     private byte[] notes = new byte[8];
 
     BodyNotes() {
