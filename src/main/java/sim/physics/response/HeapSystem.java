@@ -458,7 +458,7 @@ final class HeapSystem implements Serializable {
                     return true;
                 }
             }
-            left -= SWEEPS + (corners-- > 0 ? corner.solve(this) : face.solve(this, RIGHT * scale));
+            left -= corners-- > 0 ? corner.solve(this) : SWEEPS + face.solve(this, RIGHT * scale);
         }
         for (int p = 0; p < points; p++) {
             change = Math.max(change, relaxation.relax(this, p));
