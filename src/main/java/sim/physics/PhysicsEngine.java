@@ -164,9 +164,10 @@ public final class PhysicsEngine implements Steppable {
         detection.gather();
         motion.anchorDriven();
         motion.endApplied(changed);
-        admit(0);
+        motion.groups().begin();
+        letIn(0); // all driven bodies follow new paths anyway
         while (admission.breakJoints(getTime())) {
-            admit(0);
+            letIn(0);
         }
         motion.releaseDriven();
         if (audit != null) {
@@ -404,12 +405,17 @@ public final class PhysicsEngine implements Steppable {
         steps++;
     }
 
-    /** Lets in what authors have changed since the last look. */
-    private void admit(double tau) {
+    /** Lets in what authors have changed since the last look; returns the driven bodies among those. */
+    private IntList letIn(double tau) {
         if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
             setBroadPhase(new CellGrid());
         }
-        IntList driven = admission.admit(tau);
+        return admission.admit(tau);
+    }
+
+    /** The same within a step: driven bodies are noted, to follow new paths. */
+    private void admit(double tau) {
+        IntList driven = letIn(tau);
         for (int k = 0; k < driven.size; k++) {
             noteGroup(driven.values[k]);
         }
@@ -503,7 +509,7 @@ public final class PhysicsEngine implements Steppable {
         if (!motion.add(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
         }
-        touchAll();
+        touch(generator);
     }
 
     /**
@@ -516,13 +522,23 @@ public final class PhysicsEngine implements Steppable {
         if (!motion.remove(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it is not in this engine");
         }
-        touchAll();
+        touch(generator);
     }
 
     /** Lets all bodies start anew from their places. */
     private void touchAll() {
         for (Body body : bodies()) {
             state.touch(body.index());
+        }
+    }
+
+    /** Lets all bodies start anew from their places that a generator may act on. */
+    private void touch(ForceGenerator generator) {
+        List<Body> named = generator.getBodies();
+        for (Body body : named == null ? bodies() : named) {
+            if (contains(body)) {
+                state.touch(body.index());
+            }
         }
     }
 

@@ -43,6 +43,10 @@ final class HeapSystem implements Serializable {
     private static final double HOVER = 1e7;
 
     private static final int SWEEPS = 6;
+
+    /** The same between eliminations. */
+    private static final int FEW_SWEEPS = 2;
+
     private static final int LEAST_SWEEPS = 20;
     private static final int WORK = 50_000;
 
@@ -75,6 +79,7 @@ final class HeapSystem implements Serializable {
     private int contacts;
     private int count;
     private final HeapFace face = new HeapFace();
+    private final HeapCorner corner = new HeapCorner();
 
     /** Null until a body is tied to others. */
     private HeapReplies replies;
@@ -442,8 +447,9 @@ final class HeapSystem implements Serializable {
         int left = Math.max(LEAST_SWEEPS, work / Math.max(1, points));
         int late = (int) ((1 - ENDLESS) * left);
         double change = 0;
+        int corners = work == LITTLE_WORK && !tied && points <= HeapCorner.MOST ? HeapCorner.ROUNDS : 0;
         while (left > 0) {
-            for (int k = 0; k < SWEEPS; k++) {
+            for (int k = corners > 0 ? SWEEPS - FEW_SWEEPS : 0; k < SWEEPS; k++) {
                 change = 0;
                 for (int p = 0; p < points; p++) {
                     change = Math.max(change, relaxation.relax(this, p));
@@ -452,7 +458,7 @@ final class HeapSystem implements Serializable {
                     return true;
                 }
             }
-            left -= SWEEPS + face.solve(this, RIGHT * scale);
+            left -= corners-- > 0 ? corner.solve(this) : SWEEPS + face.solve(this, RIGHT * scale);
         }
         for (int p = 0; p < points; p++) {
             change = Math.max(change, relaxation.relax(this, p));
