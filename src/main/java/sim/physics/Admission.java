@@ -4,6 +4,7 @@ package sim.physics;
 
 import java.io.Serializable;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.Overlaps;
@@ -11,8 +12,10 @@ import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.Reaction;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
+import sim.physics.motion.Groups;
 import sim.physics.motion.Motion;
 import sim.physics.motion.Presence;
 import sim.physics.motion.State;
@@ -49,6 +52,11 @@ final class Admission implements Presence, Serializable {
 
     /** Null unless the engine is audited. */
     private Audit audit;
+
+    /** By first body of an island the last round of closing joints that came to it. */
+    private transient int[] closed = {};
+
+    private transient int rounds;
 
     /** Positions and velocities of bodies that were written. */
     private double[] written = {};
@@ -112,12 +120,13 @@ final class Admission implements Presence, Serializable {
         if (constraints != null) {
             tellConstraints();
         }
-        if (tau > 0 && (constraints != null || motion.mayCouple())) {
+        if (tau > 0 && (constraints != null || motion.groups().mayCouple())) {
             bringOthers(tau);
         }
         if (constraints != null) {
             regroup(tau);
         }
+        regroupCoupled(tau);
         if (trajectories.data().length == 0) {
             state.trim();
         }
@@ -199,13 +208,14 @@ final class Admission implements Presence, Serializable {
 
     /** Closes the joints of the islands that have bodies that start anew; their bodies all start anew then. */
     private void close(double tau) {
+        int round = ++rounds;
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
             if (state.body(index) == null || !motion.isTied(index)) {
                 continue;
             }
             IntList island = constraints.island(index);
-            if (firstTouched(island, k)) {
+            if (isFirst(island, round)) {
                 for (int m = 0; m < island.size; m++) {
                     bring(island.values[m], tau);
                 }
@@ -214,15 +224,15 @@ final class Admission implements Presence, Serializable {
         }
     }
 
-    /** Whether no body of an island is among the first k that start anew. */
-    private boolean firstTouched(IntList island, int k) {
-        for (int m = 0; m < k; m++) {
-            int earlier = state.touched(m);
-            if (state.body(earlier) != null && motion.isTied(earlier) && constraints.island(earlier) == island) {
-                return false;
-            }
+    /** Whether an island has not been asked about in this round. */
+    private boolean isFirst(IntList island, int round) {
+        int first = island.values[0];
+        if (closed == null || closed.length <= first) { // null: just restored
+            closed = closed == null ? new int[first + 1] : Arrays.copyOf(closed, Growth.length(closed.length, first + 1));
         }
-        return true;
+        boolean yes = closed[first] != round;
+        closed[first] = round;
+        return yes;
     }
 
     /** Brings a body that was not written to the present instant, and lets it start anew from there. */
@@ -237,27 +247,49 @@ final class Admission implements Presence, Serializable {
         state.touch(index);
     }
 
-    /** Brings those that move together with bodies that were written or may do so from now on, but not these themselves. */
+    /** Brings those that move together with bodies that were written or leave, but not these themselves. */
     private void bringOthers(double tau) {
         int writtenBodies = state.touchedCount();
         exchangeWritten(writtenBodies, false);
-        boolean all = motion.mayCouple() && constraints != null && constraints.isChanged();
         for (int k = 0; k < writtenBodies; k++) {
-            int index = state.touched(k);
-            if (state.body(index) != null && motion.isTied(index)) {
-                IntList island = constraints.island(index);
-                for (int m = 0; m < island.size; m++) {
-                    bring(island.values[m], tau);
-                }
-            }
-            all |= state.body(index) != null && motion.isCoupled() && motion.ground().isDrivenByOthers(index);
+            bringCompanions(state.touched(k), tau);
         }
-        for (int index = 0; all && index < state.size(); index++) {
-            if (state.body(index) != null) {
-                bring(index, tau);
-            }
+        for (int k = 0; k < leaving.size(); k++) {
+            bringCompanions(leaving.get(k).index(), tau);
         }
         exchangeWritten(writtenBodies, true);
+    }
+
+    private void bringCompanions(int index, double tau) {
+        if (state.body(index) == null || !motion.isTied(index) && !motion.groups().isCoupled(index)) {
+            return;
+        }
+        IntList group = motion.companions(index);
+        for (int k = 0; k < group.size; k++) {
+            bring(group.values[k], tau);
+        }
+    }
+
+    /** Finds out which forces act on bodies that start anew, and what moves together from now on. */
+    private void regroupCoupled(double tau) {
+        Groups groups = motion.groups();
+        for (int k = 0; tau > 0 && motion.groups().mayCouple() && k < state.touchedCount(); k++) {
+            bringCompanions(state.touched(k), tau); // those of bodies whose ties have changed; they are there already
+        }
+        for (int k = 0; k < state.touchedCount(); k++) {
+            Body body = state.body(state.touched(k));
+            if (body != null) {
+                groups.review(body);
+            }
+        }
+        for (int k = 0; k < leaving.size(); k++) {
+            groups.leave(leaving.get(k).index());
+        }
+        IntList concerned = groups.renew(constraints);
+        for (int k = 0; k < concerned.size; k++) {
+            bring(concerned.values[k], tau);
+        }
+        groups.commit();
     }
 
     /** Keeps the blocks of bodies that were written, or puts them back: bodies are brought in the same vectors. */
@@ -304,6 +336,8 @@ final class Admission implements Presence, Serializable {
     Reaction reaction(Constraint constraint, double time) {
         if (constraints.isChanged()) {
             regroup();
+        } else {
+            regroupCoupled(0);
         }
         Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
         motion.acceleration(constraints.island(body.index()), time, new double[state.x().length]);
@@ -316,13 +350,8 @@ final class Admission implements Presence, Serializable {
         for (int k = 0; k < concerned.size; k++) {
             state.touch(concerned.values[k]);
         }
-        boolean was = motion.isCoupled();
         constraints.regroup();
-        for (int index = 0; was != motion.isCoupled() && index < state.size(); index++) {
-            if (state.body(index) != null) {
-                state.touch(index);
-            }
-        }
+        regroupCoupled(0);
     }
 
     /** Adds constraints between steps and closes them; if that cannot be, all is as before. */

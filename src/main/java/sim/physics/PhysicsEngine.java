@@ -155,13 +155,19 @@ public final class PhysicsEngine implements Steppable {
 
     /** Motion, (5)–(15): driven bodies get their paths over the step; all others are on their way already. */
     private void drive() {
+        boolean isFree = response.isFree() && constraints == null && audit == null;
+        if (isFree && !admission.isNeeded() && !motion.isPushed()) {
+            response.begin(); // nobody has changed anything, and all go on as they did
+            return;
+        }
         changed.clear();
         detection.gather();
         motion.anchorDriven();
         motion.endApplied(changed);
-        admit(0);
+        motion.groups().begin();
+        letIn(0); // all driven bodies follow new paths anyway
         while (admission.breakJoints(getTime())) {
-            admit(0);
+            letIn(0);
         }
         motion.releaseDriven();
         if (audit != null) {
@@ -230,16 +236,19 @@ public final class PhysicsEngine implements Steppable {
         double until = Math.min(end, response.heaps().until(body));
         IntList group = motion.companions(body);
         double tau = trajectories.offset(body);
-        for (int k = 0; k < group.size; k++) {
-            detection.setPathEnd(group.values[k], until);
+        detection.setPathEnd(group, until);
+        if (entry == Entry.BODY) {
+            detection.enter(group, tau);
         }
-        for (int k = 0; k < group.size; k++) {
-            switch (entry) {
-                case TOGETHER -> entering.add(group.values[k]);
-                case BODY -> detection.enter(group.values[k], tau);
-                default -> detection.moved(group.values[k], tau, false, -1);
+        for (int k = 0; entry != Entry.BODY && k < group.size; k++) {
+            if (entry == Entry.TOGETHER) {
+                entering.add(group.values[k]);
+            } else {
+                detection.moved(group.values[k], tau, false, -1);
             }
-            note(group.values[k], tau);
+        }
+        for (int k = 0; audit != null && k < group.size; k++) {
+            audit.noted(group.values[k], tau);
         }
     }
 
@@ -268,6 +277,9 @@ public final class PhysicsEngine implements Steppable {
         double tau = detection.nextTime();
         IntList touching = detection.nextImpacts();
         int pair = touching.size == 1 ? touching.values[0] : -1;
+        if (pair >= 0 && !asksAuthors && bounce(pair, tau)) {
+            return;
+        }
         now = getTime() + tau;
         admission.setNow(tau);
         if (asksAuthors) {
@@ -309,6 +321,20 @@ public final class PhysicsEngine implements Steppable {
             settleHeaps(tau);
         }
         followGroups();
+    }
+
+    /** The same for an impact that is plain, of which nobody is told; false if it is not. */
+    private boolean bounce(int pair, double tau) {
+        IntList deflected = response.bounce(pair, tau);
+        if (deflected.size == 0) {
+            return false;
+        }
+        boolean parts = detection.parts(pair, tau);
+        moved(deflected.values[0], tau, false, parts ? pair : -1);
+        if (deflected.size > 1) {
+            moved(deflected.values[1], tau, false, pair);
+        }
+        return true;
     }
 
     /** A body has a new path. */
@@ -379,12 +405,17 @@ public final class PhysicsEngine implements Steppable {
         steps++;
     }
 
-    /** Lets in what authors have changed since the last look. */
-    private void admit(double tau) {
+    /** Lets in what authors have changed since the last look; returns the driven bodies among those. */
+    private IntList letIn(double tau) {
         if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
             setBroadPhase(new CellGrid());
         }
-        IntList driven = admission.admit(tau);
+        return admission.admit(tau);
+    }
+
+    /** The same within a step: driven bodies are noted, to follow new paths. */
+    private void admit(double tau) {
+        IntList driven = letIn(tau);
         for (int k = 0; k < driven.size; k++) {
             noteGroup(driven.values[k]);
         }
@@ -478,7 +509,7 @@ public final class PhysicsEngine implements Steppable {
         if (!motion.add(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
         }
-        touchAll();
+        touch(generator);
     }
 
     /**
@@ -491,13 +522,23 @@ public final class PhysicsEngine implements Steppable {
         if (!motion.remove(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it is not in this engine");
         }
-        touchAll();
+        touch(generator);
     }
 
     /** Lets all bodies start anew from their places. */
     private void touchAll() {
         for (Body body : bodies()) {
             state.touch(body.index());
+        }
+    }
+
+    /** Lets all bodies start anew from their places that a generator may act on. */
+    private void touch(ForceGenerator generator) {
+        List<Body> named = generator.getBodies();
+        for (Body body : named == null ? bodies() : named) {
+            if (contains(body)) {
+                state.touch(body.index());
+            }
         }
     }
 

@@ -239,7 +239,9 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     public void lookAtGathered(IntList others) {
         gathers = false;
         for (int k = 0; k < others.size; k++) {
-            gathered.add(others.values[k]);
+            if (!notes.has(others.values[k], BodyNotes.IDLE)) {
+                gathered.add(others.values[k]);
+            }
         }
         if (gathered.size > 0) {
             lookAround(gathered, 0);
@@ -247,13 +249,14 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     }
 
     /**
-     * Takes note that a body has a new trajectory, as {@link #moved} does, but leaves its pairs to {@link #lookAtGathered}.
+     * Takes note that bodies have new trajectories, as {@link #moved} does, but leaves their pairs to
+     * {@link #lookAtGathered}.
      *
-     * @param body index
+     * @param bodies indices
      * @param tau offset in the present step
      */
-    public void enter(int body, double tau) {
-        enclosures.moved(body, tau, false, step, h);
+    public void enter(IntList bodies, double tau) {
+        enclosures.moved(bodies, tau, step, h);
         watch.clearList();
     }
 
@@ -360,13 +363,15 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     }
 
     /**
-     * Says until when the path of a driven body holds, before it is {@link #moved}.
+     * Says until when the paths of driven bodies hold, before they are {@link #moved}.
      *
-     * @param body index
+     * @param bodies indices
      * @param tau offset in the present step
      */
-    public void setPathEnd(int body, double tau) {
-        pathEnds.setHoldsUntil(body, tau);
+    public void setPathEnd(IntList bodies, double tau) {
+        for (int k = 0; k < bodies.size; k++) {
+            pathEnds.setHoldsUntil(bodies.values[k], tau);
+        }
     }
 
     /**
@@ -395,7 +400,12 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
 
     @Override
     public boolean hasNeighbours(IntList bodies) {
-        return marks.hasNeighbours(bodies);
+        for (int k = 0; k < bodies.size; k++) {
+            if (!notes.has(bodies.values[k], BodyNotes.ALOOF) && marks.hasNeighbours(bodies.values[k])) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**

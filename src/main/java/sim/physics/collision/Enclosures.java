@@ -154,9 +154,7 @@ final class Enclosures implements Serializable {
     /** The same for driven bodies that have new trajectories from the start of the step on, one after the other. */
     void moved(IntList bodies, long step, double h) {
         if (!shares(bodies, FEWEST_DRIVEN)) {
-            for (int k = 0; k < bodies.size; k++) {
-                moved(bodies.values[k], 0, false, step, h);
-            }
+            moved(bodies, 0, step, h);
             return;
         }
         shared.enter(bodies, state.size(), step, h);
@@ -166,6 +164,18 @@ final class Enclosures implements Serializable {
             if (shared.isNew(k)) {
                 shared.put(body, boxes);
                 update(body, null);
+            }
+        }
+    }
+
+    /** The same by one thread, at any instant. */
+    void moved(IntList bodies, double tau, long step, double h) {
+        for (int k = 0; k < bodies.size; k++) {
+            int body = bodies.values[k];
+            if (room.isAloof(body)) {
+                agenda.schedule(body, Agenda.NEVER);
+            } else {
+                moved(body, tau, false, step, h);
             }
         }
     }
@@ -195,7 +205,6 @@ final class Enclosures implements Serializable {
             agenda.schedule(body, Agenda.NEVER);
             return;
         }
-        room.enclose(body, tau, detection.end(body));
-        agenda.schedule(body, Math.max(step + 1, room.leavingDate(body, tau, step, h)));
+        agenda.schedule(body, room.enclose(body, tau, detection.end(body), step, h));
     }
 }

@@ -5,7 +5,6 @@ package sim.physics.collision;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.collision.broad.Pairs;
-import sim.physics.internal.IntList;
 
 /** What is known of pairs beside their closest features: which are let pass, rest on one another, or lie in a heap. */
 public final class PairMarks implements Serializable {
@@ -54,13 +53,11 @@ public final class PairMarks implements Serializable {
         return depth.length == 0;
     }
 
-    /** Whether a body of a list has a pair that does not pass through one another. */
-    boolean hasNeighbours(IntList bodies) {
-        for (int k = 0; k < bodies.size; k++) {
-            for (int m = 0; m < pairs.countOf(bodies.values[k]); m++) {
-                if (!isIgnored(pairs.of(bodies.values[k], m))) {
-                    return true;
-                }
+    /** Whether a body has a pair that does not pass through one another. */
+    boolean hasNeighbours(int body) {
+        for (int m = 0; m < pairs.countOf(body); m++) {
+            if (!isIgnored(pairs.of(body, m))) {
+                return true;
             }
         }
         return false;

@@ -36,6 +36,9 @@ final class Room implements Serializable {
     private static final int MANY = 9;
     private static final int FEW = 3;
 
+    /** Part of the time in a box that is made use of, so that rounding does not matter. */
+    private static final double ALMOST = 1 - 0x1p-40;
+
     private final Trajectories trajectories;
     private final Boxes boxes;
 
@@ -61,6 +64,11 @@ final class Room implements Serializable {
         boxes.ensure(bodies);
         boxes.setFixed(body, view.isFixed());
         notes.set(body, BodyNotes.ALOOF, view.getCategory() == 0 || view.getCollidesWith() == 0);
+    }
+
+    /** Whether a body can collide with nobody, so that it leaves no box, and needs none. */
+    boolean isAloof(int body) {
+        return notes.has(body, BodyNotes.ALOOF);
     }
 
     /** Takes note of how many pairs a body has in a new box. */
@@ -124,32 +132,54 @@ final class Room implements Serializable {
         return room <= 0 ? 0 : 2 * room / (speed + Math.sqrt(speed * speed + 4 * bound * room));
     }
 
-    /** Gives a body a box that holds its path to the end of the step, with room to go on. */
-    void enclose(int body, double tau, double h) {
-        double[] m = trajectories.data();
+    /**
+     * Gives a body a box that holds its path to the end of the step, with room to go on.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     * @param end until when the path holds
+     * @param step number of the step
+     * @param h its length
+     * @return the step in which it leaves the box, a later one
+     */
+    long enclose(int body, double tau, double end, long step, double h) {
         int o = body * Trajectories.STRIDE;
         double time = trajectories.duration(body, tau);
         double radius = trajectories.radius(body);
-        double rest = h - tau;
+        double rest = end - tau;
         double vx = speed(o, time);
         double vy = speed(o + 1, time);
-        double speed = Math.sqrt(vx * vx + vy * vy);
-        if (speed > 0 && isUniform(o)) {
-            boolean isCrowded = notes.has(body, BodyNotes.CROWDED);
-            double half = radius + (isCrowded ? CROWD_MARGIN : MARGIN) * radius;
-            double ahead = (isCrowded ? CROWD_WAY : WAY) * radius;
-            double x = place(o, time);
-            double y = place(o + 1, time);
-            double wayX = Math.copySign(Math.max(rest * Math.abs(vx), ahead * (Math.abs(vx) / speed)), vx);
-            double wayY = Math.copySign(Math.max(rest * Math.abs(vy), ahead * (Math.abs(vy) / speed)), vy);
-            boxes.set(
-                    body,
-                    x - half + Math.min(0, wayX),
-                    y - half + Math.min(0, wayY),
-                    x + half + Math.max(0, wayX),
-                    y + half + Math.max(0, wayY));
-            return;
+        boolean isCrowded = notes.has(body, BodyNotes.CROWDED);
+        double ahead = Math.max(rest, (isCrowded ? CROWD_WAY : WAY) * radius / Math.sqrt(vx * vx + vy * vy));
+        if (!(ahead < Double.POSITIVE_INFINITY && isUniform(o))) {
+            enclose(body, o, time, rest);
+            return Math.max(step + 1, leavingDate(body, tau, step, h));
         }
+        double margin = (isCrowded ? CROWD_MARGIN : MARGIN) * radius;
+        double half = radius + margin;
+        double x = place(o, time);
+        double y = place(o + 1, time);
+        double wayX = ahead * vx;
+        double wayY = ahead * vy;
+        boxes.set(
+                body,
+                x - half + Math.min(0, wayX),
+                y - half + Math.min(0, wayY),
+                x + half + Math.max(0, wayX),
+                y + half + Math.max(0, wayY));
+        if (notes.has(body, BodyNotes.ALOOF)) {
+            return Agenda.NEVER;
+        }
+        double stay = ahead + margin / Math.max(Math.abs(vx), Math.abs(vy));
+        double steps = Math.floor((tau + stay * ALMOST) / h);
+        return steps < 1e15 ? step + Math.max(1, (long) steps) : Agenda.NEVER;
+    }
+
+    /** The same for a body that does not move uniformly. */
+    private void enclose(int body, int o, double time, double rest) {
+        double radius = trajectories.radius(body);
+        double vx = speed(o, time);
+        double vy = speed(o + 1, time);
         double room = ROOM * radius;
         double v = Math.abs(vx) + Math.abs(vy);
         double ahead = v == 0 ? 0 : AHEAD * room / v;

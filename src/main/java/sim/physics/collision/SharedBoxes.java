@@ -67,8 +67,7 @@ final class SharedBoxes implements Team.Work {
         long date = stays ? Agenda.NEVER : mayStay ? present.leavingDate(body, 0, step, h) : step;
         isNew[item] = date <= step;
         if (date <= step) {
-            next.enclose(body, 0, end);
-            date = Math.max(step + 1, next.leavingDate(body, 0, step, h));
+            date = next.enclose(body, 0, end, step, h);
         }
         dates[item] = date;
     }

@@ -33,7 +33,7 @@ final class Watch implements Serializable {
     private final PairSearch search;
     private final EventQueue queue;
     private final SpaceOrder order;
-    private final Agenda agenda = new Agenda();
+    private final Agenda agenda = new Agenda(Pairs.SHIFT, Pairs.WORD);
 
     private final IntList fresh = new IntList();
 
@@ -66,7 +66,7 @@ final class Watch implements Serializable {
 
     /** Takes a pair that begins into the list of those to be looked at. */
     void add(int pair) {
-        agenda.ensure(pair + 1);
+        agenda.setRecords(pairs.records());
         search.narrowPhase().forget(pair);
         pairs.setTime(pair, Double.NaN);
         fresh.add(pair);

@@ -36,6 +36,10 @@ public final class Constraints implements Ties, Serializable {
     private final Projection projection = new Projection();
     private Stabilization stabilization = Stabilization.projection();
     private long version;
+    private long grouping;
+
+    /** The islands of the group of several that was asked for last. */
+    private final Several several = new Several();
 
     /**
      * Makes an empty set of constraints.
@@ -56,6 +60,7 @@ public final class Constraints implements Ties, Serializable {
         Constraints other = (Constraints) first;
         islands = other.islands;
         of = other.of;
+        several.forget();
         stabilization = other.stabilization;
     }
 
@@ -192,17 +197,18 @@ public final class Constraints implements Ties, Serializable {
     /** Forms the islands anew that changes concern. */
     public void regroup() {
         version++;
+        grouping++;
+        several.forget();
         if (of.length < state.size()) {
             of = Arrays.copyOf(of, Math.max(2 * of.length, state.size()));
         }
         LinkedHashSet<Constraint> open = new LinkedHashSet<>();
         for (Constraint c : changed) {
-            dissolve(c.getBodyA(), open);
-            dissolve(c.getBodyB(), open);
-            if (constraints.contains(c)) {
-                open.add(c);
-            }
+            open.addAll(Grouping.dissolve(c.getBodyA(), state, of));
+            open.addAll(Grouping.dissolve(c.getBodyB(), state, of));
+            open.add(c);
         }
+        open.retainAll(constraints);
         changed.clear();
         islands.removeIf(island -> island.isDissolved);
         for (Island island : Grouping.islands(new ArrayList<>(open), state.size())) {
@@ -211,18 +217,6 @@ public final class Constraints implements Ties, Serializable {
                 of[island.bodies.values[k]] = island;
             }
         }
-    }
-
-    private void dissolve(Body body, LinkedHashSet<Constraint> open) {
-        Island island = body == null || body.isFixed() || body.state() != state ? null : islandOf(body.index());
-        if (island == null) {
-            return;
-        }
-        island.isDissolved = true;
-        for (int k = 0; k < island.bodies.size; k++) {
-            of[island.bodies.values[k]] = null;
-        }
-        island.inOrder.stream().filter(constraints::contains).forEach(open::add);
     }
 
     @Override
@@ -247,10 +241,10 @@ public final class Constraints implements Ties, Serializable {
         }
     }
 
-    /** The islands of a group: one, or all of them. */
+    /** The islands of a group. */
     private List<Island> of(IntList bodies) {
         Island one = islandOf(bodies.values[0]);
-        return one == null || one.bodies != bodies ? islands : one.alone;
+        return one != null && one.bodies == bodies ? one.alone : several.of(bodies, of);
     }
 
     /** Adds W Jᵀ λ, (37) with (40), where λ keeps C″ = J a + J̇ ẋ = 0, (36). */
@@ -489,6 +483,11 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public long version() {
         return version;
+    }
+
+    @Override
+    public long grouping() {
+        return grouping;
     }
 
     @Override

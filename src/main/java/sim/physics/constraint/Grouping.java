@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.TreeSet;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
+import sim.physics.motion.State;
 
 /**
  * Sorts constraints into islands: those that are connected through movable bodies (union–find, Tarjan 1975); and says what is
@@ -45,6 +46,20 @@ final class Grouping {
             islands.add(new Island(bodies(group), group));
         }
         return islands;
+    }
+
+    /** Lets the island of a body be one no more; returns its constraints. */
+    static List<Constraint> dissolve(Body body, State state, Island[] of) {
+        boolean isThere = isMovable(body) && body.state() == state && body.index() < of.length;
+        Island island = isThere ? of[body.index()] : null;
+        if (island == null) {
+            return List.of();
+        }
+        island.isDissolved = true;
+        for (int k = 0; k < island.bodies.size; k++) {
+            of[island.bodies.values[k]] = null;
+        }
+        return island.inOrder;
     }
 
     private static boolean isMovable(Body body) {

@@ -60,6 +60,15 @@ final class TreePlaces implements Serializable {
         }
     }
 
+    /** Where the root hangs, if the tree is not free. */
+    double hangsAtX() {
+        return rootX;
+    }
+
+    double hangsAtY() {
+        return rootY;
+    }
+
     /** Takes note of where a free tree is: its centre of mass from the root, so that no rounding adds up. */
     void locate() {
         rootX = tree.link[PinTree.X];

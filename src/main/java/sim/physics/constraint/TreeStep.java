@@ -40,6 +40,9 @@ final class TreeStep implements Serializable {
     private final double[] open = new double[2];
     private boolean isWeighed;
 
+    /** The same tree if it is a chain that hangs in the world; null if it is not. */
+    private HungChain hung;
+
     /** Null until other forces than uniform fields act. */
     private TreeLoads loaded;
 
@@ -74,13 +77,13 @@ final class TreeStep implements Serializable {
      * @return false if the general code must make this step
      */
     boolean advance(State state, ConstraintSolver solver, double gx, double gy, double h) {
-        if (!begin(state, solver)) {
+        if (!isPlain(state, solver) || !(hung == null ? follow(state) : hang(state))) {
             return false;
         }
         boolean isUnforced = gx == 0 && gy == 0;
         double most = tree.isFree && !isUnforced ? ROUGH : ROUGH_IF_KNOWN;
         while (!isDone(gx, gy, h, most) || !isUnforced && !keepsEnergy(state, gx, gy)) {
-            if (!divide(state)) {
+            if (!divide(state, hung)) {
                 return false;
             }
         }
@@ -88,20 +91,30 @@ final class TreeStep implements Serializable {
         if (isUnforced) {
             island.invariants.begin(state, true);
         }
-        tree.places.scatter(state, PinTree.ANGLE, PinTree.OMEGA);
+        if (hung == null) {
+            tree.places.scatter(state, PinTree.ANGLE, PinTree.OMEGA);
+        } else {
+            hung.scatter(state);
+        }
         island.redundantRows = 0;
         if (isUnforced) {
-            keepInvariants(state);
+            keepInvariants(state, hung);
         }
         return true;
     }
 
     /** Gives a tree that is where the state vectors have it what nothing can have taken since the invariants were begun. */
     void keepInvariants(State state) {
+        keepInvariants(state, null);
+    }
+
+    private void keepInvariants(State state, HungChain chain) {
         island.evaluate(state);
         island.invariants.restore(state, true);
-        if (!gather(state)) {
+        if (chain == null && !gather(state)) {
             tree.begin();
+        } else if (chain != null && !chain.isAt(state)) {
+            chain.begin(state);
         }
     }
 
@@ -126,7 +139,7 @@ final class TreeStep implements Serializable {
         loaded.keep(state);
         while (!isDone(state, loads, a, t, h)) {
             loaded.restore(state);
-            if (!divide(state)) {
+            if (!divide(state, null)) {
                 return false;
             }
         }
@@ -138,13 +151,31 @@ final class TreeStep implements Serializable {
 
     /** Takes the state over; false if it is not one for the tree. */
     boolean begin(State state, ConstraintSolver solver) {
+        return isPlain(state, solver) && follow(state);
+    }
+
+    private boolean isPlain(State state, ConstraintSolver solver) {
         if (!solver.isPlain(island, state.w().values())) {
             return false;
         }
         if (!isWeighed) {
             tree.weigh(state.w().values());
+            hung = HungChain.of(tree);
             isWeighed = true;
         }
+        return true;
+    }
+
+    private boolean hang(State state) {
+        boolean isThere = hung.isAt(state);
+        if (!isThere && follow(state)) {
+            hung.begin(state);
+            isThere = true;
+        }
+        return isThere;
+    }
+
+    private boolean follow(State state) {
         if (!gather(state)) {
             tree.begin();
             if (!isClosed()) {
@@ -156,16 +187,25 @@ final class TreeStep implements Serializable {
     }
 
     /** Begins again, with parts half as long; false if they are short enough as they are. */
-    private boolean divide(State state) {
-        if (parts == MOST_PARTS) {
-            parts = 1;
-            tree.forget();
-            return false;
+    private boolean divide(State state, HungChain chain) {
+        boolean isPossible = parts < MOST_PARTS;
+        parts = isPossible ? 2 * parts : 1;
+        if (!isPossible) {
+            forget(chain);
+        } else if (chain == null) {
+            gather(state);
+            tree.begin();
+        } else {
+            chain.begin(state);
         }
-        parts *= 2;
-        gather(state);
-        tree.begin();
-        return true;
+        return isPossible;
+    }
+
+    private void forget(HungChain chain) {
+        tree.forget();
+        if (chain != null) {
+            chain.forget();
+        }
     }
 
     private void unite(double most) {
@@ -174,7 +214,10 @@ final class TreeStep implements Serializable {
 
     /** Gives a held tree that falls the energy back that it had at the start; false if the step was wrong. */
     private boolean keepsEnergy(State state, double gx, double gy) {
-        return tree.isFree || worst < WATCHED || energy.restore(state, gx, gy) || parts == MOST_PARTS;
+        return tree.isFree
+                || worst < WATCHED
+                || (hung == null ? energy.restore(state, gx, gy) : hung.restoreEnergy(state, gx, gy))
+                || parts == MOST_PARTS;
     }
 
     /** Makes the step in its parts; false if they are too long to follow the links. */
@@ -185,17 +228,13 @@ final class TreeStep implements Serializable {
             tree.places.locate();
         }
         for (int k = 0; k < parts; k++) {
-            tree.eliminate(gx, gy);
-            tree.accelerate(0, 0.5 * part);
-            tree.eliminate(gx, gy);
-            tree.accelerate(1, 0.5 * part);
-            tree.eliminate(gx, gy);
-            tree.accelerate(2, part);
-            tree.eliminate(gx, gy);
-            tree.finish(part);
-            if (!isSmooth(part, most)) {
+            if (!isSmooth(part, step(gx, gy, part), most)) {
                 return false;
             }
+        }
+        if (hung != null) {
+            hung.place();
+            return true;
         }
         tree.places.place();
         if (tree.isFree) {
@@ -204,20 +243,36 @@ final class TreeStep implements Serializable {
         return true;
     }
 
+    /** RK4, (13), under a uniform field; returns how rough it was. */
+    private double step(double gx, double gy, double h) {
+        if (hung != null) {
+            return hung.step(gx, gy, h);
+        }
+        tree.eliminate(gx, gy);
+        tree.accelerate(0, 0.5 * h);
+        tree.eliminate(gx, gy);
+        tree.accelerate(1, 0.5 * h);
+        tree.eliminate(gx, gy);
+        tree.accelerate(2, h);
+        tree.eliminate(gx, gy);
+        tree.finish(h);
+        return tree.roughness();
+    }
+
     private boolean isDone(State state, Loads loads, double[] a, double t, double h) {
         double part = h / parts;
         worst = 0;
         for (int k = 0; k < parts; k++) {
             loaded.step(state, island.bodies, loads, a, t + k * part, part, k == 0);
-            if (!isSmooth(part, ROUGH)) {
+            if (!isSmooth(part, tree.roughness(), ROUGH)) {
                 return false;
             }
         }
         return true;
     }
 
-    private boolean isSmooth(double part, double most) {
-        double rough = part * part * tree.roughness();
+    private boolean isSmooth(double part, double roughness, double most) {
+        double rough = part * part * roughness;
         worst = Math.max(worst, rough); // NaN stays
         return rough <= most;
     }

@@ -10,12 +10,15 @@ import java.util.Arrays;
  * earlier date. Both operations take constant time, and an item that is not due costs nothing.
  *
  * <p>The buckets share one array of chunks, which a bucket takes and gives back, because each of them is full at a time of
- * its own: an item takes 8 bytes, and 4 for each bucket in which it waits, or waited before it was scheduled again. What
+ * its own: an item takes 4 bytes, and 4 for each bucket in which it waits, or waited before it was scheduled again. What
  * does not wait any more is dropped before the array would grow, so that the memory does not depend on how often items are
  * scheduled.
+ *
+ * <p>The 4 bytes of an item may lie in a record that is wanted anyway when it is scheduled. They hold the lower bits of its
+ * date, which tell dates apart up to {@link #AHEAD} steps ahead, and leave two for whoever keeps the records.
  */
 public final class Agenda implements Serializable {
-    private static final long serialVersionUID = 3L;
+    private static final long serialVersionUID = 4L;
 
     /** The date of an item that is never due. */
     public static final long NEVER = Long.MAX_VALUE;
@@ -25,15 +28,28 @@ public final class Agenda implements Serializable {
     /** Length of a chunk; its last value is the chunk after it. */
     private static final int CHUNK = 32;
 
-    /** Bits of a word below the date: the bucket in which the item really waits, or {@link #NOWHERE}. */
+    /** An item that is wanted later than in so many steps is due by then. */
+    public static final int AHEAD = (1 << 22) - 1;
+
+    /** Bits of a word that are not the agenda's: the uppermost two. */
+    public static final int SPARE = 3 << 30;
+
+    /** A word of an item that is never due. */
+    public static final int EMPTY = BUCKETS;
+
+    /** Bits of a word below the date: the bucket in which the item really waits, or {@link #EMPTY}. */
     private static final int SHIFT = 7;
 
-    private static final int NOWHERE = BUCKETS;
-    private static final long LATEST = NEVER >> SHIFT;
-    private static final long EMPTY = LATEST << SHIFT | NOWHERE;
+    private static final int WAITS = 2 * BUCKETS - 1;
+    private static final int DATES = (1 << 23) - 1;
 
-    /** Per item: the step it is wanted in, and the bucket where it waits, at most BUCKETS − 1 steps ahead. */
-    private long[] words = {};
+    /** Per item, between others' words: the step it is wanted in, and the bucket where it waits, at most BUCKETS − 1 ahead. */
+    private int[] words = {};
+
+    /** The place of an item's word: its number shifted by this, and this. */
+    private final int shift;
+
+    private final int at;
 
     private int[] chunks = {};
 
@@ -54,7 +70,29 @@ public final class Agenda implements Serializable {
 
     /** Makes an empty agenda at step 0. */
     public Agenda() {
-        // room comes with the items
+        this(0, 0);
+    }
+
+    /**
+     * Makes an empty agenda at step 0 for items that have records of 2<sup>shift</sup> words.
+     *
+     * @param shift binary logarithm of the length of a record
+     * @param at where in it the agenda's word is; {@link #EMPTY} at first
+     */
+    public Agenda(int shift, int at) {
+        this.shift = shift;
+        this.at = at;
+    }
+
+    /**
+     * Sets the records.
+     *
+     * @param records of all items that are scheduled; used until they are set again
+     */
+    public void setRecords(int[] records) {
+        if (words != records) { // a reference that is written costs more than one that is compared
+            words = records;
+        }
     }
 
     /**
@@ -77,14 +115,16 @@ public final class Agenda implements Serializable {
      * @param step a step after the present one, or {@link #NEVER}
      */
     public void schedule(int item, long step) {
+        int place = (item << shift) + at;
+        int word = words[place];
         if (step == NEVER) {
-            words[item] = EMPTY;
+            words[place] = word & SPARE | EMPTY;
             return;
         }
         int bucket = (int) (Math.min(step, now + BUCKETS - 1) & BUCKETS - 1);
-        int waits = (int) words[item] & 2 * BUCKETS - 1;
-        words[item] = step << SHIFT | bucket;
-        if (waits != bucket) {
+        int date = (int) Math.min(step, now + AHEAD) & DATES;
+        words[place] = word & SPARE | date << SHIFT | bucket;
+        if ((word & WAITS) != bucket) {
             append(bucket, item);
         }
     }
@@ -153,8 +193,9 @@ public final class Agenda implements Serializable {
                 from = chunks[from + CHUNK - 1];
             }
             int item = chunks[from + k % (CHUNK - 1)];
-            if (((int) words[item] & 2 * BUCKETS - 1) == bucket) {
-                words[item] ^= BUCKETS; // another one does not wait
+            int place = (item << shift) + at;
+            if ((words[place] & WAITS) == bucket) {
+                words[place] ^= BUCKETS; // another one does not wait
                 if (kept > 0 && kept % (CHUNK - 1) == 0) {
                     to = chunks[to + CHUNK - 1];
                 }
@@ -167,7 +208,7 @@ public final class Agenda implements Serializable {
             if (k > 0 && k % (CHUNK - 1) == 0) {
                 chunk = chunks[chunk + CHUNK - 1];
             }
-            words[chunks[chunk + k % (CHUNK - 1)]] ^= BUCKETS;
+            words[(chunks[chunk + k % (CHUNK - 1)] << shift) + at] ^= BUCKETS;
         }
         int spare = kept == 0 ? first[bucket] : chunks[to + CHUNK - 1];
         int left = (waiting + CHUNK - 2) / (CHUNK - 1) - (kept + CHUNK - 2) / (CHUNK - 1);
@@ -183,11 +224,11 @@ public final class Agenda implements Serializable {
      * The date of an item.
      *
      * @param item index
-     * @return a step, or {@link #NEVER}
+     * @return a step, at most {@link #AHEAD} after the present one, or {@link #NEVER}
      */
     public long date(int item) {
-        long date = words[item] >> SHIFT;
-        return date == LATEST ? NEVER : date;
+        int word = words[(item << shift) + at];
+        return (word & WAITS) == EMPTY ? NEVER : now + ahead(word, now);
     }
 
     /**
@@ -217,15 +258,22 @@ public final class Agenda implements Serializable {
 
     /** Takes an item out of a bucket, unless it has been scheduled to another one since, and finds out whether it is due. */
     private void look(int item, int bucket, long step) {
-        long word = words[item];
-        if (((int) word & 2 * BUCKETS - 1) != bucket) {
+        int place = (item << shift) + at;
+        int word = words[place];
+        if ((word & WAITS) != bucket) {
             return;
         }
-        words[item] = EMPTY;
-        if (word >> SHIFT > step) {
-            schedule(item, word >> SHIFT);
+        words[place] = word & SPARE | EMPTY;
+        int ahead = ahead(word, step);
+        if (ahead > 0) {
+            schedule(item, step + ahead);
         } else {
             due.add(item);
         }
+    }
+
+    /** How many steps after a step an item that waits is wanted. */
+    private static int ahead(int word, long step) {
+        return (word >>> SHIFT) - (int) step & DATES;
     }
 }

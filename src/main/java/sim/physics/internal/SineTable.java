@@ -86,6 +86,52 @@ public final class SineTable {
         out[at + 3] = sin * armX + cos * armY;
     }
 
+    /**
+     * What {@link #direct} wants for an angle to be turned by some quarters.
+     *
+     * @param quarters 0 to 3
+     * @return what it adds to round
+     */
+    public static double quarters(int quarters) {
+        return ROUND + quarters * (SIZE / 4);
+    }
+
+    /**
+     * Cosine and sine of an angle and some quarter turns, which add no error to those of {@link #turn}.
+     *
+     * @param x rad
+     * @param quarters from {@link #quarters}
+     * @param out gets the cosine at index {@code at}, then the sine
+     * @param at index into {@code out}
+     * @throws IndexOutOfBoundsException if {@code out} has no such places
+     */
+    public static void direct(double x, double quarters, double[] out, int at) {
+        if (!(Math.abs(x) < LARGE)) {
+            directFar(x, quarters, out, at);
+            return;
+        }
+        double shifted = x * PER_RADIAN + quarters;
+        double count = shifted - quarters;
+        int entry = (int) Double.doubleToRawLongBits(shifted) & SIZE - 1;
+        double c = TABLE[2 * entry];
+        double s = TABLE[2 * entry + 1];
+        double d = x - count * PART_1 - count * PART_2;
+        double z = d * d;
+        double sine = d - d * z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040)));
+        double versine = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720)));
+        out[at] = c - (c * versine + s * sine);
+        out[at + 1] = s - (s * versine - c * sine);
+    }
+
+    private static void directFar(double x, double quarters, double[] out, int at) {
+        Trig.sinCos(x, out, at);
+        for (double turned = ROUND; turned < quarters; turned += SIZE / 4) {
+            double cos = out[at];
+            out[at] = -out[at + 1];
+            out[at + 1] = cos;
+        }
+    }
+
     private static void turnFar(double x, double armX, double armY, double[] out, int at) {
         Trig.sinCos(x, out, at);
         double cos = out[at];

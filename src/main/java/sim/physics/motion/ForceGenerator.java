@@ -27,29 +27,41 @@ public interface ForceGenerator extends Serializable {
      * Whether this generator ever acts on a body. Bodies on which none acts move freely, without an integrator.
      *
      * @param body a movable body
-     * @return true for all bodies, unless overridden; asked again after a body's properties have been set
+     * @return true for all bodies, unless overridden; asked when the body or the generator is added, and again after the
+     *     body's properties have been set, not in each step
      */
     default boolean actsOn(Body body) {
         return true;
     }
 
     /**
-     * Whether the force on a body depends on other bodies that move.
+     * The only bodies that a generator ever acts on, if these are always the same: then it is not asked about others, and many
+     * such generators on many bodies cost no more than there are forces.
      *
-     * @return false, unless overridden
+     * @return null, unless overridden: {@link #actsOn} is asked about every body
+     */
+    default List<Body> getBodies() {
+        return null;
+    }
+
+    /**
+     * Whether the force on a body depends on other bodies that move. Bodies that are coupled, directly or through others or
+     * through joints, are integrated together.
+     *
+     * @return false, unless overridden; asked when the generator is added and at the start of each step
      */
     default boolean isCoupled() {
         return false;
     }
 
     /**
-     * The bodies that a generator couples, if these are always the same few: while joints tie all of them together, directly
-     * or through others, it couples nothing more than they do, and other bodies move as without it.
+     * The bodies that a generator couples, if these are always the same few: other bodies move as without it. While joints tie
+     * all of them together, directly or through others, it couples nothing more than they do.
      *
-     * @return null, unless overridden: it may couple any bodies
+     * @return {@link #getBodies()}, unless overridden; null: all bodies on which it acts
      */
     default List<Body> getCoupledBodies() {
-        return null;
+        return getBodies();
     }
 
     /**

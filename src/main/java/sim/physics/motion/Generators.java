@@ -4,18 +4,81 @@ package sim.physics.motion;
 
 import java.io.Serializable;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 
-/** The force generators of an engine: uniform fields and surface friction, known in closed form, and all others. */
+/**
+ * The force generators of an engine: uniform fields and surface friction, known in closed form, and all others. Each body has
+ * a list of those that act on it, in the order in which they were added, so that an evaluation costs no more than the forces
+ * that there are: it is made when the body, or a generator that may act on it, is admitted.
+ */
 final class Generators implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
-    /** No version of ties. */
-    private static final long UNKNOWN = -1;
+    private static final Entry[] NONE = {};
+
+    /** A generator, and what it said when it was added or, of what may change, when it was asked last. */
+    static final class Entry implements Serializable {
+        private static final long serialVersionUID = 1L;
+
+        final ForceGenerator generator;
+
+        /** Its place in the order of adding. */
+        final long order;
+
+        /** The only bodies that it acts on; null: it is asked. */
+        final List<Body> bodies;
+
+        /** The bodies that it couples, if it couples any; null: those that it acts on. */
+        final List<Body> couples;
+
+        boolean isCoupled;
+
+        /** The last sum that it was counted in; a body that it couples. */
+        private transient long counted;
+
+        transient int first;
+
+        Entry(ForceGenerator generator, long order) {
+            this.generator = generator;
+            this.order = order;
+            bodies = copy(generator.getBodies());
+            couples = copy(generator.getCoupledBodies());
+            isCoupled = generator.isCoupled();
+        }
+
+        private static List<Body> copy(List<Body> bodies) {
+            return bodies == null ? null : new ArrayList<>(bodies);
+        }
+    }
 
     private final List<ForceGenerator> all = new ArrayList<>();
+
+    /** Those that need the integrator; and of them those that are asked about every body. */
+    private final List<Entry> driving = new ArrayList<>();
+
+    private final List<Entry> asked = new ArrayList<>();
+
+    /** By body those of {@link #driving} that act on it; null if that is not known. */
+    private Entry[][] acting = {};
+
+    private final ArrayList<Entry> found = new ArrayList<>();
+
+    /** The same as {@link #all}; and those of them that are not asked, by the bodies that they act on. Null if not known. */
+    private transient Set<ForceGenerator> known;
+
+    private transient Map<Body, List<Entry>> listed;
+
+    private long orders;
+
+    private transient long sums;
 
     /** Sum of the uniform fields. */
     double gravityX;
@@ -28,16 +91,14 @@ final class Generators implements Serializable {
     /** Whether some generator couples bodies, be they tied together or not. */
     boolean coupled;
 
-    /** The same with an island's bodies taken for one, at a version of the ties. */
-    private boolean couplesBeyond;
-
-    private long knownVersion = UNKNOWN;
-
     /** Whether several threads may ask for the forces on different bodies. */
     boolean concurrent = true;
 
-    /** Those that need the integrator. */
-    private ForceGenerator[] driving = {};
+    /** Whether it has changed which bodies the generators couple. */
+    boolean isCouplingNew;
+
+    /** Whether there are any of {@link #driving}, or bodies on which those act that have been removed since. */
+    private boolean drives;
 
     Generators() {
         // none yet
@@ -49,64 +110,188 @@ final class Generators implements Serializable {
 
     boolean add(ForceGenerator generator) {
         Objects.requireNonNull(generator, "generator");
-        return !all.contains(generator) && all.add(generator) && sortOut();
-    }
-
-    boolean remove(ForceGenerator generator) {
-        return all.remove(generator) && sortOut();
-    }
-
-    private boolean sortOut() {
-        gravityX = 0;
-        gravityY = 0;
-        coupled = false;
-        concurrent = true;
-        surface = null;
-        List<ForceGenerator> others = new ArrayList<>();
-        for (ForceGenerator g : all) {
-            if (g instanceof Gravity field) {
-                gravityX += field.getX();
-                gravityY += field.getY();
-            } else {
-                others.add(g);
-                coupled |= g.isCoupled();
-                concurrent &= g.isConcurrent() && !g.isCoupled();
-                surface = g instanceof SurfaceFriction s ? s : surface;
-            }
+        index();
+        if (!known.add(generator)) {
+            return false;
         }
-        driving = others.toArray(new ForceGenerator[0]);
-        knownVersion = UNKNOWN;
+        all.add(generator);
+        if (generator instanceof Gravity field) {
+            gravityX += field.getX();
+            gravityY += field.getY();
+            return true;
+        }
+        Entry entry = new Entry(generator, orders++);
+        driving.add(entry);
+        drives = true;
+        sortOut(entry);
+        if (entry.bodies == null) {
+            asked.add(entry);
+        } else {
+            list(entry);
+        }
         return true;
     }
 
-    /** Whether some generator couples bodies that no island of ties has all of, or may come to do so; ties may be null. */
-    boolean couplesBeyond(Ties ties, State state) {
-        if (ties == null) {
-            return coupled;
+    boolean remove(ForceGenerator generator) {
+        int k = all.indexOf(generator);
+        if (k < 0) {
+            return false;
         }
-        if (knownVersion != ties.version()) {
-            knownVersion = ties.version();
-            couplesBeyond = false;
-            for (ForceGenerator g : driving) {
-                couplesBeyond |= g.isCoupled() && !isWithin(ties, state, g.getCoupledBodies());
+        ForceGenerator own = all.remove(k);
+        known = null;
+        for (int m = driving.size() - 1; m >= 0; m--) {
+            Entry entry = driving.get(m);
+            if (entry.generator == own) {
+                driving.remove(m);
+                asked.remove(entry);
+                unlist(entry);
             }
         }
-        return couplesBeyond;
+        gravityX = 0;
+        gravityY = 0;
+        for (ForceGenerator g : all) {
+            gravityX += g instanceof Gravity field ? field.getX() : 0;
+            gravityY += g instanceof Gravity field ? field.getY() : 0;
+        }
+        isCouplingNew |= coupled;
+        sortOut();
+        return true;
     }
 
-    private static boolean isWithin(Ties ties, State state, List<Body> bodies) {
-        IntList island = null;
-        for (int k = 0; bodies != null && k < bodies.size(); k++) {
-            Body body = bodies.get(k);
-            if (body.isFixed()) {
-                continue;
-            }
-            if (body.state() != state || !ties.isTied(body.index()) || island != null && ties.island(body.index()) != island) {
-                return false;
-            }
-            island = ties.island(body.index());
+    private void sortOut() {
+        coupled = false;
+        concurrent = true;
+        surface = null;
+        for (int k = 0; k < driving.size(); k++) {
+            sortOut(driving.get(k));
         }
-        return bodies != null;
+    }
+
+    private void sortOut(Entry entry) {
+        coupled |= entry.isCoupled;
+        isCouplingNew |= entry.isCoupled;
+        concurrent &= entry.generator.isConcurrent() && !entry.isCoupled;
+        surface = entry.generator instanceof SurfaceFriction s ? s : surface;
+    }
+
+    /** Asks all generators again whether they couple bodies. */
+    void askAgain() {
+        boolean isNew = false;
+        for (int k = 0; k < driving.size(); k++) {
+            Entry entry = driving.get(k);
+            boolean was = entry.isCoupled;
+            entry.isCoupled = entry.generator.isCoupled();
+            isNew |= entry.isCoupled != was;
+        }
+        if (isNew) {
+            isCouplingNew = true;
+            sortOut();
+        }
+    }
+
+    private void index() {
+        if (known == null) {
+            known = new HashSet<>(all);
+        }
+    }
+
+    private void list(Entry entry) {
+        if (listed == null) {
+            return;
+        }
+        for (Body body : entry.bodies) {
+            List<Entry> those = listed.computeIfAbsent(body, b -> new ArrayList<>(2));
+            if (those.isEmpty() || those.get(those.size() - 1) != entry) {
+                those.add(entry);
+            }
+        }
+    }
+
+    private void unlist(Entry entry) {
+        for (int k = 0; listed != null && entry.bodies != null && k < entry.bodies.size(); k++) {
+            List<Entry> those = listed.get(entry.bodies.get(k));
+            if (those != null && those.remove(entry) && those.isEmpty()) {
+                listed.remove(entry.bodies.get(k));
+            }
+        }
+    }
+
+    /** The generators that name a body, or null. */
+    private List<Entry> naming(Body body) {
+        if (listed == null) {
+            listed = new IdentityHashMap<>();
+            for (int k = 0; k < driving.size(); k++) {
+                if (driving.get(k).bodies != null) {
+                    list(driving.get(k));
+                }
+            }
+        }
+        return listed.isEmpty() ? null : listed.get(body);
+    }
+
+    /** All that couple bodies, in the order of adding, and others. */
+    List<Entry> driving() {
+        return driving;
+    }
+
+    /** Those that act on a body. */
+    Entry[] acting(Body body) {
+        int index = body.index();
+        if (index >= acting.length || acting[index] == null) {
+            review(body);
+        }
+        return acting[index];
+    }
+
+    /** Finds out which generators act on a body that has been written, or that some have been added for. */
+    void review(Body body) {
+        int index = body.index();
+        if (index >= acting.length) {
+            acting = Arrays.copyOf(acting, Growth.length(acting.length, index + 1));
+        }
+        Entry[] old = acting[index];
+        List<Entry> named = body.isFixed() ? null : naming(body);
+        int n = 0;
+        for (int k = 0; k < asked.size() && !body.isFixed(); k++) {
+            while (named != null && n < named.size() && named.get(n).order < asked.get(k).order) {
+                find(named.get(n++), body);
+            }
+            find(asked.get(k), body);
+        }
+        while (named != null && n < named.size()) {
+            find(named.get(n++), body);
+        }
+        boolean isSame = old != null && old.length == found.size();
+        for (int k = 0; isSame && k < old.length; k++) {
+            isSame = old[k] == found.get(k);
+        }
+        if (!isSame) {
+            acting[index] = found.toArray(NONE);
+            isCouplingNew |= coupled;
+        }
+        found.clear();
+    }
+
+    private void find(Entry entry, Body body) {
+        if (entry.generator.actsOn(body)) {
+            found.add(entry);
+        }
+    }
+
+    /** A body leaves: nothing acts on it any more. */
+    void leave(int index) {
+        if (index < acting.length && acting[index] != null) {
+            isCouplingNew |= coupled && acting[index].length > 0;
+            acting[index] = NONE;
+        }
+    }
+
+    /** A body has left. */
+    void forget(int index) {
+        leave(index);
+        if (index < acting.length) {
+            acting[index] = null;
+        }
     }
 
     /** The accelerations of uniform fields alone. */
@@ -143,34 +328,38 @@ final class Generators implements Serializable {
 
     /** Whether there is any generator that may act. */
     boolean isAny() {
-        return driving.length > 0 || gravityX != 0 || gravityY != 0;
+        return drives || gravityX != 0 || gravityY != 0;
     }
 
-    /** Whether there is a generator other than a uniform field. */
+    /** Whether there is a generator other than a uniform field, or was one until the last change. */
     boolean drive() {
-        return driving.length > 0;
+        return drives;
+    }
+
+    /** All bodies that changes concern have been reviewed. */
+    void settle() {
+        drives = !driving.isEmpty();
     }
 
     /** Whether a generator other than a uniform field acts on a body. */
     boolean drive(Body body) {
-        return drivesOtherThan(null, body);
+        return drives && acting(body).length > 0;
     }
 
     /** Whether something other than uniform fields and one generator acts on a body. */
     boolean drivesOtherThan(ForceGenerator one, Body body) {
-        for (ForceGenerator g : driving) {
-            if (g != one && g.actsOn(body)) {
-                return true;
-            }
+        boolean found = false;
+        for (Entry entry : acting(body)) {
+            found |= entry.generator != one;
         }
-        return false;
+        return found;
     }
 
     /** Whether the forces on the bodies of a group depend on their state alone. */
     boolean areAutonomous(State state, IntList group) {
-        for (ForceGenerator g : driving) {
-            for (int k = 0; !g.isAutonomous() && k < group.size; k++) {
-                if (g.actsOn(state.body(group.values[k]))) {
+        for (int k = 0; k < group.size; k++) {
+            for (Entry entry : acting(state.body(group.values[k]))) {
+                if (!entry.generator.isAutonomous()) {
                     return false;
                 }
             }
@@ -180,7 +369,7 @@ final class Generators implements Serializable {
 
     /** Whether static friction holds a body at rest. */
     boolean holds(Body body) {
-        if (surface == null || coupled || body.isPushed() || drivesOtherThan(surface, body)) {
+        if (surface == null || body.isPushed() || drivesOtherThan(surface, body)) {
             return false;
         }
         double mass = body.getMass();
@@ -189,9 +378,9 @@ final class Generators implements Serializable {
 
     /** Adds the forces on a body, but for those of uniform fields. */
     private void addForces(Body body, double time, Forces forces, ForceGenerator without) {
-        for (ForceGenerator g : driving) {
-            if (g != without && g.actsOn(body)) {
-                g.addForce(body, time, forces);
+        for (Entry entry : acting(body)) {
+            if (entry.generator != without) {
+                entry.generator.addForce(body, time, forces);
             }
         }
     }
@@ -199,12 +388,12 @@ final class Generators implements Serializable {
     /** The energy that is stored in generators which act on a body of a group. */
     double storedEnergy(State state, IntList group) {
         double sum = 0;
-        for (ForceGenerator g : driving) {
-            boolean acts = false;
-            for (int k = 0; !acts && k < group.size; k++) {
-                acts = g.actsOn(state.body(group.values[k]));
+        sums++;
+        for (int k = 0; k < group.size; k++) {
+            for (Entry entry : acting(state.body(group.values[k]))) {
+                sum += entry.counted == sums ? 0 : entry.generator.energy();
+                entry.counted = sums;
             }
-            sum += acts ? g.energy() : 0;
         }
         return sum;
     }
@@ -212,8 +401,8 @@ final class Generators implements Serializable {
     /** The energy that is stored in all generators. */
     double storedEnergy() {
         double sum = 0;
-        for (ForceGenerator g : driving) {
-            sum += g.energy();
+        for (int k = 0; k < driving.size(); k++) {
+            sum += driving.get(k).generator.energy();
         }
         return sum;
     }

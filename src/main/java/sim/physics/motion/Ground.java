@@ -34,11 +34,11 @@ public final class Ground implements Serializable {
      * Whether a body rubs on the plane and could be carried.
      *
      * @param body index
-     * @return false for bodies that are tied to others, and if forces couple bodies
+     * @return false for bodies that are tied to others, or coupled to them by forces
      */
     public boolean rubs(int body) {
         SurfaceFriction surface = motion.generators.surface;
-        return surface != null && !motion.isCoupled() && surface.actsOn(state.body(body)) && !motion.isTied(body);
+        return surface != null && !motion.groups().isCoupled(body) && surface.actsOn(state.body(body)) && !motion.isTied(body);
     }
 
     /**

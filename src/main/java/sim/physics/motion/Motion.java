@@ -21,6 +21,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     private final Trajectories trajectories;
     final Forces forces;
     final Generators generators;
+    private final Groups groups;
     private Integrator integrator = new RungeKutta4();
     double time;
 
@@ -45,6 +46,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         this.trajectories = trajectories;
         this.forces = new Forces(state);
         this.generators = new Generators();
+        this.groups = new Groups(state, generators);
         this.driven = new IntList();
         this.pushed = new IntList();
         this.support = new Support();
@@ -58,6 +60,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         trajectories = original.trajectories;
         forces = new Forces(state);
         generators = original.generators;
+        groups = original.groups;
         driven = original.driven;
         pushed = original.pushed;
         support = original.support;
@@ -72,6 +75,15 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      */
     public void setObserver(CourseObserver observer) {
         drivenMotion.setObserver(observer);
+    }
+
+    /**
+     * Which bodies forces couple.
+     *
+     * @return live
+     */
+    public Groups groups() {
+        return groups;
     }
 
     /**
@@ -109,11 +121,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         return ties != null && ties.isTied(body);
     }
 
-    /**
-     * The integrator of driven bodies.
-     *
-     * @return never null
-     */
+    /** {@return the integrator of driven bodies, never null} */
     public Integrator getIntegrator() {
         return integrator;
     }
@@ -208,6 +216,11 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         trajectories.accelerate(body, ax, ay, alpha);
     }
 
+    /** {@return whether forces were applied to a body for the last step} */
+    public boolean isPushed() {
+        return pushed.size > 0;
+    }
+
     /**
      * Lets the forces that were applied for the step before act no longer.
      *
@@ -263,6 +276,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     public void remove(int body) {
         setDriven(body, false);
         support.release(body);
+        generators.forget(body);
         drivenMotion.remove(body);
     }
 
@@ -276,15 +290,15 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     /**
-     * The bodies that move together with a body, itself included: those that are tied to it, or all driven ones,
-     * {@link #isCoupled()}.
+     * The bodies that move together with a body, itself included: those that forces or ties connect with it.
      *
      * @param body index of a driven body
-     * @return valid until the next call
+     * @return in ascending order; valid until the next call
      */
     public IntList companions(int body) {
-        if (isCoupled()) {
-            return driven;
+        IntList group = groups.of(body);
+        if (group != null) {
+            return group;
         }
         if (isTied(body)) {
             return ties.island(body);
@@ -366,27 +380,14 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         return drivenMotion.probe(companions(body), length);
     }
 
-    /** {@return whether some force couples bodies, be they tied to one another or not} */
-    public boolean mayCouple() {
-        return generators.coupled;
-    }
-
-    /**
-     * Whether all driven bodies move together, since forces couple bodies that ties do not.
-     *
-     * @return false if each moves alone, or with those that it is tied to
-     */
-    public boolean isCoupled() {
-        return generators.coupled && generators.couplesBeyond(ties, state);
-    }
-
     /** The simulated time of an offset in the present step. */
     double time(double tau) {
         return time + tau;
     }
 
     boolean isTiedGroup(IntList group) {
-        return ties != null && (isCoupled() || isTied(group.values[0]));
+        int first = group.values[0];
+        return ties != null && (groups.isCoupled(first) ? groups.isTied(first) : ties.isTied(first));
     }
 
     /** Lets what contacts gave to driven bodies in the last step act no longer. */

@@ -14,8 +14,8 @@ import sim.physics.internal.Trig;
  *   F = −(k (|d| − L) + c n·ḋ) n   on the first body,   d = pA − pB,   n = d / |d|
  * </pre>
  *
- * <p>It gives no force where both points are the same. All bodies that an integrator drives move together while there is
- * a spring between two movable ones that joints do not tie together.
+ * <p>It gives no force where both points are the same. Movable bodies that springs connect, directly or through others, are
+ * integrated together.
  */
 public final class Spring implements ForceGenerator {
     private static final long serialVersionUID = 1L;
@@ -77,7 +77,7 @@ public final class Spring implements ForceGenerator {
     }
 
     @Override
-    public List<Body> getCoupledBodies() {
+    public List<Body> getBodies() {
         return b == null ? List.of(a) : List.of(a, b);
     }
 

@@ -60,7 +60,7 @@ public interface Ties extends Serializable {
      * Adds what the ties' forces do to the accelerations of some bodies, at the positions and velocities of the state
      * vectors.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param a accelerations that the bodies would have without the ties, [x″, y″, θ″] per body of the state
      */
     void accelerate(IntList bodies, double[] a);
@@ -68,7 +68,7 @@ public interface Ties extends Serializable {
     /**
      * Takes note of the positions and velocities of the state vectors at the start of a step.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param isFree whether no force but that of the ties may act in the step
      */
     void begin(IntList bodies, boolean isFree);
@@ -76,7 +76,7 @@ public interface Ties extends Serializable {
     /**
      * Makes a step of RK4 under a uniform field and projects, at once, if there is a quick way to do so.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param gx acceleration of the field
      * @param gy acceleration of the field
      * @param h step, of either sign
@@ -87,7 +87,7 @@ public interface Ties extends Serializable {
     /**
      * The same under any forces that act on each body by itself.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param loads the forces, evaluated at the stages; what it throws leaves the state vectors at one of them
      * @param a gets the accelerations at the start, with those of the ties, [x″, y″, θ″] per body of the state
      * @param t simulated time of the start
@@ -99,7 +99,7 @@ public interface Ties extends Serializable {
     /**
      * Coordinates in which some bodies move as if nothing tied them.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @return those of the state vectors, to be begun; valid until the next call; null if there are none
      */
     TiedCoordinates coordinates(IntList bodies);
@@ -108,7 +108,7 @@ public interface Ties extends Serializable {
      * Moves some bodies of the state vectors by the least amount, and changes their velocities by the least amount, that
      * the ties ask for.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @return false if that is more than a reasonable step would ask for
      */
     boolean project(IntList bodies);
@@ -116,7 +116,7 @@ public interface Ties extends Serializable {
     /**
      * The same, however much that is.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @return false if it is not possible from there or gives the bodies more energy than they can have; then it is left to
      *     {@link #creep}, from the start of the step
      * @throws IllegalStateException if there is no way at all, and the pose is none that would explain it
@@ -126,7 +126,7 @@ public interface Ties extends Serializable {
     /**
      * Whether the last steps of an island were too long however short, so that the next one is left to {@link #creep}.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @return false as long as {@link #project} goes well
      */
     boolean isCreeping(IntList bodies);
@@ -144,7 +144,7 @@ public interface Ties extends Serializable {
     /**
      * Brings an island to positions and velocities that its ties allow, however far they are.
      *
-     * @param island all bodies of an island, or of all islands
+     * @param island all bodies of an island, or of several and others
      * @throws IllegalStateException if there are none
      */
     void assemble(IntList island);
@@ -185,7 +185,7 @@ public interface Ties extends Serializable {
     /**
      * Keeps the rows of J at the positions of the state vectors.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      */
     void hold(IntList bodies);
 
@@ -193,7 +193,7 @@ public interface Ties extends Serializable {
      * Moves bodies by W Jᵀ δ, with the rows that were kept, to where the ties want them, and changes their velocities by
      * W Jᵀ δ / h.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param h step
      */
     void close(IntList bodies, double h);
@@ -209,7 +209,7 @@ public interface Ties extends Serializable {
     /**
      * Whether a group has such ties which decide by themselves when they act.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @return false if all ties act always, or push with forces that were found elsewhere
      */
     boolean isSwitched(IntList bodies);
@@ -218,7 +218,7 @@ public interface Ties extends Serializable {
      * Whether a group's ties depend on its state alone, act always, and are kept by {@link #project}, so that a step may be
      * followed piece by piece.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @return false if an author's code has part in them
      */
     boolean isAutonomous(IntList bodies);
@@ -227,7 +227,7 @@ public interface Ties extends Serializable {
      * Decides which of the ties of {@link #isSwitched} act from now on, and gives the bodies the velocities that those
      * ask for.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param time the engine's step: what does not leave a stop in it is at rest there
      * @return whether velocities may have changed
      */
@@ -237,7 +237,7 @@ public interface Ties extends Serializable {
      * Lets ties that were overloaded in the last evaluation of accelerations act no longer, and notes which of the others are
      * within reach; or lets those act that are.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param hold true for the latter
      */
     void confirm(IntList bodies, boolean hold);
@@ -245,7 +245,7 @@ public interface Ties extends Serializable {
     /**
      * Changes one of the ties that act, or act no longer, against what their forces and the accelerations ask for.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param a accelerations, as just found
      * @return false if there is none, and nothing has changed
      */
@@ -254,7 +254,7 @@ public interface Ties extends Serializable {
     /**
      * A value that turns negative when it must be decided anew which ties act, in units of what counts as reached.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param near whether to watch the ties that were within reach when it was last settled which act, or the others
      * @return infinite if there is nothing to watch
      */
@@ -263,7 +263,7 @@ public interface Ties extends Serializable {
     /**
      * The time until a stop is reached at the speeds of now, for the ties of {@link #watch}.
      *
-     * @param bodies all bodies of an island, or of all islands, just watched
+     * @param bodies all bodies of an island, or of several and others, just watched
      * @param near which ties
      * @return the least; negative where a stop has been passed, NaN if that cannot be said
      */
@@ -272,7 +272,7 @@ public interface Ties extends Serializable {
     /**
      * An estimate of how long the ties that push will do so, at the accelerations that they cause.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param a accelerations, as just found
      * @return infinite if nothing pushes
      */
@@ -281,7 +281,7 @@ public interface Ties extends Serializable {
     /**
      * Sets whether the forces of ties that act at some times only are kept within their bounds.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param yes false to see what forces would be without
      * @return whether one of those that act has been out of its bounds since this was last called
      */
@@ -290,7 +290,7 @@ public interface Ties extends Serializable {
     /**
      * By how much the forces of such ties, as the last accelerations need them, are within their bounds.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @return the least, in units of what counts as reached; infinite if none acts, negative if one is beyond
      */
     double spare(IntList bodies);
@@ -310,9 +310,16 @@ public interface Ties extends Serializable {
     long version();
 
     /**
+     * Says whether bodies have been tied or untied.
+     *
+     * @return another number than before if islands were formed anew
+     */
+    long grouping();
+
+    /**
      * Copies what the ties of {@link #isSwitched} remember.
      *
-     * @param bodies all bodies of an island, or of all islands
+     * @param bodies all bodies of an island, or of several and others
      * @param kept takes it, or has it
      * @param restore whether to take it from there
      * @return the same array, or a larger one

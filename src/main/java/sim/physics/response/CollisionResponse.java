@@ -35,6 +35,7 @@ public final class CollisionResponse implements Serializable {
     private final Listeners listeners;
 
     private final Impact impact = new Impact();
+    private final FreeBounce freeBounce;
     private final SimultaneousImpact simultaneous;
 
     /** Null while nothing ties bodies together. */
@@ -46,6 +47,7 @@ public final class CollisionResponse implements Serializable {
     private final LastingContacts lasting;
     private final Wedged wedged;
     private transient Manifold manifold;
+
     /** From when on the courses of the two hold that are brought to the instant of their impact. */
     private double since;
 
@@ -70,6 +72,7 @@ public final class CollisionResponse implements Serializable {
         this.listeners = new Listeners(state, trajectories);
         this.loader = new ContactLoader(state, trajectories);
         this.simultaneous = new SimultaneousImpact(state);
+        this.freeBounce = new FreeBounce(state, trajectories, detection.narrowPhase(), loader);
         this.bounces = new Bounces(trajectories, motion);
         ContactLedger ledger = new ContactLedger(trajectories);
         this.resting = new RestingContacts(state, trajectories, motion, detection, this, ledger);
@@ -80,9 +83,7 @@ public final class CollisionResponse implements Serializable {
 
     /** Begins a step. */
     public void begin() {
-        if (!wedged.isEmpty()) {
-            wedged.begin();
-        }
+        wedged.begin();
     }
 
     /**
@@ -110,6 +111,28 @@ public final class CollisionResponse implements Serializable {
         }
         respondToSeveral(touching, tau);
         return changed;
+    }
+
+    /**
+     * Solves the impact of a pair if it is plain, as {@link FreeBounce} has it, and nobody is to be told.
+     *
+     * @param pair the only one that touches
+     * @param tau offset in the present step
+     * @return the bodies whose velocities have changed, valid until the next call; none if nothing was solved
+     */
+    public IntList bounce(int pair, double tau) {
+        changed.clear();
+        if (isFree() && solver instanceof TwoBodyImpulse && listeners.isEmpty()) {
+            freeBounce.solve(pair, pairs.first(pair), pairs.second(pair), tau, changed);
+        }
+        impacts += changed.size > 0 ? 1 : 0;
+        deepest = changed.size > 0 ? Math.min(deepest, freeBounce.gap()) : deepest;
+        return changed;
+    }
+
+    /** {@return whether no body has ever been accelerated, and none is tied, rests or lies on another one} */
+    public boolean isFree() {
+        return trajectories.areStraight() && jointed == null && resting.isEmpty() && heaps.isEmpty();
     }
 
     /** From which offset in the step on a body's motion has been smooth. */
@@ -402,7 +425,7 @@ public final class CollisionResponse implements Serializable {
             jointed.settle(changed);
         }
         if (!listeners.isEmpty()) {
-            tellOfAll();
+            listeners.tell(simultaneous, impact);
         }
     }
 
@@ -410,8 +433,8 @@ public final class CollisionResponse implements Serializable {
     private void collect(int pair, double tau, boolean alone) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
-        locate(pair, tau);
         impact.sticky = false;
+        locate(pair, tau);
         load(a, b, 0);
         if (isWedged(pair, a, b, tau)) {
             goOn(a, b);
@@ -463,23 +486,6 @@ public final class CollisionResponse implements Serializable {
     private void unstick(int pair) {
         if (!impact.sticky) {
             detection.marks().setSticky(pair, false);
-        }
-    }
-
-    /** Tells of each pair once, with the impulses of its points together. */
-    private void tellOfAll() {
-        for (int k = 0; k < simultaneous.pointCount(); k++) {
-            int a = simultaneous.bodyA(k);
-            int b = simultaneous.bodyB(k);
-            simultaneous.get(k, impact);
-            approach = simultaneous.approach(k);
-            boolean two = k + 1 < simultaneous.pointCount()
-                    && simultaneous.bodyA(k + 1) == a
-                    && simultaneous.bodyB(k + 1) == b;
-            if (two) {
-                impact.jn += simultaneous.normalImpulse(++k);
-            }
-            listeners.tell(a, b, impact, approach);
         }
     }
 

@@ -52,8 +52,18 @@ final class ContactLoader implements Serializable {
         c.rBx = m.rBx[point];
         c.rBy = m.rBy[point];
         c.setLevers(m.roundA, m.roundB);
-        c.restitution = restitutionRule.of(state.restitution(a), state.restitution(b));
-        c.friction = frictionRule.of(state.friction(a), state.friction(b));
+        c.restitution = restitution(a, b);
+        c.friction = friction(a, b);
         c.allowance = 0;
+    }
+
+    /** The coefficient of restitution of a contact of two bodies. */
+    double restitution(int a, int b) {
+        return restitutionRule.of(state.restitution(a), state.restitution(b));
+    }
+
+    /** The coefficient of friction of a contact of two bodies. */
+    double friction(int a, int b) {
+        return frictionRule.of(state.friction(a), state.friction(b));
     }
 }

@@ -18,10 +18,15 @@ final class HeapRelaxation implements Serializable {
         // without state
     }
 
-    /** Makes one point after the other right, that many times; returns the largest change of the last time, as a velocity. */
-    double sweep(HeapSystem s, int times) {
-        double change = 0;
-        for (int k = 0; k < times; k++) {
+    /**
+     * Makes one point after the other right, that many times at most.
+     *
+     * @param enough change at which it may end
+     * @return the largest change of the last time, as a velocity
+     */
+    double sweep(HeapSystem s, int times, double enough) {
+        double change = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < times && change > enough; k++) {
             change = 0;
             for (int p = 0; p < s.size(); p++) {
                 change = Math.max(change, relax(s, p));
@@ -42,7 +47,7 @@ final class HeapRelaxation implements Serializable {
         double[] d = s.data;
         for (int k = 0; k < times; k++) {
             before = s.impulses(before);
-            change = sweep(s, 1);
+            change = sweep(s, 1, 0);
             double square = 0;
             for (int p = 0; p < n; p++) {
                 int o = HeapSystem.STRIDE * p;
@@ -65,7 +70,7 @@ final class HeapRelaxation implements Serializable {
             }
             last = square;
         }
-        return sweep(s, 1);
+        return sweep(s, 1, 0);
     }
 
     /** Makes one point right; returns by how much its velocity has changed. */

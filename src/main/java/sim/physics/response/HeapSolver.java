@@ -8,12 +8,16 @@ import java.io.Serializable;
  * Solves {@link HeapSystem}s: where ties reply as a matrix of all rows, by {@link HeapMatrix}; else by {@link HeapPile}. What
  * these leave is left to projected relaxation, one point after the other (projected Gauss-Seidel; Jean, <i>The non-smooth
  * contact dynamics method</i>, 1999), until nothing changes any more beyond rounding or the work is spent. Between the sweeps
- * the points that they leave closed or stuck are solved for as equations, by {@link HeapFace}.
+ * the points that they leave closed or stuck are solved for as equations, by {@link HeapFace} or {@link HeapCorner}.
  */
 final class HeapSolver implements Serializable {
     private static final long serialVersionUID = 1L;
 
     private static final int SWEEPS = 6;
+
+    /** The same between eliminations. */
+    private static final int FEW_SWEEPS = 2;
+
     private static final int LEAST_SWEEPS = 20;
 
     /** Points that are relaxed, over all sweeps. */
@@ -41,6 +45,7 @@ final class HeapSolver implements Serializable {
 
     private final HeapRelaxation relaxation = new HeapRelaxation();
     private final HeapFace face = new HeapFace();
+    private final HeapCorner corner = new HeapCorner();
     private final HeapMatrix matrix = new HeapMatrix();
 
     /** Null until there is work for it; it keeps nothing from one solution to the next. */
@@ -88,13 +93,14 @@ final class HeapSolver implements Serializable {
     private boolean relax(HeapSystem s, double scale, double enough, int work) {
         int left = Math.max(LEAST_SWEEPS, work / Math.max(1, s.size()));
         int late = (int) ((1 - ENDLESS) * left);
+        int corners = work == LITTLE_WORK && !s.isTied() && s.size() <= HeapCorner.MOST ? HeapCorner.ROUNDS : 0;
         while (left > 0) {
-            double change = relaxation.sweep(s, SWEEPS);
-            if (change <= RIGHT * scale || left < late && change <= enough) {
+            double nothing = left < late ? Math.max(enough, RIGHT * scale) : RIGHT * scale;
+            if (relaxation.sweep(s, corners > 0 ? FEW_SWEEPS : SWEEPS, nothing) <= nothing) {
                 return true;
             }
-            left -= SWEEPS + face.solve(s, RIGHT * scale);
+            left -= corners-- > 0 ? corner.solve(s) : SWEEPS + face.solve(s, RIGHT * scale);
         }
-        return relaxation.sweep(s, 1) <= NEARLY * scale;
+        return relaxation.sweep(s, 1, 0) <= NEARLY * scale;
     }
 }

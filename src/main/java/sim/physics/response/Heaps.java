@@ -108,7 +108,7 @@ public final class Heaps implements Serializable {
     }
 
     private boolean mayLie(int body) {
-        if (trajectories.isDriven(body) && motion.isCoupled()) {
+        if (trajectories.isDriven(body) && motion.groups().isCoupled(body)) {
             return false;
         }
         boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
@@ -354,7 +354,7 @@ public final class Heaps implements Serializable {
     public IntList settle(double tau) {
         for (int k = 0; k < dirty.size; k++) {
             int body = dirty.values[k];
-            if (by.lies[body] && trajectories.isDriven(body) && motion.isCoupled()) {
+            if (by.lies[body] && trajectories.isDriven(body) && motion.groups().isCoupled(body)) {
                 part(body); // since it came to lie there a force has been added that couples bodies
                 motion.support(body, 0, 0, 0);
                 changed.add(body);

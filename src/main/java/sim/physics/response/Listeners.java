@@ -53,6 +53,23 @@ final class Listeners implements Serializable {
         return true;
     }
 
+    /** Tells of each pair of a simultaneous impact once, with the impulses of its points together. */
+    void tell(SimultaneousImpact simultaneous, Impact impact) {
+        for (int k = 0; k < simultaneous.pointCount(); k++) {
+            int a = simultaneous.bodyA(k);
+            int b = simultaneous.bodyB(k);
+            simultaneous.get(k, impact);
+            double approach = simultaneous.approach(k);
+            boolean two = k + 1 < simultaneous.pointCount()
+                    && simultaneous.bodyA(k + 1) == a
+                    && simultaneous.bodyB(k + 1) == b;
+            if (two) {
+                impact.jn += simultaneous.normalImpulse(++k);
+            }
+            tell(a, b, impact, approach);
+        }
+    }
+
     /** Tells of an impact, with the speed before it. */
     void tell(int a, int b, Impact impact, double approach) {
         publish(a, b);

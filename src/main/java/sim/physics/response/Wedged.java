@@ -73,8 +73,4 @@ final class Wedged implements Serializable {
         }
         pairs.size = kept;
     }
-
-    boolean isEmpty() {
-        return pairs.size == 0;
-    }
 }

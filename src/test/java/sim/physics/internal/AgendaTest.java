@@ -92,4 +92,50 @@ class AgendaTest {
             assertThat(found).as("step %d", step).isEqualTo(expected);
         }
     }
+
+    @Test
+    void whatLiesInRecordsOfOthersLeavesTheirBitsAndWordsAlone() {
+        SplittableRandom random = new SplittableRandom(8);
+        int[] records = new int[4 * ITEMS];
+        int[] others = new int[4 * ITEMS];
+        for (int k = 0; k < records.length; k++) {
+            others[k] = k % 4 == 2 ? random.nextInt() & Agenda.SPARE : random.nextInt();
+            records[k] = k % 4 == 2 ? others[k] | Agenda.EMPTY : others[k];
+        }
+        Agenda agenda = new Agenda(2, 2);
+        agenda.setRecords(records);
+        long[] dates = new long[ITEMS];
+        Arrays.fill(dates, Agenda.NEVER);
+        long first = (1L << 23) - 500; // where the dates' bits begin anew
+        for (long step = first; step < first + 1000; step++) {
+            long now = step;
+            IntList due = agenda.advance(step);
+            int[] found = Arrays.copyOf(due.values, due.size);
+            Arrays.sort(found);
+            assertThat(found).as("step %d", step).isEqualTo(
+                    IntStream.range(0, ITEMS).filter(k -> dates[k] == now).toArray());
+            for (int k = 0; k < 120; k++) {
+                int item = random.nextInt(ITEMS);
+                dates[item] = random.nextInt(8) == 0 ? Agenda.NEVER : step + random.nextLong(1, 300);
+                agenda.schedule(item, dates[item]);
+                assertThat(agenda.date(item)).isEqualTo(dates[item]);
+            }
+            assertThat(IntStream.range(0, records.length).map(k -> k % 4 == 2 ? records[k] & Agenda.SPARE : records[k]).toArray())
+                    .isEqualTo(others);
+        }
+    }
+
+    @Test
+    void whatIsWantedTooFarAheadIsDueEarlier() {
+        Agenda agenda = new Agenda();
+        agenda.ensure(2);
+        agenda.advance(7);
+        agenda.schedule(0, 1L << 40);
+        agenda.schedule(1, 7 + Agenda.AHEAD - 1L);
+        for (long step = 8; step < 7 + Agenda.AHEAD - 1L; step++) {
+            assertThat(agenda.advance(step).size).isZero();
+        }
+        assertThat(agenda.advance(7 + Agenda.AHEAD - 1L).values[0]).isEqualTo(1);
+        assertThat(agenda.advance(7L + Agenda.AHEAD).values[0]).isZero();
+    }
 }

@@ -41,6 +41,22 @@ class SineTableTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {4, 1.9e4, 1e6})
+    void quarterTurnsAddNoError(double range) {
+        SplittableRandom random = new SplittableRandom(5);
+        double[] out = new double[2];
+        for (int k = 0; k < 10_000; k++) {
+            double x = range * (2 * random.nextDouble() - 1);
+            double[] known = of(x);
+            for (int quarters = 0; quarters < 4; quarters++) {
+                SineTable.direct(x, SineTable.quarters(quarters), out, 0);
+                assertThat(out).containsExactly(known, within(0.0));
+                known = new double[] {-known[1], known[0]};
+            }
+        }
+    }
+
     @Test
     void areNothingForNoAngle() {
         assertThat(of(Double.NaN)).containsOnly(Double.NaN);

@@ -4,6 +4,7 @@ package sim.physics.collision.broad;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.Agenda;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 
@@ -12,13 +13,19 @@ import sim.physics.internal.IntList;
  * long as the pair does, and each body knows its pairs.
  */
 public final class Pairs implements Serializable {
-    private static final long serialVersionUID = 3L;
+    private static final long serialVersionUID = 4L;
 
-    private static final int STRIDE = 8;
+    /** Binary logarithm of the length of a pair's record. */
+    public static final int SHIFT = 3;
+
+    /** Where in it the word of an {@link Agenda} lies; its spare bits are the {@link #marks}. */
+    public static final int WORD = 5;
+
+    private static final int STRIDE = 1 << SHIFT;
     private static final int SECOND = 1;
     private static final int PLACE = 2;
     private static final int CODE = 4;
-    private static final int MARKS = 5;
+    private static final int MARKS = Integer.numberOfTrailingZeros(Agenda.SPARE);
     private static final int TIME = 6;
 
     /** Per body: how many pairs it has, and they; or minus 1 minus the number of a list in which they are. */
@@ -63,6 +70,15 @@ public final class Pairs implements Serializable {
     /** Makes an empty set. */
     public Pairs() {
         // the arrays grow with the pairs
+    }
+
+    /**
+     * The records of all pairs, with {@link Agenda#EMPTY} for the word of an agenda when a pair begins.
+     *
+     * @return live, until a pair begins
+     */
+    public int[] records() {
+        return data;
     }
 
     /**
@@ -184,7 +200,7 @@ public final class Pairs implements Serializable {
      * @return bits
      */
     public int marks(int pair) {
-        return data[STRIDE * pair + MARKS];
+        return data[STRIDE * pair + WORD] >>> MARKS;
     }
 
     /**
@@ -194,7 +210,8 @@ public final class Pairs implements Serializable {
      * @param marks bits
      */
     public void setMarks(int pair, int marks) {
-        data[STRIDE * pair + MARKS] = marks;
+        int word = data[STRIDE * pair + WORD];
+        data[STRIDE * pair + WORD] = word & ~Agenda.SPARE | marks << MARKS;
     }
 
     /**
@@ -269,6 +286,7 @@ public final class Pairs implements Serializable {
         int second = Math.max(a, b);
         data[o] = first;
         data[o + SECOND] = second;
+        data[o + WORD] = Agenda.EMPTY;
         data[o + PLACE] = append(first, p);
         data[o + PLACE + SECOND] = append(second, p);
         if (listener != null) {

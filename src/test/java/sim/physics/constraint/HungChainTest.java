@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
+import sim.physics.motion.Forces;
+import sim.physics.motion.Gravity;
+import sim.physics.shape.Rectangle;
+
+/** Chains that hang, whose accelerations are found from both ends: against the way for all trees, which is taken under weights. */
+class HungChainTest {
+    /** How the links lie in their own coordinates. */
+    enum Lie {
+        LEVEL,
+        STEEP,
+        ASKEW
+    }
+
+    /** A weight of an author's own, for which trees take another way. */
+    private static final class Weight implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            forces.add(body, 0.5 * body.getMass(), -9.81 * body.getMass());
+        }
+    }
+
+    private static List<Body> chain(PhysicsEngine engine, int links, Lie lie, double sign) {
+        SplittableRandom random = new SplittableRandom(links);
+        List<Body> chain = new ArrayList<>();
+        double x = 0.25;
+        double y = -0.5;
+        for (int k = 0; k < links; k++) {
+            double length = 0.5 + random.nextDouble();
+            double angle = 6 * random.nextDouble();
+            double wide = lie == Lie.LEVEL ? length : lie == Lie.STEEP ? 0.02 : 0.8 * length;
+            double high = lie == Lie.LEVEL ? 0.02 : lie == Lie.STEEP ? length : 0.6 * length;
+            double alongX = lie == Lie.STEEP ? 0 : wide;
+            double alongY = lie == Lie.LEVEL ? 0 : high;
+            double ex = Math.cos(angle) * alongX - Math.sin(angle) * alongY;
+            double ey = Math.sin(angle) * alongX + Math.cos(angle) * alongY;
+            Body link = engine.add(new Body(new Rectangle(wide, high)).at(sign * (x + ex / 2), y + ey / 2, sign * angle));
+            link.setMass(0.5 + random.nextDouble(), 0.05 + 0.1 * random.nextDouble());
+            link.setCollisionGroup(1, 0);
+            engine.add(k == 0 ? new PinJoint(link, sign * x, y) : new PinJoint(chain.get(k - 1), link, sign * x, y));
+            chain.add(link);
+            x += ex;
+            y += ey;
+        }
+        return chain;
+    }
+
+    private static double[] run(int links, Lie lie, double sign, ForceGenerator pull) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1 / 480.0);
+        engine.add(pull);
+        List<Body> chain = chain(engine, links, lie, sign);
+        for (int k = 0; k < 96; k++) {
+            engine.step();
+        }
+        for (Constraint pin : engine.allConstraints()) {
+            assertThat(PinChainTest.gap((PinJoint) pin)).isLessThan(100 * 0x1p-52 * Math.max(1, links / 4));
+        }
+        double[] all = new double[3 * links];
+        for (int k = 0; k < links; k++) {
+            all[3 * k] = chain.get(k).getX();
+            all[3 * k + 1] = chain.get(k).getY();
+            all[3 * k + 2] = chain.get(k).getAngle();
+        }
+        return all;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, LEVEL", "2, LEVEL", "3, STEEP", "4, ASKEW", "5, LEVEL", "8, STEEP", "13, ASKEW", "24, LEVEL", "41, ASKEW"})
+    void goWhereTreesGo(int links, Lie lie) {
+        double[] hung = run(links, lie, 1, new Gravity(0.5, -9.81));
+        assertThat(hung).containsExactly(run(links, lie, 1, new Weight()), within(1e-9));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, LEVEL", "6, LEVEL", "7, LEVEL"})
+    void goTheMirroredWayInTheMirror(int links, Lie lie) {
+        double[] one = run(links, lie, 1, new Gravity(0.5, -9.81));
+        double[] other = run(links, lie, -1, new Gravity(-0.5, -9.81));
+        for (int k = 0; k < one.length; k++) {
+            assertThat(other[k]).isEqualTo(k % 3 == 1 ? one[k] : -one[k]);
+        }
+    }
+
+    /** What the root of a chain laid along an axis feels fades from link to link. */
+    @Test
+    void nothingFadesIntoDenormalNumbers() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1 / 240.0);
+        engine.add(new Gravity(0, -9.81));
+        List<Body> chain = new ArrayList<>();
+        for (int k = 0; k < 1000; k++) {
+            Body rod = engine.add(new Body(new Rectangle(1, 0.02)).at(k + 0.5, 0));
+            rod.setMass(1, 1 / 12.0);
+            rod.setCollisionGroup(1, 0);
+            engine.add(k == 0 ? new PinJoint(rod, 0, 0) : new PinJoint(chain.get(k - 1), rod, k, 0));
+            chain.add(rod);
+        }
+        for (int k = 0; k < 20; k++) {
+            engine.step();
+        }
+        for (Body rod : chain) {
+            double turning = Math.abs(rod.getAngularVelocity());
+            assertThat(turning == 0 || turning >= Double.MIN_NORMAL).isTrue();
+        }
+        assertThat(chain.get(50).getAngularVelocity()).isNotZero();
+    }
+
+    /** Three links, each with its near pin at −1 and the next link's at the end of the arm. */
+    private static PinTree tree(double endX, double endY, boolean isFree) {
+        double[] arms = {-1, 0, 0, 0, -1, 0, endX, endY, -1, 0, endX, endY};
+        return new PinTree(new int[] {0, 3, 6}, new int[] {-1, 0, 1}, arms, isFree);
+    }
+
+    private static boolean isHung(PinTree tree, double inertia) {
+        double w = 1 / inertia;
+        tree.weigh(new double[] {1, 1, w, 1, 1, w, 1, 1, w});
+        return HungChain.of(tree) != null;
+    }
+
+    @Test
+    void areOfLinksThatArePointsAtTheirPinsAndAMomentOfInertia() {
+        assertThat(isHung(tree(1, 0, false), 1 / 3.0)).isTrue();
+        assertThat(isHung(tree(1, 0, true), 1 / 3.0)).isFalse(); // free
+        assertThat(isHung(tree(1, 0.5, false), 1 / 3.0)).isFalse(); // masses beside the lines
+        assertThat(isHung(tree(1, 0, false), 1)).isFalse(); // nothing but the points is left
+        assertThat(isHung(tree(-0.5, 0, false), 1 / 3.0)).isFalse(); // centres beyond the next pins
+        PinTree forked = new PinTree(
+                new int[] {0, 3, 6}, new int[] {-1, 0, 0}, new double[] {-1, 0, 0, 0, -1, 0, 1, 0, -1, 0, 1, 0}, false);
+        assertThat(isHung(forked, 1 / 3.0)).isFalse();
+    }
+}
