@@ -39,9 +39,6 @@ final class Heap implements Serializable {
     /** Speed that is none, relative to that which the forces give in the time of a solution. */
     private static final double STILL = 1e-7;
 
-    /** Solutions for which points that are hardly open count as closed, once without that there was none. */
-    private static final int RELENTS = 1000;
-
     /** Turn of a body, rad, for which a solution holds; and how many there are in a step at most. */
     private static final double TURN = 0.1;
 
@@ -65,6 +62,8 @@ final class Heap implements Serializable {
     private final HeapNotes notes;
     private final DrivenHeap driving;
     private final RubbedHeap rubbing;
+    private final FreeHeap free;
+    private final HeapCourses courses;
 
     private final double[] fall = new double[State.BLOCK];
     private final Impact point = new Impact();
@@ -89,9 +88,6 @@ final class Heap implements Serializable {
 
     /** Whether bodies are tied to others. */
     private boolean isTied;
-
-    /** Velocities before that, 3 per body. */
-    private double[] before = {};
 
     /** Null while nothing ties bodies together. */
     private Ties ties;
@@ -123,6 +119,8 @@ final class Heap implements Serializable {
         this.notes = new HeapNotes(system, ledger);
         this.scales = new BodyScale(state, trajectories);
         this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales);
+        this.free = new FreeHeap(trajectories, detection, by, system, notes, scales);
+        this.courses = new HeapCourses(trajectories, by);
         this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
     }
 
@@ -285,6 +283,9 @@ final class Heap implements Serializable {
         system.clear();
         deep.clear();
         scale = 0;
+        if (!isEven()) {
+            free.begin(heap);
+        }
         for (int k = 0; k < heap.size; k++) {
             enter(k, tau);
         }
@@ -307,16 +308,10 @@ final class Heap implements Serializable {
         int body = heap.values[k];
         double[] w = state.w().values();
         system.enter(k, w[State.BLOCK * body], w[State.BLOCK * body + State.THETA]);
-        double[] d = trajectories.data();
-        System.arraycopy(d, body * Trajectories.STRIDE + Trajectories.VX, system.v, 3 * k, State.BLOCK);
         motion.fall(body, fall, 0);
         double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
-        if (isResumed) {
-            before = before.length < 3 * heap.size ? new double[6 * heap.size] : before;
-            System.arraycopy(system.v, 3 * k, before, 3 * k, State.BLOCK);
-            by.unpay(body, tau, system.v, 3 * k);
-        }
+        courses.enter(k, body, tau, system.v, isResumed);
         for (int c = 0; c < State.BLOCK && !isEven(); c++) {
             system.v[3 * k + c] += fall[c] * (until - tau);
         }
@@ -336,10 +331,8 @@ final class Heap implements Serializable {
         }
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
         double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
-        if (isEven()) {
-            detection.marks().setDepth(pair, HeapGaps.depth(true, size));
-        }
-        double depth = detection.marks().depth(pair);
+        double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size, system.isRough());
+        detection.marks().setDepth(pair, depth);
         system.allow(HeapGaps.littleSpeed(depth, left));
         for (int k = 0; k < manifold.count; k++) {
             response.load(manifold, pair, k, point);
@@ -352,7 +345,7 @@ final class Heap implements Serializable {
             double bend = scales.bend(manifold, point, a, b, left) + (isDriven ? size * sag : 0);
             double least = HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven());
             if (isResumed && least > 0) {
-                double now = system.normal(p, before);
+                double now = system.normal(p, courses.before());
                 double lift = (bend - Math.max(0, manifold.gaps[k] + depth)) / left;
                 least = now >= Math.max(0, lift) ? Math.min(least, now) : least; // as it was found; else gaps are noise
             }
@@ -383,15 +376,15 @@ final class Heap implements Serializable {
         for (int k = 0; k < heap.size; k++) {
             scale = Math.max(scale, speed(k));
         }
-        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? system.solve(scale, true) : pile();
-        double[] from = isResumed ? before : system.free();
+        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? system.solve(scale, true) : free.solve(heap, scale);
+        double[] from = isResumed ? courses.before() : system.free();
         if (!by.afford(heap, HeapEnergy.gained(system, from))) {
             done = system.solve(scale, false); // regaining gaps must not add energy
             by.afford(heap, HeapEnergy.gained(system, from));
         }
         notes.press(until - tau);
         if (isFresh) {
-            notes.note(until - tau, done || !Boolean.getBoolean("n0") && !system.isTied());
+            notes.note(until - tau, done || !system.isTied());
         }
         if (isRubbed) {
             rubbing.end();
@@ -400,28 +393,6 @@ final class Heap implements Serializable {
         if (halts) {
             HeapEnergy.halt(system);
         }
-    }
-
-    /** Solves for bodies that nothing drives; where that leads nowhere, points that are hardly open count as closed. */
-    private boolean pile() {
-        int relents = 0;
-        for (int k = 0; k < heap.size; k++) {
-            relents = Math.max(relents, by.relents[heap.values[k]] - 1);
-        }
-        if (relents > 0) {
-            system.relent();
-        }
-        boolean done = system.solve(scale, true);
-        if (!done && relents <= 0) {
-            relents = RELENTS;
-            system.again();
-            system.relent();
-            done = system.solve(scale, true);
-        }
-        for (int k = 0; k < heap.size; k++) {
-            by.relents[heap.values[k]] = relents;
-        }
-        return done;
     }
 
     /** How often something has happened in this step to a body of the heap, at most. */
@@ -435,16 +406,6 @@ final class Heap implements Serializable {
 
     private double speed(int k) {
         return scales.speed(heap.values[k], system.v, 3 * k);
-    }
-
-    /** Whether a body that has got what forces give it goes on as it did, but for rounding. */
-    private boolean keepsCourse(int k, int body, double tau) {
-        double none = SAME * scale;
-        return isResumed
-                && by.paidUntil[body] > tau
-                && Math.abs(system.v[3 * k] - before[3 * k]) <= none
-                && Math.abs(system.v[3 * k + 1] - before[3 * k + 1]) <= none
-                && Math.abs(system.v[3 * k + 2] - before[3 * k + 2]) * scales.radius(body) <= none;
     }
 
     /** Finds what holds a heap that stands still from now on, when it has been stopped; nothing else depends on that. */
@@ -512,10 +473,9 @@ final class Heap implements Serializable {
                 continue;
             }
             int o = body * Trajectories.STRIDE + Trajectories.VX;
-            if (!keepsCourse(k, body, tau)) {
+            if (!(isResumed && courses.isKept(k, body, tau, system.v, SAME * scale))) {
                 by.paidUntil[body] = still ? 0 : until;
-                by.pay(body, tau, d, o, system.v, 3 * k);
-                System.arraycopy(system.v, 3 * k, d, o, 3);
+                courses.set(k, body, tau, system.v);
                 coast(body);
                 changed.add(body);
             }

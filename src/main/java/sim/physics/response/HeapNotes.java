@@ -3,6 +3,7 @@
 package sim.physics.response;
 
 import java.io.Serializable;
+import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
 
 /** Where the points of the heap that is being solved come from, and what they bear, to the ledger and from it. */
@@ -33,6 +34,15 @@ final class HeapNotes implements Serializable {
         int pair = origin.values[p] / 2;
         int k = origin.values[p] % 2;
         system.start(p, time * ledger.start(pair, k, false), time * ledger.start(pair, k, true));
+    }
+
+    /** Lets the pairs of all points be as deep as in heaps that are solved roughly. */
+    void roughen(CollisionDetection detection, BodyScale scales) {
+        for (int p = 0; p < system.contacts(); p++) {
+            int pair = origin.values[p] / 2;
+            double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
+            detection.marks().setDepth(pair, HeapGaps.depth(0, size, true));
+        }
     }
 
     /** Notes the forces from which the next solution is to start, if they are right. */

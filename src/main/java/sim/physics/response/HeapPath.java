@@ -13,13 +13,14 @@ import java.util.Arrays;
  * Newton's method runs in circles.
  */
 final class HeapPath {
-    /** Lines at most for each point, and beside them. */
-    private static final int LINES_EACH = 2;
+    /** Lines at most for each point, and beside them; and points that are looked at over all lines. */
+    private static final int LINES_EACH = 6;
 
     private static final int LINES = 40;
+    private static final int WORK = 100_000;
 
     /** Way back beyond the start at which another start is better. */
-    private static final double LOST = -0.1;
+    private static final double LOST = -10;
 
     /** What a line meets at its end: nothing, that a point closes or opens, or a bound of friction. */
     private static final int NOTHING = 0;
@@ -63,13 +64,30 @@ final class HeapPath {
      * @return whether it came to its end, where the impulses and the piece are nearly right; else they are as before
      */
     boolean follow(HeapSystem s) {
+        return follow(s, 0);
+    }
+
+    /** Follows the path from no impulses, where points first have to come near. */
+    boolean followFromNothing(HeapSystem s) {
+        double most = 0;
         for (int p = 0; p < s.size(); p++) {
-            start(s, p);
+            s.start(p, 0, 0);
+        }
+        s.refresh();
+        for (int p = 0; p < s.size(); p++) {
+            most = Math.max(most, s.bound(p) - s.normal(p));
+        }
+        return follow(s, most);
+    }
+
+    private boolean follow(HeapSystem s, double apart) {
+        for (int p = 0; p < s.size(); p++) {
+            start(s, p, apart);
         }
         double way = 0;
         double ahead = 1;
         event = NOTHING;
-        for (int k = LINES + LINES_EACH * s.size(); k > 0 && way > LOST; k--) {
+        for (int k = Math.min(LINES + LINES_EACH * s.size(), WORK / Math.max(1, s.size())); k > 0 && way > LOST; k--) {
             if (!line(s)) {
                 return false;
             }
@@ -94,7 +112,7 @@ final class HeapPath {
     }
 
     /** Lets a point's springs press as the impulses say, and says how far they are from their places. */
-    private void start(HeapSystem s, int p) {
+    private void start(HeapSystem s, int p, double least) {
         double jn = s.normalImpulse(p);
         double jt = s.tangentImpulse(p);
         double most = s.friction(p) * jn;
@@ -104,7 +122,7 @@ final class HeapPath {
         double along = kt * s.tangent(p);
         piece.isClosed[p] = jn > 0;
         piece.slides[p] = jn > 0 && Math.abs(jt) >= most ? Math.signum(jt) : 0;
-        force[2 * p] = jn > 0 ? jn : Math.min(-apart, -HeapPiece.SOFT / s.normalMobility(p));
+        force[2 * p] = jn > 0 ? jn : Math.min(-apart, -Math.max(HeapPiece.SOFT / s.normalMobility(p), kn * least));
         double slide = piece.slides[p];
         force[2 * p + 1] = jn <= 0 ? -along : slide == 0 ? jt : slide * Math.max(-slide * along, most);
         offset[2 * p] = jn - force[2 * p] - apart;

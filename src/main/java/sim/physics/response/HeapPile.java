@@ -8,10 +8,13 @@ package sim.physics.response;
  * gets lost, more sweeps give it a better start.
  */
 final class HeapPile {
-    /** Sweeps before each attempt. */
-    private static final int[] SWEEPS = java.util.Arrays.stream(System.getProperty("sw","4,20,80,180").split(",")).mapToInt(Integer::parseInt).toArray();
+    /** Sweeps before each attempt; and before the only one when rough impulses will do. */
+    private static final int[] SWEEPS = {20, 100, 300};
+
+    private static final int[] ROUGH_SWEEPS = {60};
 
     private static final int NEWTON_STEPS = 4;
+    private static final int ROUGH_NEWTON_STEPS = 1;
 
     /** Paths in turn, each of which takes from the last one's error what the softness of its springs leaves. */
     private static final int PATHS = 5;
@@ -22,11 +25,13 @@ final class HeapPile {
     private final HeapPiece piece = new HeapPiece();
     private final HeapNewton newton = new HeapNewton(piece);
     private final HeapPath path = new HeapPath(piece);
+    private final HeapRelaxation relaxation;
 
-    /** Impulses of a start, 2 per point. */
+    /** Impulses of a start, and the best ones so far, 2 per point; and the error of these. */
     private double[] start = {};
 
-    private final HeapRelaxation relaxation;
+    private double[] best = {};
+    private double least;
 
     HeapPile(HeapRelaxation relaxation) {
         this.relaxation = relaxation;
@@ -37,26 +42,40 @@ final class HeapPile {
      *
      * @param exact error of velocities at which they are right
      * @param enough error at which the next attempt is not worth its while
+     * @param isRough whether there are to be no paths
      * @return whether the error is not larger than one of these
      */
-    boolean solve(HeapSystem s, double exact, double enough) {
+    boolean solve(HeapSystem s, double exact, double enough, boolean isRough) {
         piece.lay(s);
         newton.begin(s);
         path.begin(s);
-        for (int sweeps : SWEEPS) {
+        least = Double.POSITIVE_INFINITY;
+        for (int sweeps : isRough ? ROUGH_SWEEPS : SWEEPS) {
             if (relaxation.conjugate(s, sweeps) <= exact) {
                 return true;
             }
             start = s.impulses(start);
-            if (newton.solve(s, exact, NEWTON_STEPS) <= exact) {
-                return true;
+            note(s, newton.solve(s, exact, isRough ? ROUGH_NEWTON_STEPS : NEWTON_STEPS));
+            if (least > exact && !isRough) {
+                s.put(start);
+                note(s, follow(s, exact));
             }
-            s.put(start);
-            if (follow(s, exact) <= enough) {
-                return true;
+            if (least <= enough) {
+                break;
             }
         }
-        return false;
+        if (least > enough && !isRough && s.size() <= HeapSolver.MANY) {
+            note(s, path.followFromNothing(s) ? follow(s, exact) : least);
+        }
+        s.put(best);
+        return least <= enough;
+    }
+
+    private void note(HeapSystem s, double error) {
+        if (!(error >= least)) {
+            least = error;
+            best = s.impulses(best);
+        }
     }
 
     /** Follows paths until one leads nowhere; returns the error that is left. */

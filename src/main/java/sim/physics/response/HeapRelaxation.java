@@ -3,6 +3,7 @@
 package sim.physics.response;
 
 import java.io.Serializable;
+import java.util.Arrays;
 
 /**
  * Makes points of a {@link HeapSystem} right, one while the others keep their impulses: open, held by friction, or sliding, along
@@ -14,8 +15,13 @@ final class HeapRelaxation implements Serializable {
     /** Determinant, relative to the product of the mobilities, from which on these do not say both impulses. */
     private static final double FLAT = 1e-9;
 
+    /** Impulses before a sweep, or what it changes; and the direction in which they go; 2 per point. */
+    private double[] before = {};
+
+    private double[] direction = {};
+
     HeapRelaxation() {
-        // without state
+        // grows with the heaps
     }
 
     /**
@@ -35,42 +41,52 @@ final class HeapRelaxation implements Serializable {
         return change;
     }
 
-    private double[] before = {};
-    private double[] direction = {};
-
+    /**
+     * The same with the changes of each sweep taken for the gradients of a method of conjugate directions (Silcowitz-Hansen, Niebe
+     * and Erleben, <i>A nonsmooth nonlinear conjugate gradient method for interactive contact force problems</i>, 2010).
+     */
     double conjugate(HeapSystem s, int times) {
-        int n = s.size();
-        if (direction.length < 2 * n) { direction = new double[4 * n]; }
-        java.util.Arrays.fill(direction, 0, 2 * n, 0);
+        if (direction.length < 2 * s.size()) {
+            direction = new double[4 * s.size()];
+        }
+        Arrays.fill(direction, 0, 2 * s.size(), 0);
         double last = 0;
-        double change = 0;
-        double[] d = s.data;
         for (int k = 0; k < times; k++) {
             before = s.impulses(before);
-            change = sweep(s, 1, 0);
-            double square = 0;
-            for (int p = 0; p < n; p++) {
-                int o = HeapSystem.STRIDE * p;
-                double x = d[o + HeapSystem.IMPULSE_N] - before[2 * p];
-                double y = d[o + HeapSystem.IMPULSE_T] - before[2 * p + 1];
-                before[2 * p] = x;
-                before[2 * p + 1] = y;
-                square += x * x * d[o + HeapSystem.MOBILITY_N] + (y == 0 ? 0 : y * y * d[o + HeapSystem.MOBILITY_T]);
-            }
-            double beta = k > 0 && square < last ? square / last : 0;
-            for (int p = 0; p < n; p++) {
-                double x = beta == 0 ? 0 : beta * direction[2 * p];
-                double y = beta == 0 ? 0 : beta * direction[2 * p + 1];
-                direction[2 * p] = before[2 * p] + x;
-                direction[2 * p + 1] = before[2 * p + 1] + y;
-                if (x != 0 || y != 0) {
-                    s.addImpulse(p, x, y);
-                    s.apply(p, x, y);
-                }
-            }
+            sweep(s, 1, 0);
+            double square = compare(s);
+            follow(s, k > 0 && square < last ? square / last : 0);
             last = square;
         }
         return sweep(s, 1, 0);
+    }
+
+    /** Puts changes in the place of the impulses of before; returns their square, as an energy. */
+    private double compare(HeapSystem s) {
+        double square = 0;
+        for (int p = 0; p < s.size(); p++) {
+            double normal = s.normalImpulse(p) - before[2 * p];
+            double along = s.tangentImpulse(p) - before[2 * p + 1];
+            before[2 * p] = normal;
+            before[2 * p + 1] = along;
+            square += normal == 0 ? 0 : normal * normal * s.normalMobility(p);
+            square += along == 0 ? 0 : along * along * s.tangentMobility(p);
+        }
+        return square;
+    }
+
+    /** Goes on along the last direction, a part of it. */
+    private void follow(HeapSystem s, double beta) {
+        for (int p = 0; p < s.size(); p++) {
+            double normal = beta == 0 ? 0 : beta * direction[2 * p];
+            double along = beta == 0 ? 0 : beta * direction[2 * p + 1];
+            direction[2 * p] = before[2 * p] + normal;
+            direction[2 * p + 1] = before[2 * p + 1] + along;
+            if (normal != 0 || along != 0) {
+                s.addImpulse(p, normal, along);
+                s.apply(p, normal, along);
+            }
+        }
     }
 
     /** Makes one point right; returns by how much its velocity has changed. */

@@ -37,6 +37,9 @@ final class HeapSolver implements Serializable {
 
     private static final double LATE = 10;
 
+    /** Points from which on relaxation has no use. */
+    static final int MANY = 150;
+
     /** Change of velocity in a sweep, relative to the largest speed, at which the impulses are right. */
     private static final double RIGHT = 1e-13;
 
@@ -74,8 +77,9 @@ final class HeapSolver implements Serializable {
         s.applyAll();
         if (!s.isTied() && s.size() > FEW) {
             pile = pile == null ? new HeapPile(relaxation) : pile;
-            if (pile.solve(s, RIGHT * scale, LATE * enough)) {
-                return true;
+            boolean right = pile.solve(s, RIGHT * scale, LATE * enough, s.isRough());
+            if (right || s.size() > MANY) {
+                return right;
             }
         }
         return relax(s, scale, enough, WORK);

@@ -63,8 +63,10 @@ final class HeapSystem implements Serializable {
     /** Inverse masses of 1. */
     private double[] units = {};
 
-    /** Error of velocities that is good enough in the end. */
+    /** Error of velocities that is good enough in the end; and whether little work is to be spent on that. */
     private double enough;
+
+    private boolean rough;
 
     /** The velocities without impulses. */
     private double[] free = {};
@@ -83,6 +85,7 @@ final class HeapSystem implements Serializable {
         points = 0;
         contacts = 0;
         tied = false;
+        rough = false;
         solver.forget();
         enough = Double.POSITIVE_INFINITY;
         count = 0;
@@ -238,6 +241,15 @@ final class HeapSystem implements Serializable {
 
     ContactRows rows() {
         return rows;
+    }
+
+    /** Spends little work from now on. */
+    void roughen() {
+        rough = true;
+    }
+
+    boolean isRough() {
+        return rough;
     }
 
     /** Whether bodies are tied to others. */
