@@ -37,7 +37,7 @@ final class HeapSolver implements Serializable {
 
     private static final double LATE = 10;
 
-    /** Points from which on relaxation has no use. */
+    /** Points from which on a heap that is not solved is solved roughly for some steps, and no path begins from nothing. */
     static final int MANY = 250;
 
     /** Change of velocity in a sweep, relative to the largest speed, at which the impulses are right. */
