@@ -302,6 +302,9 @@ final class Heap implements Serializable {
                 }
             }
         }
+        if (isResumed) {
+            system.unpush(); // what the points go on pressing with is found anew
+        }
     }
 
     private void enter(int k, double tau) {
@@ -312,7 +315,7 @@ final class Heap implements Serializable {
         double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
         courses.enter(k, body, tau, system.v, isResumed);
-        for (int c = 0; c < State.BLOCK && !isEven(); c++) {
+        for (int c = 0; c < State.BLOCK && !isEven() && !isResumed; c++) {
             system.v[3 * k + c] += fall[c] * (until - tau);
         }
     }
@@ -353,7 +356,7 @@ final class Heap implements Serializable {
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
-            if (!isEven()) {
+            if (isFresh && !isEven() || isResumed && scale > 0) {
                 notes.start(p, left);
             }
         }

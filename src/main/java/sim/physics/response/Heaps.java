@@ -32,7 +32,7 @@ public final class Heaps implements Serializable {
     private static final int MOST_TIED = 40;
 
     /** The same for bodies that are not driven. */
-    private static final int MOST_OF_ALL = 300;
+    private static final int MOST_OF_ALL = 2000;
 
     /** Times that forces on it may be found in a step before that. */
     private static final int MOST_ENDS = 40;
