@@ -413,6 +413,7 @@ final class Admission implements Presence, Serializable {
             }
         }
         int index = body.index();
+        motion.groups().leave(index);
         if (audit != null) {
             audit.removed(index);
         }
