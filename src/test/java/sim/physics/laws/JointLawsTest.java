@@ -106,6 +106,44 @@ class JointLawsTest {
         }
     }
 
+    /** Pins alone, which are a case of their own; the masses change on the way. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void theGlobalSolveAndTheEliminationAgreeOnPins(boolean isHeld) {
+        double[][] x = new double[2][];
+        for (int way = 0; way < 2; way++) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(1e-3);
+            engine.add(new Gravity(0.5, -9.81));
+            Body[] b = new Body[5];
+            for (int k = 0; k < b.length; k++) {
+                b[k] = engine.add(new Body(new Rectangle(1, 0.2)).at(k + 0.5, 0));
+                b[k].setMass(1 + 0.5 * k, 0.1);
+                b[k].setCollisionGroup(1, 0);
+                if (k > 0 || isHeld) {
+                    engine.add(k == 0 ? new PinJoint(b[k], 0, 0) : new PinJoint(b[k - 1], b[k], k, 0));
+                }
+            }
+            b[4].setAngularVelocity(1);
+            if (way == 1) {
+                engine.setConstraintSolver(new GlobalSolver());
+            }
+            for (int k = 0; k < 200; k++) {
+                if (k == 100) {
+                    b[2].setMass(5, 0.5);
+                }
+                engine.step();
+            }
+            x[way] = new double[3 * b.length];
+            for (int k = 0; k < b.length; k++) {
+                x[way][3 * k] = b[k].getX();
+                x[way][3 * k + 1] = b[k].getY();
+                x[way][3 * k + 2] = b[k].getAngle();
+            }
+        }
+        assertThat(x[1]).containsExactly(x[0], within(1e-9));
+    }
+
     @Test
     void aBeadStartsFromRestAndStaysOnItsWire() {
         PhysicsEngine engine = new PhysicsEngine();
