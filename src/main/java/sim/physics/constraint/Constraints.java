@@ -360,7 +360,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void settle(IntList bodies) {
-        of(bodies).forEach(k -> projection.settle(k, state, solver));
+        projection.settle(of(bodies), state, solver);
     }
 
     @Override
