@@ -263,7 +263,10 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void begin(IntList bodies, boolean isFree) {
-        of(bodies).forEach(island -> island.invariants.begin(state, isFree));
+        List<Island> those = of(bodies);
+        for (int k = 0; k < those.size(); k++) {
+            those.get(k).invariants.begin(state, isFree);
+        }
     }
 
     @Override
@@ -357,17 +360,17 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void settle(IntList bodies) {
-        of(bodies).forEach(k -> projection.settle(k, state, solver));
+        projection.settle(of(bodies), state, solver);
     }
 
     @Override
     public void hold(IntList bodies) {
-        of(bodies).forEach(island -> island.shake.hold(state));
+        Shake.hold(of(bodies), state);
     }
 
     @Override
     public void close(IntList bodies, double h) {
-        of(bodies).forEach(island -> island.shake.close(state, h));
+        Shake.close(of(bodies), state, h);
     }
 
     /**

@@ -479,7 +479,7 @@ final class Island implements Serializable {
     /** u += W Jᵀ λ, (37) and (40). */
     void apply(double[] w, double[] multipliers, double[] u) {
         if (onlyPins) {
-            pins.apply(multipliers, u);
+            pins.apply(w, multipliers, u);
             return;
         }
         rows.apply(w, multipliers, u);

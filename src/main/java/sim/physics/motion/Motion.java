@@ -12,7 +12,7 @@ import sim.physics.internal.IntList;
  *
  * <p>It models only what a body needs. A body under no force, or under uniform fields and the forces that were applied
  * to it for one step, follows its parabola and is not touched at all. Only bodies on which other generators act are
- * <i>driven</i> by the integrator: each alone, or all together if a force couples them.
+ * <i>driven</i> by the integrator: each alone, or with those that forces or ties connect with it.
  */
 public final class Motion implements EquationsOfMotion, Loads, Serializable {
     private static final long serialVersionUID = 1L;
