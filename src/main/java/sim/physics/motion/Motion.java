@@ -380,6 +380,16 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         return drivenMotion.probe(companions(body), length);
     }
 
+    /**
+     * Lets the last probe of driven bodies go for their motion, if nothing else moves or pushes them before they are advanced.
+     *
+     * @param body index of one of them
+     * @param length time of the probe
+     */
+    public void keepProbe(int body, double length) {
+        drivenMotion.keepProbe(companions(body), length);
+    }
+
     /** The simulated time of an offset in the present step. */
     double time(double tau) {
         return time + tau;
@@ -412,6 +422,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      */
     public void support(int body, double ax, double ay, double alpha) {
         support.set(body, ax, ay, alpha, trajectories.isDriven(body));
+        drivenMotion.probed.cut(body);
         course(body);
     }
 

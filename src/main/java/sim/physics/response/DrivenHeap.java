@@ -22,6 +22,9 @@ final class DrivenHeap implements Serializable {
 
     private static final double SAME = 1e-9;
 
+    /** The same at which the last integration is as good as one under the forces that were found from it. */
+    private static final double EQUAL = 1e-13;
+
     /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
     private static final double MOST_SHARE = 100;
 
@@ -34,6 +37,11 @@ final class DrivenHeap implements Serializable {
     private final BodyScale scales;
     private final double[] fall = new double[State.BLOCK];
     private double[] alone = {};
+
+    /** Whether the impulses are right or nearly so, and whether the last integration was made under them. */
+    private boolean isRight;
+
+    private boolean isProbed;
 
     /** Null while nothing ties bodies of the heap together. */
     private transient Ties ties;
@@ -121,18 +129,20 @@ final class DrivenHeap implements Serializable {
             notes.start(p, length);
         }
         switches.start();
-        probe(heap, length);
-        for (int k = 1; k < PROBES; k++) {
+        boolean isSame = false;
+        for (int k = 0; k < PROBES && !isSame; k++) {
+            probe(heap, length);
             for (int b = 0; b < heap.size; b++) {
                 most = Math.max(most, scales.speed(heap.values[b], system.v, 3 * b));
             }
             system.keep();
-            system.solve(most, true);
-            if (system.change() <= SAME * most) {
-                system.unpush();
-                break;
-            }
-            probe(heap, length);
+            isRight = system.solve(most, true);
+            double change = system.change();
+            isSame = change <= SAME * most;
+            isProbed = change <= EQUAL * most;
+        }
+        if (isProbed) {
+            system.goBack();
         }
         for (int k = 0; k < heap.size; k++) {
             if (isFirst(heap.values[k])) {
@@ -140,6 +150,20 @@ final class DrivenHeap implements Serializable {
             }
         }
         return most;
+    }
+
+    /** Whether the impulses that were found last are right or nearly so. */
+    boolean isRight() {
+        return isRight;
+    }
+
+    /** Lets integrations go for the bodies' motion that were made under the forces which they have got. */
+    void keepProbe(IntList heap, double length) {
+        for (int k = 0; isProbed && k < heap.size; k++) {
+            if (isFirst(heap.values[k])) {
+                motion.keepProbe(heap.values[k], length);
+            }
+        }
     }
 
     /** Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces. */

@@ -360,10 +360,10 @@ final class Heap implements Serializable {
     }
 
     private void solve(double tau) {
-        for (int k = 0; k < heap.size; k++) {
+        for (int k = 0; k < heap.size && !isDriven; k++) {
             scale = Math.max(scale, speed(k));
         }
-        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? system.solve(scale, true) : pile();
+        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? driving.isRight() : pile();
         if (!by.afford(heap, HeapEnergy.gained(system))) {
             done = system.solve(scale, false); // regaining gaps must not add energy
             by.afford(heap, HeapEnergy.gained(system));
@@ -447,6 +447,7 @@ final class Heap implements Serializable {
         double[] d = trajectories.data();
         if (isDriven && !(system.contacts() == 0 && isFresh)) {
             driving.support(heap, until - tau, driving.pushes(heap));
+            driving.keepProbe(heap, until - tau);
         }
         boolean stands = isRubbed && !halts && rubbing.isStill(heap);
         for (int k = 0; k < heap.size; k++) {

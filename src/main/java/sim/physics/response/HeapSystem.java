@@ -387,6 +387,14 @@ final class HeapSystem implements Serializable {
         }
     }
 
+    /** Takes the kept ones again, which are nearly the same. */
+    void goBack() {
+        for (int p = 0; p < points; p++) {
+            data[STRIDE * p + IMPULSE_N] = kept[2 * p];
+            data[STRIDE * p + IMPULSE_T] = kept[2 * p + 1];
+        }
+    }
+
     /** How much the impulses have changed since then, as a velocity that they give. */
     double change() {
         double most = 0;
