@@ -23,7 +23,7 @@ final class DrivenHeap implements Serializable {
     private static final double SAME = 1e-9;
 
     /** The same at which the last integration is as good as one under the forces that were found from it. */
-    private static final double EQUAL = 1e-13;
+    private static final double EQUAL = 1e-11;
 
     /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
     private static final double MOST_SHARE = 100;
@@ -138,7 +138,7 @@ final class DrivenHeap implements Serializable {
             system.keep();
             isRight = system.solve(most, true);
             double change = system.change();
-            isSame = change <= SAME * most;
+            isSame = change <= Math.max(SAME * most, system.enough());
             isProbed = change <= EQUAL * most;
         }
         if (isProbed) {
@@ -157,11 +157,19 @@ final class DrivenHeap implements Serializable {
         return isRight;
     }
 
-    /** Lets integrations go for the bodies' motion that were made under the forces which they have got. */
-    void keepProbe(IntList heap, double length) {
-        for (int k = 0; isProbed && k < heap.size; k++) {
-            if (isFirst(heap.values[k])) {
-                motion.keepProbe(heap.values[k], length);
+    /**
+     * Lets bodies be pushed evenly over a time as was found, also those that nothing drives: if these moved at once as they do
+     * at its end, they would run into those that do not yet. Integrations under the same forces go for the bodies' motion.
+     */
+    void publish(IntList heap, double time) {
+        double[] pushes = pushes(heap);
+        support(heap, time, pushes);
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            if (!trajectories.isDriven(body)) {
+                motion.support(body, pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
+            } else if (isProbed && isFirst(body)) {
+                motion.keepProbe(body, time);
             }
         }
     }
@@ -190,7 +198,7 @@ final class DrivenHeap implements Serializable {
     }
 
     /** Lets driven bodies, and their motors and stops, be pushed evenly over a time. */
-    void support(IntList heap, double time, double[] pushes) {
+    private void support(IntList heap, double time, double[] pushes) {
         int island = 0;
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
@@ -204,7 +212,7 @@ final class DrivenHeap implements Serializable {
     }
 
     /** What the impulses would do to bodies that nothing ties; their ties reply when they are driven. */
-    double[] pushes(IntList heap) {
+    private double[] pushes(IntList heap) {
         alone = alone.length < 3 * heap.size ? new double[6 * heap.size] : alone;
         Arrays.fill(alone, 0, 3 * heap.size, 0);
         system.pushAlone(alone);

@@ -446,8 +446,7 @@ final class Heap implements Serializable {
         }
         double[] d = trajectories.data();
         if (isDriven && !(system.contacts() == 0 && isFresh)) {
-            driving.support(heap, until - tau, driving.pushes(heap));
-            driving.keepProbe(heap, until - tau);
+            driving.publish(heap, until - tau);
         }
         boolean stands = isRubbed && !halts && rubbing.isStill(heap);
         for (int k = 0; k < heap.size; k++) {
@@ -473,8 +472,8 @@ final class Heap implements Serializable {
                 changed.add(body);
                 continue;
             }
-            if (trajectories.isDriven(body)) {
-                by.paidUntil[body] = until;
+            if (isDriven) {
+                by.paidUntil[body] = trajectories.isDriven(body) ? until : 0;
                 changed.add(body);
                 continue;
             }

@@ -166,15 +166,16 @@ final class HeapMatrix implements Serializable {
      */
     boolean solve(HeapSystem s, double exact, double enough, double scale) {
         take(s);
-        double least = Double.POSITIVE_INFINITY;
-        for (int round = 0; round < ROUNDS; round++) {
-            least = relax(round == 0 ? FEW : SWEEPS, least);
-            int vain = 0;
-            for (int k = 0; k < NEWTON_STEPS && least > exact && vain < VAIN && newton(); k++) {
-                double before = least;
-                least = keep(least);
-                vain = least < before ? 0 : vain + 1;
+        double least = keep(Double.POSITIVE_INFINITY);
+        if (least > exact) { // impulses of before may be at the same bounds
+            least = newton(relax(1, least), exact, 1);
+        }
+        for (int round = 0; round < ROUNDS && least > exact; round++) {
+            if (round == 0) {
+                restore();
             }
+            least = relax(round == 0 ? FEW : SWEEPS, least);
+            least = newton(least, exact, VAIN);
             if (round == 0 && least > exact) {
                 least = pivot(least, exact);
             }
@@ -185,6 +186,18 @@ final class HeapMatrix implements Serializable {
         }
         give(s);
         return least <= NEARLY * scale;
+    }
+
+    /** Newton's method, until some steps were in vain; returns the least error so far. */
+    private double newton(double error, double exact, int most) {
+        double least = error;
+        int vain = 0;
+        for (int k = 0; k < NEWTON_STEPS && least > exact && vain < most && newton(); k++) {
+            double before = least;
+            least = keep(least);
+            vain = least < before ? 0 : vain + 1;
+        }
+        return least;
     }
 
     /**

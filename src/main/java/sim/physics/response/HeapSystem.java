@@ -124,6 +124,11 @@ final class HeapSystem implements Serializable {
         enough = Math.min(enough, error);
     }
 
+    /** Error of velocities that is good enough in the end. */
+    double enough() {
+        return enough;
+    }
+
     /**
      * Takes points that are open by next to nothing for closed. Where more points touch than the bodies have freedoms, in a
      * pile of discs, not all of them can close at once, and which do would take long to find.
