@@ -18,7 +18,7 @@ final class DrivenHeap implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Times that the forces of driven bodies are found, and their change at which they are right, as a share of the scale. */
-    private static final int PROBES = 4;
+    private static final int PROBES = 6;
 
     private static final double SAME = 1e-9;
 
@@ -47,6 +47,9 @@ final class DrivenHeap implements Serializable {
     private transient Ties ties;
 
     private final HeapSwitches switches;
+
+    /** By the first body of a heap. */
+    private Extrapolation[] extrapolations = {};
 
     DrivenHeap(
             State state,
@@ -129,9 +132,12 @@ final class DrivenHeap implements Serializable {
             notes.start(p, length);
         }
         switches.start();
+        Extrapolation extrapolation = extrapolation(heap.values[0]);
+        extrapolation.begin(heap, length);
         boolean isSame = false;
         for (int k = 0; k < PROBES && !isSame; k++) {
             probe(heap, length);
+            extrapolation.next(system.w, system.v);
             for (int b = 0; b < heap.size; b++) {
                 most = Math.max(most, scales.speed(heap.values[b], system.v, 3 * b));
             }
@@ -150,6 +156,16 @@ final class DrivenHeap implements Serializable {
             }
         }
         return most;
+    }
+
+    private Extrapolation extrapolation(int first) {
+        if (first >= extrapolations.length) {
+            extrapolations = Arrays.copyOf(extrapolations, Math.max(2 * extrapolations.length, first + 1));
+        }
+        if (extrapolations[first] == null) {
+            extrapolations[first] = new Extrapolation();
+        }
+        return extrapolations[first];
     }
 
     /** Whether the impulses that were found last are right or nearly so. */

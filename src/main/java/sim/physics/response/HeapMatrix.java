@@ -26,6 +26,9 @@ final class HeapMatrix implements Serializable {
     /** Rounds after which impulses are good enough that are nearly right. */
     private static final int LATE = 1;
 
+    /** How many times larger an error is, at most, of which sweeps make none. */
+    private static final double CLOSE = 1000;
+
     /** Sweeps of the first round, and of the next ones. */
     private static final int FEW = 6;
     private static final int SWEEPS = 30;
@@ -167,8 +170,9 @@ final class HeapMatrix implements Serializable {
     boolean solve(HeapSystem s, double exact, double enough, double scale) {
         take(s);
         double least = keep(Double.POSITIVE_INFINITY);
-        if (least > exact) { // impulses of before may be at the same bounds
-            least = newton(relax(1, least), exact, 1);
+        if (least > exact) {
+            least = relax(least <= CLOSE * exact ? FEW : 1, least);
+            least = newton(least, exact, 1); // impulses of before may be at the same bounds
         }
         for (int round = 0; round < ROUNDS && least > exact; round++) {
             if (round == 0) {
