@@ -276,29 +276,17 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean advance(IntList bodies, double gx, double gy, double h) {
-        Island one = projected(bodies);
-        if (one != null && one.skeleton != null) {
-            return one.skeleton.advance(solver, gx, gy, h);
-        }
-        if (one == null || one.tree == null) {
-            return one != null && one.chain != null && one.chain.advance(state, solver, gx, gy, h);
-        }
-        return one.tree.advance(state, solver, gx, gy, h);
+        return QuickStep.advance(projected(bodies), state, solver, gx, gy, h);
     }
 
     @Override
     public boolean advance(IntList bodies, Loads loads, double[] a, double t, double h) {
-        Island one = projected(bodies);
-        if (one != null && one.skeleton != null) {
-            return one.skeleton.advance(solver, loads, a, t, h);
-        }
-        return one != null && one.tree != null && one.tree.advance(state, solver, loads, a, t, h);
+        return QuickStep.advance(projected(bodies), state, solver, loads, a, t, h);
     }
 
     @Override
     public TiedCoordinates coordinates(IntList bodies) {
-        Island one = projected(bodies);
-        return one == null || one.tree == null || one.skeleton != null ? null : one.tree.coordinates(state, solver);
+        return QuickStep.coordinates(projected(bodies), state, solver);
     }
 
     /** The island that a group is and that projection keeps closed, or null. */
@@ -348,13 +336,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void prepareImpact(IntList bodies) {
-        Switches those = of[bodies.values[0]].switches;
-        those.release();
-        Island one = those.active(state);
-        one.evaluate(state);
-        if (one.skeleton != null) {
-            those.measure(state);
-        }
+        Island one = of[bodies.values[0]].switches.evaluateReleased(state);
         solver.prepare(one, state.w().values());
     }
 

@@ -107,21 +107,15 @@ final class Switches implements SwitchedTies {
         }
     }
 
-    /** Finds the values of the coordinates, where those are turns. */
-    void measure(State state) {
-        for (int k = 0; k < rows.length; k++) {
+    /** Lets no row act and evaluates the island, and the coordinates; returns the island that is to be solved. */
+    Island evaluateReleased(State state) {
+        release();
+        Island one = active(state);
+        one.evaluate(state);
+        for (int k = 0; one != island && k < rows.length; k++) {
             rows[k].measure(state.x(), island.blockA[nodes[k]], island.blockB[nodes[k]]);
         }
-    }
-
-    @Override
-    public void thaw() {
-        isFrozen = false;
-    }
-
-    @Override
-    public boolean isFrozen() {
-        return isFrozen;
+        return one;
     }
 
     /** The right side of the velocity equations; null: 0. */

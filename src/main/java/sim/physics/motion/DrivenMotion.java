@@ -222,15 +222,6 @@ final class DrivenMotion implements Serializable {
         return done;
     }
 
-    /** Lets the last probe of a group go for its motion. */
-    void keepProbe(IntList group, double length) {
-        int first = group.values[0];
-        double tau = trajectories.offset(first);
-        if (probed.isOf(first, length) && length == trajectories.h() - tau) {
-            probed.keep(group);
-        }
-    }
-
     private static boolean areNear(IntList group, Neighbours neighbours) {
         return neighbours == null || neighbours.hasNeighbours(group);
     }

@@ -369,27 +369,6 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         drivenMotion.restore(group);
     }
 
-    /**
-     * Moves driven bodies of the state vectors from their anchors on, without paths.
-     *
-     * @param body index of one of them
-     * @param length time
-     * @return how far they came at once
-     */
-    public double probe(int body, double length) {
-        return drivenMotion.probe(companions(body), length);
-    }
-
-    /**
-     * Lets the last probe of driven bodies go for their motion, if nothing else moves or pushes them before they are advanced.
-     *
-     * @param body index of one of them
-     * @param length time of the probe
-     */
-    public void keepProbe(int body, double length) {
-        drivenMotion.keepProbe(companions(body), length);
-    }
-
     /** The simulated time of an offset in the present step. */
     double time(double tau) {
         return time + tau;

@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
+import sim.physics.motion.Probes;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
 import sim.physics.motion.Trajectories;
@@ -24,6 +25,9 @@ final class DrivenHeap implements Serializable {
 
     /** The same at which the last integration is as good as one under the forces that were found from it. */
     private static final double EQUAL = 1e-11;
+
+    /** Error of velocities at the end of their time, relative to them, with which forces may go on until then. */
+    private static final double DRIFT = 1e-5;
 
     /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
     private static final double MOST_SHARE = 100;
@@ -47,6 +51,8 @@ final class DrivenHeap implements Serializable {
     private transient Ties ties;
 
     private final HeapSwitches switches;
+    private final Probes probes;
+    private final KeptImpulses kept;
 
     /** By the first body of a heap. */
     private Extrapolation[] extrapolations = {};
@@ -67,6 +73,8 @@ final class DrivenHeap implements Serializable {
         this.notes = notes;
         this.scales = scales;
         this.switches = new HeapSwitches(by, system);
+        this.probes = new Probes(motion, trajectories);
+        this.kept = new KeptImpulses(system);
     }
 
     /** Takes from bodies what forces have given them for the time that is left: it is found anew, with those of driven ones. */
@@ -141,14 +149,14 @@ final class DrivenHeap implements Serializable {
             for (int b = 0; b < heap.size; b++) {
                 most = Math.max(most, scales.speed(heap.values[b], system.v, 3 * b));
             }
-            system.keep();
+            kept.keep();
             isRight = system.solve(most, true);
-            double change = system.change();
+            double change = kept.change();
             isSame = change <= Math.max(SAME * most, system.enough());
             isProbed = change <= EQUAL * most;
         }
         if (isProbed) {
-            system.goBack();
+            kept.goBack();
         }
         for (int k = 0; k < heap.size; k++) {
             if (isFirst(heap.values[k])) {
@@ -184,10 +192,40 @@ final class DrivenHeap implements Serializable {
             int body = heap.values[k];
             if (!trajectories.isDriven(body)) {
                 motion.support(body, pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
-            } else if (isProbed && isFirst(body)) {
-                motion.keepProbe(body, time);
+                continue;
+            }
+            System.arraycopy(system.v, 3 * k, by.expected, 3 * body, State.BLOCK);
+            if (isProbed && isFirst(body)) {
+                probes.keep(body, time);
             }
         }
+    }
+
+    /**
+     * Whether forces may go on until their time is over, where the path of a body has ended before: if what moves with it comes
+     * to the velocities for which they were found. The error of one long step may be more than that of two short ones.
+     */
+    boolean goesOn(int body, double tau) {
+        motion.bring(body, tau);
+        IntList group = motion.companions(body);
+        double length = by.paidUntil[body] - tau;
+        boolean goesOn = probes.probe(body, length) == length;
+        double most = 0;
+        double error = 0;
+        for (int k = 0; k < group.size; k++) {
+            int one = group.values[k];
+            most = Math.max(most, scales.speed(one, by.expected, State.BLOCK * one));
+            for (int c = 0; c < State.BLOCK; c++) {
+                fall[c] = state.v()[State.BLOCK * one + c] - by.expected[State.BLOCK * one + c];
+            }
+            error = Math.max(error, scales.speed(one, fall, 0));
+        }
+        motion.restore(group);
+        goesOn &= error <= DRIFT * most;
+        if (goesOn) {
+            probes.keep(body, length);
+        }
+        return goesOn;
     }
 
     /** Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces. */
@@ -200,7 +238,7 @@ final class DrivenHeap implements Serializable {
             int body = heap.values[k];
             int o = body * Trajectories.STRIDE + Trajectories.VX;
             if (isFirst(body)) {
-                share = Math.min(MOST_SHARE, length / motion.probe(body, length)); // it may end early, at a stop
+                share = Math.min(MOST_SHARE, length / probes.probe(body, length)); // it may end early, at a stop
             }
             motion.fall(body, fall, 0);
             for (int c = 0; c < State.BLOCK; c++) {

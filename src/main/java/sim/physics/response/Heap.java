@@ -25,7 +25,7 @@ final class Heap implements Serializable {
     /** Height of an edge's other end from which it is no contact, relative to the smaller body. */
     private static final double FLAT = 2e-2;
 
-    /** Speed at which points hardly close, relative to the bodies'. */
+    /** Speed at which points hardly close, relative to the bodies' or to what forces give them. */
     private static final double HARDLY = 1e-12;
 
     /** The same for points that have just been struck; and the part of the speed that they lack which they get then at once. */
@@ -148,6 +148,11 @@ final class Heap implements Serializable {
         motion.support(body, -fall[0], -fall[1], -fall[2]);
     }
 
+    /** Whether forces may be what they are until their time is over, where the path of a driven body has ended before. */
+    boolean goesOn(int body, double tau) {
+        return driving.goesOn(body, tau);
+    }
+
     /** Lets the motors and stops of a body that lies on nothing any more decide by themselves. */
     void thaw(int body) {
         if (motion.isTied(body)) {
@@ -257,7 +262,7 @@ final class Heap implements Serializable {
         for (int k = 0; k < deep.size; k++) {
             isStuck |= Math.abs(system.normal(deep.values[k])) <= STRUCK * speed; // forces that act evenly come too late
         }
-        if (!isStuck && !HeapStrike.isDue(system, HARDLY * speed)) {
+        if (!isStuck && !HeapStrike.isDue(system, HARDLY * Math.max(speed, scale))) {
             return;
         }
         striking.strike(system, Math.max(speed, scale), driving.rebounds(), isStuck ? LIFT : 0);

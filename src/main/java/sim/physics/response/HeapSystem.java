@@ -98,9 +98,6 @@ final class HeapSystem implements Serializable {
 
     private double[] scratch = {};
 
-    /** Impulses of before. */
-    private double[] kept = {};
-
     double[] data = new double[8 * STRIDE];
     private final HeapRelaxation relaxation = new HeapRelaxation();
     private final ContactRows rows = new ContactRows();
@@ -381,39 +378,6 @@ final class HeapSystem implements Serializable {
         if (replies == null || !replies.push(2 * p, jn, jt, v)) {
             rows.pushFirst(p, jn, jt, w, v);
         }
-    }
-
-    /** Keeps the impulses to compare them with. */
-    void keep() {
-        kept = kept.length < 2 * points ? new double[4 * points] : kept;
-        for (int p = 0; p < points; p++) {
-            kept[2 * p] = data[STRIDE * p + IMPULSE_N];
-            kept[2 * p + 1] = data[STRIDE * p + IMPULSE_T];
-        }
-    }
-
-    /** Takes the kept ones again, which are nearly the same. */
-    void goBack() {
-        for (int p = 0; p < points; p++) {
-            data[STRIDE * p + IMPULSE_N] = kept[2 * p];
-            data[STRIDE * p + IMPULSE_T] = kept[2 * p + 1];
-        }
-    }
-
-    /** How much the impulses have changed since then, as a velocity that they give. */
-    double change() {
-        double most = 0;
-        for (int p = 0; p < points; p++) {
-            int o = STRIDE * p;
-            most = Math.max(most, change(data[o + IMPULSE_N] - kept[2 * p], data[o + MOBILITY_N]));
-            most = Math.max(most, change(data[o + IMPULSE_T] - kept[2 * p + 1], data[o + MOBILITY_T]));
-        }
-        return most;
-    }
-
-    /** What a change of an impulse does; where mobility is infinite there is none. */
-    private static double change(double impulse, double mobility) {
-        return impulse == 0 ? 0 : Math.abs(impulse) * mobility;
     }
 
     /** Takes from the velocities what the points' impulses do. */

@@ -295,8 +295,7 @@ public final class Heaps implements Serializable {
         if (isTooOften(body)) {
             giveUp(body);
             changed.add(body);
-        } else if (!by.isDirty[body] && tau < by.paidUntil[body] && trajectories.isDriven(body)) {
-            motion.bring(body, tau); // its path was to be near its motion, and could be no longer: forces are what they were
+        } else if (!by.isDirty[body] && tau < by.paidUntil[body] && trajectories.isDriven(body) && heap.goesOn(body, tau)) {
             changed.add(body);
         } else {
             mark(body);
