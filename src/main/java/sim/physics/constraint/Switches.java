@@ -118,6 +118,16 @@ final class Switches implements SwitchedTies {
         return one;
     }
 
+    @Override
+    public void thaw() {
+        isFrozen = false;
+    }
+
+    @Override
+    public boolean isFrozen() {
+        return isFrozen;
+    }
+
     /** The right side of the velocity equations; null: 0. */
     double[] bias() {
         return rows.length == 0 ? null : bias;
