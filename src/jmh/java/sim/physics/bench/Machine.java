@@ -4,6 +4,7 @@ package sim.physics.bench;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Random;
 import java.util.function.Consumer;
 
 /** Machines on the ground, and what their controllers do. */
@@ -24,6 +25,12 @@ final class Machine {
         ALL.put("walker", Machine::walker);
         ALL.put("ragdoll", Machine::ragdoll);
         ALL.put("gripper", Machine::gripper);
+        ALL.put("stack", m -> m.stack(10));
+        ALL.put("pyramid", m -> m.pyramid(10));
+        ALL.put("boxes", m -> m.pile(40, 0));
+        ALL.put("mixed", m -> m.pile(40, 0.5));
+        ALL.put("discs", m -> m.pile(40, 1));
+        ALL.put("heap", m -> m.pile(200, 0.5));
     }
 
     private final MachineWorld world;
@@ -141,5 +148,40 @@ final class Machine {
         world.motor(left, 0.3, 100);
         world.stops(left, -0.5, 0.004);
         world.motor(right, -0.3, 40);
+    }
+
+    /** Boxes on one another. */
+    private void stack(int n) {
+        ground(0.6);
+        for (int k = 0; k < n; k++) {
+            main = world.box(1, 1, 0.02 * (k % 2), k + 0.5, 0.6, false);
+        }
+    }
+
+    /** Rows of boxes, each on two of the row below. */
+    private void pyramid(int rows) {
+        ground(0.6);
+        for (int row = 0; row < rows; row++) {
+            for (int k = 0; k < rows - row; k++) {
+                main = world.box(1, 1, 1.1 * k + 0.55 * row, row + 0.5, 0.6, false);
+            }
+        }
+    }
+
+    /** Bodies of different size that fall into a bin; a share of them are discs. */
+    private void pile(int n, double discs) {
+        int columns = (int) StrictMath.ceil(StrictMath.sqrt(n));
+        double width = 1.25 * columns;
+        ground(0.5);
+        world.box(1, 4 * width, -0.5, 2 * width, 0.5, true);
+        world.box(1, 4 * width, width + 0.5, 2 * width, 0.5, true);
+        Random random = new Random(7);
+        for (int k = 0; k < n; k++) {
+            double x = 1.25 * (k % columns + 0.5) + 0.05 * random.nextDouble();
+            double y = 1.25 * (k / columns + 0.5) + 0.05 * random.nextDouble();
+            double size = 0.5 + 0.5 * random.nextDouble();
+            boolean round = (k * 7 % 10) < 10 * discs;
+            main = round ? world.disc(size / 2, x, y, 0.5) : world.box(size, 0.5 + 0.3 * random.nextDouble(), x, y, 0.5, false);
+        }
     }
 }

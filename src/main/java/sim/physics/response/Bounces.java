@@ -201,6 +201,9 @@ final class Bounces implements Serializable {
 
     /** Whether so many impacts of a pair in a step have been so short that the two are to lie on one another. */
     boolean jams(int pair, int a, int b, Impact c, boolean inHeap) {
+        if (c.restitution == 0 && (inHeap || pressing(a, b, c) > 0) && !trajectories.isDriven(a) && !trajectories.isDriven(b)) {
+            return true; // it does not bounce at all
+        }
         int least = inHeap ? Tolerances.JOIN_AFTER : Tolerances.LIE_AFTER;
         int most = c.restitution < 1 ? least : Tolerances.ELASTIC_LIE_AFTER;
         if (counts[pair] <= most || c.restitution == 1 && c.friction == 0 && !inHeap) {

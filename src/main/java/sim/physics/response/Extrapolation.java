@@ -19,6 +19,9 @@ final class Extrapolation implements Serializable {
     /** Part of a difference, of its energy, that must be left without those after it. */
     private static final double LEFT = 1e-4;
 
+    /** Energy of a difference that is rounding, relative to that of the velocities. */
+    private static final double NOISE = 1e-22;
+
     /** How much longer or shorter the time may be for which the map was another one. */
     private static final double LIKE = 1.5;
 
@@ -90,12 +93,7 @@ final class Extrapolation implements Serializable {
     void next(double[] w, double[] v) {
         int n = put.length;
         if (count > 1) {
-            newest = size == 0 ? 0 : (newest + 1) % MOST;
-            size = Math.min(size + 1, MOST);
-            for (int k = 0; k < n; k++) {
-                results[newest][k] = v[k] - result[k];
-                changes[newest][k] = v[k] - put[k] - change[k];
-            }
+            note(w, v);
         }
         for (int k = 0; k < n; k++) {
             result[k] = v[k];
@@ -106,6 +104,18 @@ final class Extrapolation implements Serializable {
         }
         System.arraycopy(v, 0, put, 0, n);
         count++;
+    }
+
+    /** Keeps the difference to the last result in place of the oldest, unless it is one by rounding. */
+    private void note(double[] w, double[] v) {
+        int at = size == 0 ? 0 : (newest + 1) % MOST;
+        for (int k = 0; k < put.length; k++) {
+            results[at][k] = v[k] - result[k];
+            changes[at][k] = v[k] - put[k] - change[k];
+        }
+        boolean isNoise = product(w, changes[at], changes[at]) <= NOISE * product(w, v, v);
+        size = isNoise ? Math.min(size, MOST - 1) : Math.min(size + 1, MOST);
+        newest = isNoise ? newest : at;
     }
 
     /** Goes to where the change would be least if the map were linear. */

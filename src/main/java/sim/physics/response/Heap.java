@@ -33,11 +33,11 @@ final class Heap implements Serializable {
 
     private static final double LIFT = 0.1;
 
+    /** Change of velocity that is none, relative to the speeds. */
+    private static final double SAME = 1e-13;
+
     /** Speed that is none, relative to that which the forces give in the time of a solution. */
     private static final double STILL = 1e-7;
-
-    /** Solutions for which points that are hardly open count as closed, once without that there was none. */
-    private static final int RELENTS = 1000;
 
     /** Turn of a body, rad, for which a solution holds; and how many there are in a step at most. */
     private static final double TURN = 0.1;
@@ -62,6 +62,8 @@ final class Heap implements Serializable {
     private final HeapNotes notes;
     private final DrivenHeap driving;
     private final RubbedHeap rubbing;
+    private final FreeHeap free;
+    private final HeapCourses courses;
 
     private final double[] fall = new double[State.BLOCK];
     private final Impact point = new Impact();
@@ -71,6 +73,9 @@ final class Heap implements Serializable {
     private double until;
 
     private boolean isFresh;
+
+    /** Whether bodies that have got what the forces give them until then are solved for anew, because one has been struck. */
+    private boolean isResumed;
 
     /** Whether bodies of the heap are driven. */
     private boolean isDriven;
@@ -114,6 +119,8 @@ final class Heap implements Serializable {
         this.notes = new HeapNotes(system, ledger);
         this.scales = new BodyScale(state, trajectories);
         this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales);
+        this.free = new FreeHeap(trajectories, detection, by, system, notes, scales);
+        this.courses = new HeapCourses(trajectories, by);
         this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
     }
 
@@ -173,6 +180,7 @@ final class Heap implements Serializable {
             rubbing.unpay(heap, tau);
         }
         isFresh |= isEven();
+        isResumed = !isFresh;
         gather(tau);
         if (isDriven) {
             driving.gather(heap, ties, until - tau, scale);
@@ -280,6 +288,9 @@ final class Heap implements Serializable {
         system.clear();
         deep.clear();
         scale = 0;
+        if (!isEven()) {
+            free.begin(heap);
+        }
         for (int k = 0; k < heap.size; k++) {
             enter(k, tau);
         }
@@ -302,14 +313,12 @@ final class Heap implements Serializable {
         int body = heap.values[k];
         double[] w = state.w().values();
         system.enter(k, w[State.BLOCK * body], w[State.BLOCK * body + State.THETA]);
-        double[] d = trajectories.data();
-        System.arraycopy(d, body * Trajectories.STRIDE + Trajectories.VX, system.v, 3 * k, State.BLOCK);
         motion.fall(body, fall, 0);
         double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
-        double time = until - Math.max(tau, by.paidUntil[body]);
-        for (int c = 0; c < State.BLOCK && time > 0 && !isEven(); c++) {
-            system.v[3 * k + c] += fall[c] * time;
+        courses.enter(k, body, tau, system.v, isResumed);
+        for (int c = 0; c < State.BLOCK && !isEven(); c++) {
+            system.v[3 * k + c] += fall[c] * (until - tau);
         }
     }
 
@@ -325,12 +334,10 @@ final class Heap implements Serializable {
             }
             return;
         }
-        ledger.open(pair, tau, manifold, !state.body(a).isFixed(), !isFresh);
+        ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
         double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
-        if (isEven()) {
-            detection.marks().setDepth(pair, HeapGaps.depth(true, size));
-        }
-        double depth = detection.marks().depth(pair);
+        double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size, system.isRough());
+        detection.marks().setDepth(pair, depth);
         system.allow(HeapGaps.littleSpeed(depth, left));
         for (int k = 0; k < manifold.count; k++) {
             response.load(manifold, pair, k, point);
@@ -341,11 +348,17 @@ final class Heap implements Serializable {
                 deep.add(p);
             }
             double bend = scales.bend(manifold, point, a, b, left) + (isDriven ? size * sag : 0);
-            system.bound(p, HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven()));
+            double least = HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven());
+            if (isResumed && least > 0) {
+                double now = system.normal(p, courses.before());
+                double lift = (bend - Math.max(0, manifold.gaps[k] + depth)) / left;
+                least = now >= Math.max(0, lift) ? Math.min(least, now) : least; // as it was found; else gaps are noise
+            }
+            system.bound(p, least);
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
-            if (isFresh && !isEven()) {
+            if (!isEven()) {
                 notes.start(p, left);
             }
         }
@@ -368,12 +381,16 @@ final class Heap implements Serializable {
         for (int k = 0; k < heap.size && !isDriven; k++) {
             scale = Math.max(scale, speed(k));
         }
-        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? driving.isRight() : pile();
-        if (!by.afford(heap, HeapEnergy.gained(system))) {
+        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? driving.isRight() : free.solve(heap, scale);
+        double[] from = isResumed ? courses.before() : system.free();
+        if (!by.afford(heap, HeapEnergy.gained(system, from))) {
             done = system.solve(scale, false); // regaining gaps must not add energy
-            by.afford(heap, HeapEnergy.gained(system));
+            by.afford(heap, HeapEnergy.gained(system, from));
         }
-        notes.note(isFresh ? until - tau : 0, done);
+        notes.press(until - tau);
+        if (isFresh) {
+            notes.note(until - tau, done || !system.isTied());
+        }
         if (isRubbed) {
             rubbing.end();
         }
@@ -381,28 +398,6 @@ final class Heap implements Serializable {
         if (halts) {
             HeapEnergy.halt(system);
         }
-    }
-
-    /** Solves for bodies that nothing drives; where that leads nowhere, points that are hardly open count as closed. */
-    private boolean pile() {
-        int relents = 0;
-        for (int k = 0; k < heap.size; k++) {
-            relents = Math.max(relents, by.relents[heap.values[k]] - 1);
-        }
-        if (relents > 0) {
-            system.relent();
-        }
-        boolean done = system.solve(scale, true);
-        if (!done && relents <= 0) {
-            relents = RELENTS;
-            system.again();
-            system.relent();
-            done = system.solve(scale, true);
-        }
-        for (int k = 0; k < heap.size; k++) {
-            by.relents[heap.values[k]] = relents;
-        }
-        return done;
     }
 
     /** How often something has happened in this step to a body of the heap, at most. */
@@ -483,11 +478,9 @@ final class Heap implements Serializable {
                 continue;
             }
             int o = body * Trajectories.STRIDE + Trajectories.VX;
-            boolean same = by.paidUntil[body] > tau && Arrays.equals(d, o, o + 3, system.v, 3 * k, 3 * k + 3);
-            by.paidUntil[body] = still ? 0 : Math.max(by.paidUntil[body], until);
-            if (!same) {
-                by.pay(body, tau, d, o, system.v, 3 * k);
-                System.arraycopy(system.v, 3 * k, d, o, 3);
+            if (!(isResumed && courses.isKept(k, body, tau, system.v, SAME * scale))) {
+                by.paidUntil[body] = still ? 0 : until;
+                courses.set(k, body, tau, system.v);
                 coast(body);
                 changed.add(body);
             }

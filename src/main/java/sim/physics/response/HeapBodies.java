@@ -28,6 +28,9 @@ final class HeapBodies implements Serializable {
     private static final double WIDER = 4;
     private static final double CLOSER = 0.95;
 
+    /** Steps for which a heap is solved roughly that could not be solved. */
+    private static final int ROUGH_STEPS = 20;
+
     /** Whether a body lies in a heap, stands still there, and is to be solved for. */
     boolean[] lies = {};
 
@@ -64,6 +67,9 @@ final class HeapBodies implements Serializable {
     int[] ends = {};
 
     double[] lost = {};
+
+    /** The number of the step before which its heap is solved roughly. */
+    double[] roughUntil = {};
 
     /** Solutions for which open points of its heap are taken for closed. */
     int[] relents = {};
@@ -102,6 +108,7 @@ final class HeapBodies implements Serializable {
             ends = Arrays.copyOf(ends, n);
             lost = Arrays.copyOf(lost, n);
             relents = Arrays.copyOf(relents, n);
+            roughUntil = Arrays.copyOf(roughUntil, n);
             place = Arrays.copyOf(place, n);
         }
     }
@@ -112,11 +119,27 @@ final class HeapBodies implements Serializable {
         givenUp[body] = step + (2 << givenUpTimes[body]);
     }
 
+    /** Whether a heap is solved roughly for now. */
+    boolean isRough(IntList bodies, double step) {
+        boolean rough = false;
+        for (int k = 0; k < bodies.size; k++) {
+            rough |= roughUntil[bodies.values[k]] > step;
+        }
+        return rough;
+    }
+
+    /** Lets a heap be solved roughly for some steps. */
+    void roughen(IntList bodies, double step) {
+        for (int k = 0; k < bodies.size; k++) {
+            roughUntil[bodies.values[k]] = step + ROUGH_STEPS;
+        }
+    }
+
     /** Takes note of a change of velocity. */
-    void pay(int body, double tau, double[] from, int o, double[] to, int at) {
+    void pay(int body, double tau, double[] from, double[] to, int at) {
         paidFrom[body] = tau;
         for (int c = 0; c < 3; c++) {
-            paid[3 * body + c] = to[at + c] - from[o + c];
+            paid[3 * body + c] = to[at + c] - from[at + c];
         }
     }
 

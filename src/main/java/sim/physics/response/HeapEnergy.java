@@ -6,29 +6,29 @@ package sim.physics.response;
 final class HeapEnergy {
     private HeapEnergy() {}
 
-    /** Twice the kinetic energy that the bodies have more than without impulses; without that of motors. */
-    static double gained(HeapSystem s) {
+    /** Twice the kinetic energy that the bodies have more than with other velocities, mostly those without impulses; without that of motors. */
+    static double gained(HeapSystem s, double[] from) {
         double sum = 0;
         for (int p = 0; s.isTied() && p < s.size(); p++) {
             double jn = s.isMotor(p) ? 0 : s.normalImpulse(p);
             double jt = s.tangentImpulse(p);
-            sum += jn == 0 ? 0 : jn * (s.normal(p, s.v) + s.normal(p, s.free()));
-            sum += jt == 0 ? 0 : jt * (s.tangent(p, s.v) + s.tangent(p, s.free()));
+            sum += jn == 0 ? 0 : jn * (s.normal(p, s.v) + s.normal(p, from));
+            sum += jt == 0 ? 0 : jt * (s.tangent(p, s.v) + s.tangent(p, from));
         }
-        return s.isTied() ? sum : gainedAlone(s);
+        return s.isTied() ? sum : gainedAlone(s, from);
     }
 
-    private static double gainedAlone(HeapSystem s) {
+    private static double gainedAlone(HeapSystem s, double[] from) {
         double sum = 0;
         for (int k = 0; k < s.bodyCount(); k++) {
             if (s.w[2 * k] == 0) {
                 continue; // held
             }
-            double x = s.v[3 * k] - s.free()[3 * k];
-            double y = s.v[3 * k + 1] - s.free()[3 * k + 1];
-            double turn = s.v[3 * k + 2] - s.free()[3 * k + 2];
-            sum += (x * (s.v[3 * k] + s.free()[3 * k]) + y * (s.v[3 * k + 1] + s.free()[3 * k + 1])) / s.w[2 * k];
-            sum += turn * (s.v[3 * k + 2] + s.free()[3 * k + 2]) / s.w[2 * k + 1];
+            double x = s.v[3 * k] - from[3 * k];
+            double y = s.v[3 * k + 1] - from[3 * k + 1];
+            double turn = s.v[3 * k + 2] - from[3 * k + 2];
+            sum += (x * (s.v[3 * k] + from[3 * k]) + y * (s.v[3 * k + 1] + from[3 * k + 1])) / s.w[2 * k];
+            sum += turn * (s.v[3 * k + 2] + from[3 * k + 2]) / s.w[2 * k + 1];
         }
         return sum;
     }

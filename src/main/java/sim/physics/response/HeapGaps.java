@@ -10,6 +10,9 @@ final class HeapGaps {
     /** The same in heaps with driven bodies, whose paths are not quite the motion. */
     private static final double DRIVEN_CUSHION = 1e-7;
 
+    /** The same in heaps that are solved roughly. */
+    private static final double ROUGH_CUSHION = 1e-4;
+
     /** Part of a missing gap that a solution regains. */
     private static final double REGAIN = 0.2;
 
@@ -21,6 +24,12 @@ final class HeapGaps {
     /** How deep a pair may be. */
     static double depth(boolean isDriven, double size) {
         return (isDriven ? DRIVEN_CUSHION : CUSHION) * size;
+    }
+
+    /** How deep a pair of free bodies may be that is as deep as it is: less and less where it could be deeper before. */
+    static double depth(double gap, double size, boolean isRough) {
+        double most = ROUGH_CUSHION * size;
+        return isRough ? most : Math.max(CUSHION * size, Math.min(most, -gap));
     }
 
     /** An error of velocities over a time that does not matter. */
@@ -46,7 +55,7 @@ final class HeapGaps {
             return (least - gap) / time;
         }
         double regained = REGAIN * (room - gap);
-        double lift = 2 * (bend - Math.max(0, gap + depth)); // or it would be too deep before the time is over
-        return (isEven ? regained + Math.max(0, lift) : regained) / time;
+        double lift = bend - Math.max(0, gap + depth); // or it would be too deep before the time is over
+        return (isEven ? regained + Math.max(0, 2 * lift) : Math.max(regained, lift)) / time;
     }
 }

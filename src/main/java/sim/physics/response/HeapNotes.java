@@ -3,6 +3,7 @@
 package sim.physics.response;
 
 import java.io.Serializable;
+import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
 
 /** Where the points of the heap that is being solved come from, and what they bear, to the ledger and from it. */
@@ -35,13 +36,17 @@ final class HeapNotes implements Serializable {
         system.start(p, time * ledger.start(pair, k, false), time * ledger.start(pair, k, true));
     }
 
-    /** Notes what has been found: impulses at once if the time is 0, else forces, from which the next solution starts if right. */
-    void note(double time, boolean right) {
-        if (time == 0) {
-            strike(1);
-            return;
+    /** Lets the pairs of all points be as deep as in heaps that are solved roughly. */
+    void roughen(CollisionDetection detection, BodyScale scales) {
+        for (int p = 0; p < system.contacts(); p++) {
+            int pair = origin.values[p] / 2;
+            double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
+            detection.marks().setDepth(pair, HeapGaps.depth(0, size, true));
         }
-        press(time);
+    }
+
+    /** Notes the forces from which the next solution is to start, if they are right. */
+    void note(double time, boolean right) {
         for (int p = 0; p < system.contacts(); p++) {
             double fn = right ? system.normalImpulse(p) / time : 0;
             double ft = right ? system.tangentImpulse(p) / time : 0;

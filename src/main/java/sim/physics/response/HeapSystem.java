@@ -14,9 +14,7 @@ import sim.physics.motion.SwitchedRow;
  *   λₙ ≥ 0,  vₙ ≥ bₙ,  λₙ (vₙ − bₙ) = 0,    |λₜ| ≤ μ λₙ,  λₜ opposes vₜ
  * </pre>
  *
- * <p>solved by projected relaxation, one point after the other (projected Gauss-Seidel; Jean, <i>The non-smooth contact
- * dynamics method</i>, 1999), until nothing changes any more beyond rounding or the work is spent. Between the sweeps the
- * points that they leave closed or stuck are solved for as equations, by {@link HeapFace}.
+ * <p>solved by a {@link HeapSolver}.
  */
 final class HeapSystem implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -42,31 +40,8 @@ final class HeapSystem implements Serializable {
     /** Speed at which open points may be taken for closed, relative to the error that is good enough: 1e-5 of a size a step. */
     private static final double HOVER = 1e7;
 
-    private static final int SWEEPS = 6;
-
-    /** The same between eliminations. */
-    private static final int FEW_SWEEPS = 2;
-
-    private static final int LEAST_SWEEPS = 20;
-    private static final int WORK = 50_000;
-
-    /** The work on one of several solutions in turn, where the last one need not be the best. */
-    private static final int LITTLE_WORK = 1000;
-
-    /**
-     * Part of the work after which impulses are good enough whose points miss their least gap by little. Where flush edges
-     * leave them open, in a row of boxes, bounds contradict each other by rounding, and impulses drift on and on.
-     */
-    private static final double ENDLESS = 0.1;
-
-    /** Change of velocity in a sweep, relative to the largest speed, at which the impulses are right. */
-    private static final double RIGHT = 1e-13;
-
     /** Mobility of a tied body's point that is none, relative to that of the body alone. */
     private static final double IMMOBILE = 1e-7;
-
-    /** The same at which they may start the next solution. */
-    private static final double NEARLY = 1e-6;
 
     /** Inverse masses and moments of inertia, 2 per body; and velocities, 3 per body. */
     double[] w = new double[16];
@@ -78,20 +53,20 @@ final class HeapSystem implements Serializable {
 
     private int contacts;
     private int count;
-    private final HeapFace face = new HeapFace();
-    private final HeapCorner corner = new HeapCorner();
 
     /** Null until a body is tied to others. */
     private HeapReplies replies;
 
     private boolean tied;
-    private final HeapMatrix matrix = new HeapMatrix();
+    private final HeapSolver solver = new HeapSolver();
 
     /** Inverse masses of 1. */
     private double[] units = {};
 
-    /** Error of velocities that is good enough in the end. */
+    /** Error of velocities that is good enough in the end; and whether little work is to be spent on that. */
     private double enough;
+
+    private boolean rough;
 
     /** The velocities without impulses. */
     private double[] free = {};
@@ -99,7 +74,6 @@ final class HeapSystem implements Serializable {
     private double[] scratch = {};
 
     double[] data = new double[8 * STRIDE];
-    private final HeapRelaxation relaxation = new HeapRelaxation();
     private final ContactRows rows = new ContactRows();
 
     HeapSystem() {}
@@ -108,7 +82,8 @@ final class HeapSystem implements Serializable {
         points = 0;
         contacts = 0;
         tied = false;
-        matrix.forget();
+        rough = false;
+        solver.forget();
         enough = Double.POSITIVE_INFINITY;
         count = 0;
         if (replies != null) {
@@ -166,6 +141,44 @@ final class HeapSystem implements Serializable {
         rows.set(points, a, b, c);
         add(c.friction, c.normalMobility(), c.tangentMobility(), 0, Double.POSITIVE_INFINITY);
         contacts = points;
+    }
+
+    /** Adds the momenta that a point's impulses give. */
+    void pushUnits(int p, double jn, double jt, double[] out) {
+        rows.pushSecond(p, jn, jt, units(), out);
+        rows.pushFirst(p, jn, jt, units, out);
+    }
+
+    private double[] units() {
+        if (units.length < 2 * count) {
+            units = new double[4 * count];
+            Arrays.fill(units, 1);
+        }
+        return units;
+    }
+
+    /** Puts the velocities in their place that the impulses give. */
+    void refresh() {
+        again();
+        applyAll();
+    }
+
+    /** Takes all impulses to an array, or a larger one. */
+    double[] impulses(double[] to) {
+        double[] out = to.length < 2 * points ? new double[4 * points] : to;
+        for (int p = 0; p < points; p++) {
+            out[2 * p] = data[STRIDE * p + IMPULSE_N];
+            out[2 * p + 1] = data[STRIDE * p + IMPULSE_T];
+        }
+        return out;
+    }
+
+    /** Puts all impulses in their place, and the velocities that they give. */
+    void put(double[] impulses) {
+        for (int p = 0; p < points; p++) {
+            start(p, impulses[2 * p], impulses[2 * p + 1]);
+        }
+        refresh();
     }
 
     /** Adds a motor or a stop, behind all contacts, between two bodies of the heap; sign −1 for the upper stop. */
@@ -232,6 +245,15 @@ final class HeapSystem implements Serializable {
         return rows;
     }
 
+    /** Spends little work from now on. */
+    void roughen() {
+        rough = true;
+    }
+
+    boolean isRough() {
+        return rough;
+    }
+
     /** Whether bodies are tied to others. */
     boolean isTied() {
         return tied;
@@ -283,12 +305,8 @@ final class HeapSystem implements Serializable {
 
     /** Takes the momenta that the impulses give to bodies, whatever their masses, to an array. */
     void momenta(double[] out) {
-        if (units.length < 2 * count) {
-            units = new double[4 * count];
-            Arrays.fill(units, 1);
-        }
         Arrays.fill(out, 0, 3 * count, 0);
-        pushAlone(units, out);
+        pushAlone(units(), out);
     }
 
     /** Sets the least normal velocity of a point. */
@@ -407,40 +425,14 @@ final class HeapSystem implements Serializable {
      * @return whether the impulses are right or nearly so
      */
     boolean solve(double scale, boolean regains) {
-        return solve(scale, regains, WORK);
+        begin(regains);
+        return solver.solve(this, scale, enough);
     }
 
     /** The same with little work. */
     boolean solveInTurn(double scale) {
-        return solve(scale, true, LITTLE_WORK);
-    }
-
-    private boolean solve(double scale, boolean regains, int work) {
-        begin(regains);
-        if (tied && matrix.assemble(this)) {
-            return matrix.solve(this, RIGHT * scale, enough, scale);
-        }
-        applyAll();
-        int left = Math.max(LEAST_SWEEPS, work / Math.max(1, points));
-        int late = (int) ((1 - ENDLESS) * left);
-        double change = 0;
-        int corners = work == LITTLE_WORK && !tied && points <= HeapCorner.MOST ? HeapCorner.ROUNDS : 0;
-        while (left > 0) {
-            for (int k = corners > 0 ? SWEEPS - FEW_SWEEPS : 0; k < SWEEPS; k++) {
-                change = 0;
-                for (int p = 0; p < points; p++) {
-                    change = Math.max(change, relaxation.relax(this, p));
-                }
-                if (change <= RIGHT * scale || left < late && change <= enough) {
-                    return true;
-                }
-            }
-            left -= corners-- > 0 ? corner.solve(this) : SWEEPS + face.solve(this, RIGHT * scale);
-        }
-        for (int p = 0; p < points; p++) {
-            change = Math.max(change, relaxation.relax(this, p));
-        }
-        return change <= NEARLY * scale;
+        begin(true);
+        return solver.solveInTurn(this, scale, enough);
     }
 
     private void begin(boolean regains) {
@@ -460,7 +452,8 @@ final class HeapSystem implements Serializable {
         }
     }
 
-    private void applyAll() {
+    /** Adds to the velocities what all impulses do. */
+    void applyAll() {
         for (int p = 0; p < points; p++) {
             int o = STRIDE * p;
             if (data[o + IMPULSE_N] != 0 || data[o + IMPULSE_T] != 0) {
