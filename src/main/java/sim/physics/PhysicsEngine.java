@@ -379,7 +379,7 @@ public final class PhysicsEngine implements Steppable {
             return;
         }
         if (response.heaps().has(body)) {
-            response.heaps().again(body);
+            response.heaps().again(body, tau);
             settleHeaps(tau);
             followGroups();
             return;

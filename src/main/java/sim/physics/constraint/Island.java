@@ -55,6 +55,9 @@ final class Island implements Serializable {
     /** In the order in which they were added. */
     final List<Constraint> inOrder;
 
+    /** What pushes the bodies beside the constraints, if this is an island without its motors and stops; else null. */
+    Skeleton skeleton;
+
     /** This island as a list. */
     final List<Island> alone = new ArrayList<>(1);
 
