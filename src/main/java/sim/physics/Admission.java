@@ -183,8 +183,8 @@ final class Admission implements Presence, Serializable {
 
     /** Cuts the constraints of bodies that leave, and tells the others of bodies that were written. */
     private void tellConstraints() {
-        for (Body body : leaving) {
-            untie(body);
+        for (int k = 0; k < leaving.size(); k++) {
+            untie(leaving.get(k));
         }
         for (int k = 0; k < state.touchedCount(); k++) {
             Body body = state.body(state.touched(k));
@@ -413,6 +413,7 @@ final class Admission implements Presence, Serializable {
             }
         }
         int index = body.index();
+        motion.groups().leave(index);
         if (audit != null) {
             audit.removed(index);
         }

@@ -379,7 +379,7 @@ public final class PhysicsEngine implements Steppable {
             return;
         }
         if (response.heaps().has(body)) {
-            response.heaps().again(body);
+            response.heaps().again(body, tau);
             settleHeaps(tau);
             followGroups();
             return;
@@ -509,7 +509,7 @@ public final class PhysicsEngine implements Steppable {
         if (!motion.add(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
         }
-        touch(generator);
+        touch(motion.groups().bodies(generator));
     }
 
     /**
@@ -519,10 +519,11 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if it was not
      */
     public void remove(ForceGenerator generator) {
+        List<Body> named = motion.groups().bodies(generator);
         if (!motion.remove(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it is not in this engine");
         }
-        touch(generator);
+        touch(named);
     }
 
     /** Lets all bodies start anew from their places. */
@@ -532,9 +533,8 @@ public final class PhysicsEngine implements Steppable {
         }
     }
 
-    /** Lets all bodies start anew from their places that a generator may act on. */
-    private void touch(ForceGenerator generator) {
-        List<Body> named = generator.getBodies();
+    /** Lets the bodies start anew from their places that a generator has named, or all. */
+    private void touch(List<Body> named) {
         for (Body body : named == null ? bodies() : named) {
             if (contains(body)) {
                 state.touch(body.index());

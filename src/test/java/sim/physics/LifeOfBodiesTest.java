@@ -206,6 +206,36 @@ class LifeOfBodiesTest {
     }
 
     @Test
+    void aBroadPhaseTakesOverWhatIsNearOneAnother() {
+        PhysicsEngine kept = Scenes.gas(Scenes.Kind.FIGURE_1, 45, 3);
+        PhysicsEngine changed = Scenes.gas(Scenes.Kind.FIGURE_1, 45, 3);
+        kept.setBroadPhase(new BruteForce());
+        for (int k = 0; k < 60; k++) {
+            changed.setBroadPhase(k % 3 == 0 ? new CellGrid() : k % 3 == 1 ? new SortAndSweep() : new BruteForce());
+            run(kept, 1);
+            run(changed, 1);
+            assertThat(changed.getImpacts()).isEqualTo(kept.getImpacts());
+        }
+        assertThat(kept.getImpacts()).isGreaterThan(20);
+        for (int k = 0; k < kept.bodies().size(); k++) {
+            assertThat(changed.bodies().get(k).getX()).isCloseTo(kept.bodies().get(k).getX(), within(1e-9));
+        }
+    }
+
+    /** The engine takes a grid then, of its own accord. */
+    @Test
+    void aSceneGrowsToACrowdWhileBodiesAreNearOneAnother() {
+        PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 40, 3);
+        run(engine, 20);
+        double energy = engine.kineticEnergy();
+        for (int k = 0; k < 20; k++) {
+            engine.add(new Body(new Circle(1)).at(1e4 + 2.5 * k, 0));
+        }
+        run(engine, 20);
+        assertThat(engine.kineticEnergy()).isCloseTo(energy, within(1e-12 * energy));
+    }
+
+    @Test
     void aListenerLetsPassSticksAndRemoves() {
         PhysicsEngine engine = new PhysicsEngine();
         engine.setTimeStep(0.1);

@@ -228,6 +228,11 @@ public final class Constraints implements Ties, Serializable {
         return body < of.length ? of[body] : null;
     }
 
+    /** The island of a body that is to be solved now. */
+    private Island active(int body) {
+        return of[body].switches.active(state);
+    }
+
     @Override
     public IntList island(int body) {
         return of[body].bodies;
@@ -244,11 +249,14 @@ public final class Constraints implements Ties, Serializable {
     /** The islands of a group. */
     private List<Island> of(IntList bodies) {
         Island one = islandOf(bodies.values[0]);
-        return one != null && one.bodies == bodies ? one.alone : several.of(bodies, of);
+        return one != null && one.bodies == bodies ? one.switches.active(state).alone : several.of(bodies, of);
     }
 
     /** Adds W Jᵀ λ, (37) with (40), where λ keeps C″ = J a + J̇ ẋ = 0, (36). */
     private void accelerate(Island island, double[] a) {
+        if (island.skeleton != null) {
+            island.skeleton.push(a);
+        }
         island.invariants.note(a);
         if (!island.switches.isEmpty()) {
             island.switches.accelerate(state, solver, a);
@@ -263,34 +271,31 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void begin(IntList bodies, boolean isFree) {
-        of(bodies).forEach(island -> island.invariants.begin(state, isFree));
+        List<Island> those = of(bodies);
+        for (int k = 0; k < those.size(); k++) {
+            those.get(k).invariants.begin(state, isFree);
+        }
     }
 
     @Override
     public boolean advance(IntList bodies, double gx, double gy, double h) {
-        Island one = projected(bodies);
-        if (one == null || one.tree == null) {
-            return one != null && one.chain != null && one.chain.advance(state, solver, gx, gy, h);
-        }
-        return one.tree.advance(state, solver, gx, gy, h);
+        return QuickStep.advance(projected(bodies), state, solver, gx, gy, h);
     }
 
     @Override
     public boolean advance(IntList bodies, Loads loads, double[] a, double t, double h) {
-        Island one = projected(bodies);
-        return one != null && one.tree != null && one.tree.advance(state, solver, loads, a, t, h);
+        return QuickStep.advance(projected(bodies), state, solver, loads, a, t, h);
     }
 
     @Override
     public TiedCoordinates coordinates(IntList bodies) {
-        Island one = projected(bodies);
-        return one == null || one.tree == null ? null : one.tree.coordinates(state, solver);
+        return QuickStep.coordinates(projected(bodies), state, solver);
     }
 
     /** The island that a group is and that projection keeps closed, or null. */
     private Island projected(IntList bodies) {
         Island one = islandOf(bodies.values[0]);
-        return one != null && one.bodies == bodies && !stabilization.isFeedback() ? one : null;
+        return one != null && one.bodies == bodies && !stabilization.isFeedback() ? one.switches.active(state) : null;
     }
 
     @Override
@@ -334,9 +339,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void prepareImpact(IntList bodies) {
-        Island one = of[bodies.values[0]];
-        one.switches.release();
-        one.evaluate(state);
+        Island one = of[bodies.values[0]].switches.evaluateReleased(state);
         solver.prepare(one, state.w().values());
     }
 
@@ -347,27 +350,27 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public BlockSparseMatrix jacobian(IntList bodies) {
-        return GlobalSolver.jacobian(of[bodies.values[0]], state.x().length);
+        return GlobalSolver.jacobian(active(bodies.values[0]), state.x().length);
     }
 
     @Override
     public void reply(int body, double px, double py, double turn, double[] velocities) {
-        solver.reply(of[body], state.w().values(), body, px, py, turn, velocities);
+        solver.reply(active(body), state.w().values(), body, px, py, turn, velocities);
     }
 
     @Override
     public void settle(IntList bodies) {
-        of(bodies).forEach(k -> projection.settle(k, state, solver));
+        projection.settle(of(bodies), state, solver);
     }
 
     @Override
     public void hold(IntList bodies) {
-        of(bodies).forEach(island -> island.shake.hold(state));
+        Shake.hold(of(bodies), state);
     }
 
     @Override
     public void close(IntList bodies, double h) {
-        of(bodies).forEach(island -> island.shake.close(state, h));
+        Shake.close(of(bodies), state, h);
     }
 
     /**
@@ -378,7 +381,7 @@ public final class Constraints implements Ties, Serializable {
      */
     public Reaction reaction(Constraint constraint) {
         Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
-        return islandOf(body.index()).reaction(constraint);
+        return (constraint instanceof Switched ? of[body.index()] : active(body.index())).reaction(constraint);
     }
 
     /**
@@ -388,7 +391,7 @@ public final class Constraints implements Ties, Serializable {
      * @return those that break; empty if none does
      */
     public List<Constraint> overloaded(IntList bodies) {
-        return islandOf(bodies.values[0]).overloaded();
+        return active(bodies.values[0]).overloaded();
     }
 
     /**
@@ -397,7 +400,7 @@ public final class Constraints implements Ties, Serializable {
      * @return as the last solves found them
      */
     public int redundant() {
-        return islands.stream().mapToInt(island -> island.redundantRows).sum();
+        return islands.stream().mapToInt(island -> island.switches.active(state).redundantRows).sum();
     }
 
     /**

@@ -47,6 +47,11 @@ public final class GearJoint extends Joint {
         return true;
     }
 
+    /** C at some angles. */
+    double open(double a, double b) {
+        return a + ratio * b - sum;
+    }
+
     @Override
     public void evaluate(Equations e) {
         e.set(0, getBodyA().getAngle() + ratio * angle(getBodyB()) - sum, 0);

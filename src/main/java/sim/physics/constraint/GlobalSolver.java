@@ -13,7 +13,8 @@ import sim.physics.matrix.SolverException;
 /**
  * The write-up's own way: J as a {@link BlockSparseMatrix}, W as a {@link DiagonalMatrix}, and J W Jᵀ λ = b, (41), by
  * {@link BiConjugateGradient} through {@code times} and {@code transposeTimes} alone. It is the reference of
- * {@link DirectSolver}.
+ * {@link DirectSolver}. Where constraints are redundant, or nearly so, it may not converge, and says so by a
+ * {@link SolverException}.
  */
 public final class GlobalSolver extends ConstraintSolver {
     private static final long serialVersionUID = 1L;

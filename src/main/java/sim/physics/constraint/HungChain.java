@@ -119,6 +119,7 @@ final class HungChain implements Serializable {
         link = new double[STRIDE * links];
         middle = STRIDE * ((links - 1) / 2);
         first = HungMasses.first(tree);
+        forget(); // a state of zeros is no end of a step
     }
 
     /**

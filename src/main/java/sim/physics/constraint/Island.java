@@ -55,6 +55,9 @@ final class Island implements Serializable {
     /** In the order in which they were added. */
     final List<Constraint> inOrder;
 
+    /** What pushes the bodies beside the constraints, if this is an island without its motors and stops; else null. */
+    Skeleton skeleton;
+
     /** This island as a list. */
     final List<Island> alone = new ArrayList<>(1);
 
@@ -479,7 +482,7 @@ final class Island implements Serializable {
     /** u += W Jᵀ λ, (37) and (40). */
     void apply(double[] w, double[] multipliers, double[] u) {
         if (onlyPins) {
-            pins.apply(multipliers, u);
+            pins.apply(w, multipliers, u);
             return;
         }
         rows.apply(w, multipliers, u);

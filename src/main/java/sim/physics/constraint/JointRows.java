@@ -246,5 +246,6 @@ final class JointRows implements Serializable {
             island.j[o + 6] = ratio;
         }
         island.c[slot] = a + ratio * b - angleValues[at + 1];
+        island.rate[slot] = 0; // feedback has added to it
     }
 }

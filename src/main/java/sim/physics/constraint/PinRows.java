@@ -280,8 +280,11 @@ final class PinRows implements Serializable {
         }
     }
 
-    /** u += W Jᵀ λ; the masses are known from the factorization. */
-    void apply(double[] lambda, double[] u) {
+    /** u += W Jᵀ λ. */
+    void apply(double[] w, double[] lambda, double[] u) {
+        if (!isWeighed) { // a solver that factors has done so
+            weigh(w);
+        }
         for (int p = 0; p < pins.length; p++) {
             double l0 = lambda[2 * p];
             double l1 = lambda[2 * p + 1];

@@ -198,6 +198,7 @@ final class PinTree implements Serializable {
                 side[SIDE * k + 1] = ey;
             }
         }
+        forget(); // a state of zeros is no end of a step
     }
 
     /** Takes the masses over. */

@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.List;
 import sim.physics.motion.State;
 
 /**
@@ -209,6 +210,13 @@ final class Projection implements Serializable {
             isStruck = island.switches.isStruck(state, time);
         }
         return hits;
+    }
+
+    /** Projects the velocities of some islands alone. */
+    void settle(List<Island> islands, State state, ConstraintSolver solver) {
+        for (int k = 0; k < islands.size(); k++) {
+            settle(islands.get(k), state, solver);
+        }
     }
 
     /** Projects the velocities alone; the island is evaluated, and prepared at or near the same positions. */

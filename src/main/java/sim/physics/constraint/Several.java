@@ -14,12 +14,16 @@ final class Several implements Serializable {
     private transient IntList bodies;
     private transient List<Island> islands;
 
-    /** The islands that some bodies are in, which have all bodies of each, in ascending order of their first bodies. */
+    /**
+     * The islands that some bodies are in, which have all bodies of each, in ascending order of their first bodies; valid until
+     * others are asked for.
+     */
     List<Island> of(IntList group, Island[] of) {
         if (bodies == group) {
             return islands;
         }
-        islands = new ArrayList<>();
+        islands = islands == null ? new ArrayList<>() : islands;
+        islands.clear();
         for (int k = 0; k < group.size; k++) {
             int body = group.values[k];
             Island one = body < of.length ? of[body] : null;

@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.List;
 import sim.physics.internal.DenseFactor;
 import sim.physics.motion.Carry;
 import sim.physics.motion.State;
@@ -50,6 +51,18 @@ final class Shake implements Serializable {
 
     Shake(Island island) {
         this.island = island;
+    }
+
+    static void hold(List<Island> islands, State state) {
+        for (int k = 0; k < islands.size(); k++) {
+            islands.get(k).shake.hold(state);
+        }
+    }
+
+    static void close(List<Island> islands, State state, double h) {
+        for (int k = 0; k < islands.size(); k++) {
+            islands.get(k).shake.close(state, h);
+        }
     }
 
     /** Keeps J and the factors of J W Jᵀ. */

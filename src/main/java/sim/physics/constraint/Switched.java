@@ -124,6 +124,13 @@ abstract class Switched implements Constraint {
         }
     }
 
+    /** Finds the coordinate, a turn, at some positions. */
+    final void measure(double[] x, int blockA, int blockB) {
+        value = ((GearJoint) coordinate).open(
+                blockA < 0 ? getBodyA().getAngle() : x[blockA + State.THETA],
+                blockB < 0 ? Joint.angle(getBodyB()) : x[blockB + State.THETA]);
+    }
+
     /** The coordinate at the last evaluation. */
     final double value() {
         return value;

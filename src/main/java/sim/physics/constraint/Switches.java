@@ -33,6 +33,11 @@ final class Switches implements SwitchedTies {
     /** Whether all push with forces that were found elsewhere. */
     private boolean isFrozen;
 
+    /** The island without these, null if not made or if there is none; and whether that is known. */
+    private Skeleton skeleton;
+
+    private boolean isSkeletonKnown;
+
     /** Whether forces are kept within their bounds, and whether one that acts has been out of them. */
     private boolean isLimited = true;
 
@@ -75,8 +80,42 @@ final class Switches implements SwitchedTies {
     public void freeze(int k, double force) {
         isFrozen = true;
         rows[k].isOn = false;
+        rows[k].isOnNow = false;
         rows[k].yields = false;
         rows[k].force = force;
+        rows[k].forceNow = force;
+    }
+
+    /** The island that is to be solved now: while these are frozen, that without them, if there is one. */
+    Island active(State state) {
+        if (!isFrozen) {
+            return island;
+        }
+        if (!isSkeletonKnown) {
+            skeleton = Skeleton.of(island, this, state);
+            isSkeletonKnown = true;
+        }
+        return skeleton == null ? island : skeleton.island;
+    }
+
+    /** Adds what forces that are given do to accelerations. */
+    void push(double[] w, double[] a) {
+        for (int k = 0; k < rows.length; k++) {
+            if (rows[k].force != 0) {
+                rows[k].push(rows[k].force, w, a, island.blockA[nodes[k]], island.blockB[nodes[k]]);
+            }
+        }
+    }
+
+    /** Lets no row act and evaluates the island, and the coordinates; returns the island that is to be solved. */
+    Island evaluateReleased(State state) {
+        release();
+        Island one = active(state);
+        one.evaluate(state);
+        for (int k = 0; one != island && k < rows.length; k++) {
+            rows[k].measure(state.x(), island.blockA[nodes[k]], island.blockB[nodes[k]]);
+        }
+        return one;
     }
 
     @Override
@@ -101,6 +140,9 @@ final class Switches implements SwitchedTies {
             s.isOnNow = false;
         }
         setBias();
+        if (skeleton != null) {
+            skeleton.island.forget();
+        }
     }
 
     /** Lets no row act: an impact's forces are greater than any motor's, and stops have impacts of their own. */

@@ -37,6 +37,9 @@ final class DrivenMotion implements Serializable {
     private final Sliding sliding;
     private final Strides strides;
 
+    /** The last probe, where it may be what is to be done. */
+    final Probe probed = new Probe();
+
     /** Null while nothing ties bodies together. */
     private TiedMotion tied;
 
@@ -120,15 +123,17 @@ final class DrivenMotion implements Serializable {
             isCoarse = ahead.isCoarse(first);
             return ahead.length(first);
         }
-        if (done == Ahead.NOTHING && tied != null && leaps(group, first, neighbours)) {
+        boolean isProbed = done == Ahead.NOTHING && probed.take(group, state);
+        if (done == Ahead.NOTHING && !isProbed && tied != null && leaps(group, first, neighbours)) {
             return trajectories.h();
         }
         double tau = trajectories.offset(first);
         double rest = trajectories.h() - tau;
         boolean chooses = motion.getIntegrator().isAdaptive();
         double known = fineLength[first];
-        boolean isKnown = known > 0 && known < rest && done != Ahead.STRIDE && areNear(group, neighbours);
-        double length = done == Ahead.STRIDE ? ahead.length(first) : isKnown ? stride(group, tau, known) : goOn(group, tau, rest);
+        path.knowsFirst = isProbed ? probed.knowsFirst() : path.knowsFirst;
+        boolean isKnown = !isProbed && known > 0 && known < rest && done != Ahead.STRIDE && areNear(group, neighbours);
+        double length = done == Ahead.STRIDE ? ahead.length(first) : isProbed ? rest : isKnown ? stride(group, tau, known) : goOn(group, tau, rest);
         double error = done == Ahead.STRIDE ? ahead.error(first) : pathError(group, length);
         double shortest = chooses ? 0 : LEAST * trajectories.h();
         while (error > 1 && length > shortest && areNear(group, neighbours)) {
@@ -212,7 +217,9 @@ final class DrivenMotion implements Serializable {
 
     /** Integrates a group from its anchors into the state vectors; returns how far. */
     double probe(IntList group, double length) {
-        return stride(group, trajectories.offset(group.values[0]), length);
+        double done = stride(group, trajectories.offset(group.values[0]), length);
+        probed.note(group, state, done, path.knowsFirst);
+        return done;
     }
 
     private static boolean areNear(IntList group, Neighbours neighbours) {
@@ -265,6 +272,7 @@ final class DrivenMotion implements Serializable {
     /** Integrates a group from its anchors; returns how far. */
     private double stride(IntList group, double tau, double limit) {
         strides.cut(group.values[0]);
+        probed.cut(group.values[0]);
         restore(group);
         path.knowsFirst = false;
         double t = motion.time(tau);
@@ -344,6 +352,7 @@ final class DrivenMotion implements Serializable {
 
     /** Integrates a group from one offset to another, which may be an earlier one. */
     void cover(IntList group, double from, double to) {
+        probed.cut(group.values[0]);
         double t = motion.time(from);
         double length = to - from;
         SurfaceFriction surface = motion.ground().surfaceUnder(group);
@@ -441,6 +450,7 @@ final class DrivenMotion implements Serializable {
     /** Takes note that a body's course has changed at its anchor. */
     void forget(int body) {
         strides.cut(body);
+        probed.cut(body);
         if (body < endAt.length) {
             endAt[body] = Double.NaN;
             strikes[body] = trajectories.step() - struckIn[body] <= 1 ? strikes[body] + 1 : 1;

@@ -24,11 +24,12 @@ public interface ForceGenerator extends Serializable {
     void addForce(Body body, double time, Forces forces);
 
     /**
-     * Whether this generator ever acts on a body. Bodies on which none acts move freely, without an integrator.
+     * Whether this generator ever acts on a body. Bodies on which none acts move freely, without an integrator. A force that
+     * begins or ends with the time, or with where a body is, must not be switched here: let {@link #addForce} add nothing.
      *
      * @param body a movable body
      * @return true for all bodies, unless overridden; asked when the body or the generator is added, and again after the
-     *     body's properties have been set, not in each step
+     *     body has been written, not in each step
      */
     default boolean actsOn(Body body) {
         return true;

@@ -111,16 +111,18 @@ final class Generators implements Serializable {
     boolean add(ForceGenerator generator) {
         Objects.requireNonNull(generator, "generator");
         index();
-        if (!known.add(generator)) {
+        if (known.contains(generator)) {
             return false;
         }
+        Entry entry = generator instanceof Gravity ? null : new Entry(generator, orders); // first: an author's code may throw
+        known.add(generator);
         all.add(generator);
         if (generator instanceof Gravity field) {
             gravityX += field.getX();
             gravityY += field.getY();
             return true;
         }
-        Entry entry = new Entry(generator, orders++);
+        orders++;
         driving.add(entry);
         drives = true;
         sortOut(entry);
@@ -156,6 +158,16 @@ final class Generators implements Serializable {
         isCouplingNew |= coupled;
         sortOut();
         return true;
+    }
+
+    /** The only bodies that a generator acts on, as it said when it was added; null if it is asked, or is not there. */
+    List<Body> bodies(ForceGenerator generator) {
+        for (int k = driving.size() - 1; k >= 0; k--) {
+            if (driving.get(k).generator.equals(generator)) {
+                return driving.get(k).bodies;
+            }
+        }
+        return null;
     }
 
     private void sortOut() {

@@ -83,6 +83,16 @@ public final class Groups implements Serializable {
         generators.isCouplingNew |= of(body) != null;
     }
 
+    /**
+     * The only bodies that a generator acts on.
+     *
+     * @param generator one that was added
+     * @return those that it named then; null if it is asked about all
+     */
+    public List<Body> bodies(ForceGenerator generator) {
+        return generators.bodies(generator);
+    }
+
     /** Asks the generators again what may change, at the start of a step. */
     public void begin() {
         generators.askAgain();

@@ -12,7 +12,7 @@ import sim.physics.internal.IntList;
  *
  * <p>It models only what a body needs. A body under no force, or under uniform fields and the forces that were applied
  * to it for one step, follows its parabola and is not touched at all. Only bodies on which other generators act are
- * <i>driven</i> by the integrator: each alone, or all together if a force couples them.
+ * <i>driven</i> by the integrator: each alone, or with those that forces or ties connect with it.
  */
 public final class Motion implements EquationsOfMotion, Loads, Serializable {
     private static final long serialVersionUID = 1L;
@@ -369,17 +369,6 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         drivenMotion.restore(group);
     }
 
-    /**
-     * Moves driven bodies of the state vectors from their anchors on, without paths.
-     *
-     * @param body index of one of them
-     * @param length time
-     * @return how far they came at once
-     */
-    public double probe(int body, double length) {
-        return drivenMotion.probe(companions(body), length);
-    }
-
     /** The simulated time of an offset in the present step. */
     double time(double tau) {
         return time + tau;
@@ -412,6 +401,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      */
     public void support(int body, double ax, double ay, double alpha) {
         support.set(body, ax, ay, alpha, trajectories.isDriven(body));
+        drivenMotion.probed.cut(body);
         course(body);
     }
 

@@ -178,7 +178,7 @@ public interface Ties extends Serializable {
     /**
      * Changes the velocities of the state vectors by the least amount that the ties ask for.
      *
-     * @param bodies all bodies of an island, prepared or evaluated for their accelerations, or of all islands
+     * @param bodies all bodies of an island, or of several and others, prepared or evaluated for accelerations
      */
     void settle(IntList bodies);
 

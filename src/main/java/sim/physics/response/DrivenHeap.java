@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
+import sim.physics.motion.Probes;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
 import sim.physics.motion.Trajectories;
@@ -18,9 +19,15 @@ final class DrivenHeap implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Times that the forces of driven bodies are found, and their change at which they are right, as a share of the scale. */
-    private static final int PROBES = 4;
+    private static final int PROBES = 6;
 
     private static final double SAME = 1e-9;
+
+    /** The same at which the last integration is as good as one under the forces that were found from it. */
+    private static final double EQUAL = 1e-11;
+
+    /** Error of velocities at the end of their time, relative to them, with which forces may go on until then. */
+    private static final double DRIFT = 1e-5;
 
     /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
     private static final double MOST_SHARE = 100;
@@ -35,10 +42,20 @@ final class DrivenHeap implements Serializable {
     private final double[] fall = new double[State.BLOCK];
     private double[] alone = {};
 
+    /** Whether the impulses are right or nearly so, and whether the last integration was made under them. */
+    private boolean isRight;
+
+    private boolean isProbed;
+
     /** Null while nothing ties bodies of the heap together. */
     private transient Ties ties;
 
     private final HeapSwitches switches;
+    private final Probes probes;
+    private final KeptImpulses kept;
+
+    /** By the first body of a heap. */
+    private Extrapolation[] extrapolations = {};
 
     DrivenHeap(
             State state,
@@ -56,6 +73,8 @@ final class DrivenHeap implements Serializable {
         this.notes = notes;
         this.scales = scales;
         this.switches = new HeapSwitches(by, system);
+        this.probes = new Probes(motion, trajectories);
+        this.kept = new KeptImpulses(system);
     }
 
     /** Takes from bodies what forces have given them for the time that is left: it is found anew, with those of driven ones. */
@@ -121,18 +140,23 @@ final class DrivenHeap implements Serializable {
             notes.start(p, length);
         }
         switches.start();
-        probe(heap, length);
-        for (int k = 1; k < PROBES; k++) {
+        Extrapolation extrapolation = extrapolation(heap.values[0]);
+        extrapolation.begin(heap, length);
+        boolean isSame = false;
+        for (int k = 0; k < PROBES && !isSame; k++) {
+            probe(heap, length);
+            extrapolation.next(system.w, system.v);
             for (int b = 0; b < heap.size; b++) {
                 most = Math.max(most, scales.speed(heap.values[b], system.v, 3 * b));
             }
-            system.keep();
-            system.solve(most, true);
-            if (system.change() <= SAME * most) {
-                system.unpush();
-                break;
-            }
-            probe(heap, length);
+            kept.keep();
+            isRight = system.solve(most, true);
+            double change = kept.change();
+            isSame = change <= Math.max(SAME * most, system.enough());
+            isProbed = change <= EQUAL * most;
+        }
+        if (isProbed) {
+            kept.goBack();
         }
         for (int k = 0; k < heap.size; k++) {
             if (isFirst(heap.values[k])) {
@@ -140,6 +164,68 @@ final class DrivenHeap implements Serializable {
             }
         }
         return most;
+    }
+
+    private Extrapolation extrapolation(int first) {
+        if (first >= extrapolations.length) {
+            extrapolations = Arrays.copyOf(extrapolations, Math.max(2 * extrapolations.length, first + 1));
+        }
+        if (extrapolations[first] == null) {
+            extrapolations[first] = new Extrapolation();
+        }
+        return extrapolations[first];
+    }
+
+    /** Whether the impulses that were found last are right or nearly so. */
+    boolean isRight() {
+        return isRight;
+    }
+
+    /**
+     * Lets bodies be pushed evenly over a time as was found, also those that nothing drives: if these moved at once as they do
+     * at its end, they would run into those that do not yet. Integrations under the same forces go for the bodies' motion.
+     */
+    void publish(IntList heap, double time) {
+        double[] pushes = pushes(heap);
+        support(heap, time, pushes);
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            if (!trajectories.isDriven(body)) {
+                motion.support(body, pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
+                continue;
+            }
+            System.arraycopy(system.v, 3 * k, by.expected, 3 * body, State.BLOCK);
+            if (isProbed && isFirst(body)) {
+                probes.keep(body, time);
+            }
+        }
+    }
+
+    /**
+     * Whether forces may go on until their time is over, where the path of a body has ended before: if what moves with it comes
+     * to the velocities for which they were found. The error of one long step may be more than that of two short ones.
+     */
+    boolean goesOn(int body, double tau) {
+        motion.bring(body, tau);
+        IntList group = motion.companions(body);
+        double length = by.paidUntil[body] - tau;
+        boolean goesOn = probes.probe(body, length) == length;
+        double most = 0;
+        double error = 0;
+        for (int k = 0; k < group.size; k++) {
+            int one = group.values[k];
+            most = Math.max(most, scales.speed(one, by.expected, State.BLOCK * one));
+            for (int c = 0; c < State.BLOCK; c++) {
+                fall[c] = state.v()[State.BLOCK * one + c] - by.expected[State.BLOCK * one + c];
+            }
+            error = Math.max(error, scales.speed(one, fall, 0));
+        }
+        motion.restore(group);
+        goesOn &= error <= DRIFT * most;
+        if (goesOn) {
+            probes.keep(body, length);
+        }
+        return goesOn;
     }
 
     /** Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces. */
@@ -152,7 +238,7 @@ final class DrivenHeap implements Serializable {
             int body = heap.values[k];
             int o = body * Trajectories.STRIDE + Trajectories.VX;
             if (isFirst(body)) {
-                share = Math.min(MOST_SHARE, length / motion.probe(body, length)); // it may end early, at a stop
+                share = Math.min(MOST_SHARE, length / probes.probe(body, length)); // it may end early, at a stop
             }
             motion.fall(body, fall, 0);
             for (int c = 0; c < State.BLOCK; c++) {
@@ -166,7 +252,7 @@ final class DrivenHeap implements Serializable {
     }
 
     /** Lets driven bodies, and their motors and stops, be pushed evenly over a time. */
-    void support(IntList heap, double time, double[] pushes) {
+    private void support(IntList heap, double time, double[] pushes) {
         int island = 0;
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
@@ -180,7 +266,7 @@ final class DrivenHeap implements Serializable {
     }
 
     /** What the impulses would do to bodies that nothing ties; their ties reply when they are driven. */
-    double[] pushes(IntList heap) {
+    private double[] pushes(IntList heap) {
         alone = alone.length < 3 * heap.size ? new double[6 * heap.size] : alone;
         Arrays.fill(alone, 0, 3 * heap.size, 0);
         system.pushAlone(alone);

@@ -25,7 +25,7 @@ final class Heap implements Serializable {
     /** Height of an edge's other end from which it is no contact, relative to the smaller body. */
     private static final double FLAT = 2e-2;
 
-    /** Speed at which points hardly close, relative to the bodies'. */
+    /** Speed at which points hardly close, relative to the bodies' or to what forces give them. */
     private static final double HARDLY = 1e-12;
 
     /** The same for points that have just been struck; and the part of the speed that they lack which they get then at once. */
@@ -155,6 +155,11 @@ final class Heap implements Serializable {
         motion.support(body, -fall[0], -fall[1], -fall[2]);
     }
 
+    /** Whether forces may be what they are until their time is over, where the path of a driven body has ended before. */
+    boolean goesOn(int body, double tau) {
+        return driving.goesOn(body, tau);
+    }
+
     /** Lets the motors and stops of a body that lies on nothing any more decide by themselves. */
     void thaw(int body) {
         if (motion.isTied(body)) {
@@ -265,7 +270,7 @@ final class Heap implements Serializable {
         for (int k = 0; k < deep.size; k++) {
             isStuck |= Math.abs(system.normal(deep.values[k])) <= STRUCK * speed; // forces that act evenly come too late
         }
-        if (!isStuck && !HeapStrike.isDue(system, HARDLY * speed)) {
+        if (!isStuck && !HeapStrike.isDue(system, HARDLY * Math.max(speed, scale))) {
             return;
         }
         striking.strike(system, Math.max(speed, scale), driving.rebounds(), isStuck ? LIFT : 0);
@@ -302,6 +307,9 @@ final class Heap implements Serializable {
                 }
             }
         }
+        if (isResumed) {
+            system.unpush(); // what the points go on pressing with is found anew
+        }
     }
 
     private void enter(int k, double tau) {
@@ -312,7 +320,7 @@ final class Heap implements Serializable {
         double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
         courses.enter(k, body, tau, system.v, isResumed);
-        for (int c = 0; c < State.BLOCK && !isEven(); c++) {
+        for (int c = 0; c < State.BLOCK && !isEven() && !isResumed; c++) {
             system.v[3 * k + c] += fall[c] * (until - tau);
         }
     }
@@ -353,7 +361,7 @@ final class Heap implements Serializable {
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
-            if (!isEven()) {
+            if (isFresh && !isEven() || isResumed && scale > 0) {
                 notes.start(p, left);
             }
         }
@@ -373,10 +381,10 @@ final class Heap implements Serializable {
     }
 
     private void solve(double tau) {
-        for (int k = 0; k < heap.size; k++) {
+        for (int k = 0; k < heap.size && !isDriven; k++) {
             scale = Math.max(scale, speed(k));
         }
-        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? system.solve(scale, true) : free.solve(heap, scale);
+        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? driving.isRight() : free.solve(heap, scale);
         double[] from = isResumed ? courses.before() : system.free();
         if (!by.afford(heap, HeapEnergy.gained(system, from))) {
             done = system.solve(scale, false); // regaining gaps must not add energy
@@ -441,7 +449,7 @@ final class Heap implements Serializable {
         }
         double[] d = trajectories.data();
         if (isDriven && !(system.contacts() == 0 && isFresh)) {
-            driving.support(heap, until - tau, driving.pushes(heap));
+            driving.publish(heap, until - tau);
         }
         boolean stands = isRubbed && !halts && rubbing.isStill(heap);
         for (int k = 0; k < heap.size; k++) {
@@ -467,8 +475,8 @@ final class Heap implements Serializable {
                 changed.add(body);
                 continue;
             }
-            if (trajectories.isDriven(body)) {
-                by.paidUntil[body] = until;
+            if (isDriven) {
+                by.paidUntil[body] = trajectories.isDriven(body) ? until : 0;
                 changed.add(body);
                 continue;
             }

@@ -40,6 +40,9 @@ final class HeapBodies implements Serializable {
     /** Until when it has got what the forces give it, as an offset in the step. */
     double[] paidUntil = {};
 
+    /** The velocities that driven ones are to have then, 3 each. */
+    double[] expected = {};
+
     /** From when on, and how much that is with the heap's impulses, 3 each. */
     double[] paidFrom = {};
 
@@ -93,6 +96,7 @@ final class HeapBodies implements Serializable {
             isStill = Arrays.copyOf(isStill, n);
             isDirty = Arrays.copyOf(isDirty, n);
             paidUntil = Arrays.copyOf(paidUntil, n);
+            expected = Arrays.copyOf(expected, 3 * n);
             paidFrom = Arrays.copyOf(paidFrom, n);
             paid = Arrays.copyOf(paid, 3 * n);
             pace = Arrays.copyOf(pace, n);

@@ -2,9 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.response;
 
-import java.io.Serializable;
-import java.util.Arrays;
-
 /**
  * Solves a {@link HeapSystem} of not too many rows as a whole, where ties reply: each row's impulse moves all others then, so
  * that a matrix of what they do to one another costs no more than bodies do, and sweeps over it cost little. Sweeps of
@@ -15,16 +12,19 @@ import java.util.Arrays;
  * <p>Where impulses are not unique, the system is made a little heavier on its diagonal, and refined until that has no
  * effect: of all changes that do the same, about the smallest is taken.
  */
-final class HeapMatrix implements Serializable {
+final class HeapMatrix extends HeapRows {
     private static final long serialVersionUID = 1L;
-
-    /** Rows for which this is worth it. */
-    private static final int MOST = 120;
 
     private static final int ROUNDS = 12;
 
     /** Rounds after which impulses are good enough that are nearly right. */
     private static final int LATE = 1;
+
+    /** How many times larger an error is, at most, of which sweeps make none. */
+    private static final double CLOSE = 1000;
+
+    /** The same of one that is left by the rounding of eliminations. */
+    private static final double ROUNDING = 100;
 
     /** Sweeps of the first round, and of the next ones. */
     private static final int FEW = 6;
@@ -41,38 +41,7 @@ final class HeapMatrix implements Serializable {
     /** Error at which the impulses may start the next solution, as a part of the scale. */
     private static final double NEARLY = 1e-6;
 
-    private boolean isAssembled;
-
-    /** Number of rows, and of each point's normal and tangential one, or −1. */
-    private int rows;
-
-    private final HeapNumbers numbers = new HeapNumbers();
-    private int[] normal = {};
-    private int[] tangent = {};
-
-    /** By rows: the normal row of a tangential one, or −1; and its friction. */
-    private int[] bearer = {};
-
-    private double[] friction = {};
-
-    /** The motor that acts along the coordinate of a stop, or −1. */
-    private int[] against = {};
-
-    /** What a unit at a row does to all, row after row. */
-    private double[] replies = {};
-
-    /** By rows: bounds of velocities and of impulses, impulses, velocities; and the best impulses so far. */
-    private double[] bound = {};
-
-    private double[] least = {};
-    private double[] most = {};
-    private double[] impulse = {};
-    private double[] velocity = {};
-    private double[] best = {};
-
-    /** The velocities without impulses; and the bound at which a row is, −1 or +1, 0 for none. */
-    private double[] without = {};
-
+    /** The bound at which a row is, −1 or +1, 0 for none. */
     private double[] side = {};
 
     /** The equations. */
@@ -82,78 +51,13 @@ final class HeapMatrix implements Serializable {
     private double[] along = {};
     private double[] rest = {};
 
-    /** Takes note that what rows do has changed. */
-    void forget() {
-        isAssembled = false;
-    }
-
-    /** Assembles the rows of a system; false if they are too many. */
-    boolean assemble(HeapSystem s) {
-        if (isAssembled || s.size() > MOST || number(s) > MOST) {
-            return isAssembled;
-        }
-        double[] v = s.scratch();
-        for (int p = 0; p < s.size(); p++) {
-            if (normal[p] >= 0) {
-                Arrays.fill(v, 0);
-                s.push(p, 1, 0, v);
-                column(s, v, normal[p]);
-            }
-            if (tangent[p] >= 0) {
-                Arrays.fill(v, 0);
-                s.push(p, 0, 1, v);
-                column(s, v, tangent[p]);
-            }
-        }
-        numbers.pair(s, replies, against);
-        isAssembled = true;
-        return true;
-    }
-
-    private int number(HeapSystem s) {
-        rows = numbers.number(s);
-        normal = numbers.normal;
-        tangent = numbers.tangent;
-        if (bearer.length < rows) {
-            int n = 2 * rows;
-            bearer = new int[n];
-            friction = new double[n];
-            against = new int[n];
-            bound = new double[n];
-            least = new double[n];
-            most = new double[n];
-            impulse = new double[n];
-            velocity = new double[n];
-            best = new double[n];
-            without = new double[n];
-            side = new double[n];
-            unknown = new int[n];
-            along = new double[n];
-            rest = new double[n];
-            replies = new double[n * n];
-            equations.ensure(n);
-        }
-        for (int p = 0; p < s.size(); p++) {
-            if (normal[p] >= 0) {
-                bearer[normal[p]] = -1;
-            }
-            if (tangent[p] >= 0) {
-                bearer[tangent[p]] = normal[p];
-                friction[tangent[p]] = s.friction(p);
-            }
-        }
-        return rows;
-    }
-
-    private void column(HeapSystem s, double[] v, int column) {
-        for (int q = 0; q < s.size(); q++) {
-            if (normal[q] >= 0) {
-                replies[column * rows + normal[q]] = s.normal(q, v);
-            }
-            if (tangent[q] >= 0) {
-                replies[column * rows + tangent[q]] = s.tangent(q, v);
-            }
-        }
+    @Override
+    void grow(int n) {
+        side = new double[n];
+        unknown = new int[n];
+        along = new double[n];
+        rest = new double[n];
+        equations.ensure(n);
     }
 
     /**
@@ -166,16 +70,18 @@ final class HeapMatrix implements Serializable {
      */
     boolean solve(HeapSystem s, double exact, double enough, double scale) {
         take(s);
-        double least = Double.POSITIVE_INFINITY;
-        for (int round = 0; round < ROUNDS; round++) {
-            least = relax(round == 0 ? FEW : SWEEPS, least);
-            int vain = 0;
-            for (int k = 0; k < NEWTON_STEPS && least > exact && vain < VAIN && newton(); k++) {
-                double before = least;
-                least = keep(least);
-                vain = least < before ? 0 : vain + 1;
+        double least = keep(Double.POSITIVE_INFINITY);
+        if (least > exact) {
+            least = relax(least <= CLOSE * exact ? FEW : 1, least);
+            least = newton(least, exact, 1); // impulses of before may be at the same bounds
+        }
+        for (int round = 0; round < ROUNDS && least > ROUNDING * exact; round++) {
+            if (round == 0) {
+                restore();
             }
-            if (round == 0 && least > exact) {
+            least = relax(round == 0 ? FEW : SWEEPS, least);
+            least = newton(least, exact, VAIN);
+            if (round == 0 && least > ROUNDING * exact) {
                 least = pivot(least, exact);
             }
             if (least <= exact || round >= LATE && least <= enough) {
@@ -185,6 +91,18 @@ final class HeapMatrix implements Serializable {
         }
         give(s);
         return least <= NEARLY * scale;
+    }
+
+    /** Newton's method, until some steps were in vain; returns the least error so far. */
+    private double newton(double error, double exact, int most) {
+        double least = error;
+        int vain = 0;
+        for (int k = 0; k < NEWTON_STEPS && least > exact && vain < most && newton(); k++) {
+            double before = least;
+            least = keep(least);
+            vain = least < before ? 0 : vain + 1;
+        }
+        return least;
     }
 
     /**
@@ -215,56 +133,6 @@ final class HeapMatrix implements Serializable {
             last = square;
         }
         return best;
-    }
-
-    private void take(HeapSystem s) {
-        for (int p = 0; p < s.size(); p++) {
-            if (normal[p] >= 0) {
-                int i = normal[p];
-                bound[i] = s.bound(p);
-                least[i] = s.leastImpulse(p);
-                most[i] = s.mostImpulse(p);
-                impulse[i] = Math.max(least[i], Math.min(most[i], s.normalImpulse(p)));
-                velocity[i] = s.normal(p, s.v);
-            }
-            if (tangent[p] >= 0) {
-                int i = tangent[p];
-                bound[i] = 0;
-                impulse[i] = s.tangentImpulse(p);
-                velocity[i] = s.tangent(p, s.v);
-            }
-        }
-        System.arraycopy(velocity, 0, without, 0, rows);
-        System.arraycopy(impulse, 0, best, 0, rows); // if there are none that are better, as where velocities are no numbers
-        evaluate();
-    }
-
-    /** Velocities by the impulses. */
-    private void evaluate() {
-        System.arraycopy(without, 0, velocity, 0, rows);
-        for (int i = 0; i < rows; i++) {
-            push(i, impulse[i]);
-        }
-    }
-
-    private void push(int column, double change) {
-        double[] v = velocity;
-        double[] unit = replies;
-        for (int k = 0, o = column * rows; change != 0 && k < rows; k++) {
-            v[k] += change * unit[o + k];
-        }
-    }
-
-    private double own(int row) {
-        return replies[row * rows + row];
-    }
-
-    private double lower(int row) {
-        return bearer[row] < 0 ? least[row] : -friction[row] * impulse[bearer[row]];
-    }
-
-    private double upper(int row) {
-        return bearer[row] < 0 ? most[row] : friction[row] * impulse[bearer[row]];
     }
 
     /** The impulse that makes a row right while others keep theirs, within its bounds. */
@@ -316,15 +184,6 @@ final class HeapMatrix implements Serializable {
     private void restore() {
         System.arraycopy(best, 0, impulse, 0, rows);
         evaluate();
-    }
-
-    private void give(HeapSystem s) {
-        for (int p = 0; p < s.size(); p++) {
-            double jn = normal[p] < 0 ? 0 : best[normal[p]];
-            double jt = tangent[p] < 0 ? 0 : best[tangent[p]];
-            s.start(p, jn, jt);
-            s.apply(p, jn, jt);
-        }
     }
 
     /** Solves the rows that are at no bound as equations; false if they cannot be solved. */

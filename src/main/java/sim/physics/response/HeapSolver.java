@@ -37,8 +37,8 @@ final class HeapSolver implements Serializable {
 
     private static final double LATE = 10;
 
-    /** Points from which on relaxation has no use. */
-    static final int MANY = 150;
+    /** Points from which on a heap that is not solved is solved roughly for some steps, and no path begins from nothing. */
+    static final int MANY = 250;
 
     /** Change of velocity in a sweep, relative to the largest speed, at which the impulses are right. */
     private static final double RIGHT = 1e-13;
@@ -78,7 +78,7 @@ final class HeapSolver implements Serializable {
         if (!s.isTied() && s.size() > FEW) {
             pile = pile == null ? new HeapPile(relaxation) : pile;
             boolean right = pile.solve(s, RIGHT * scale, LATE * enough, s.isRough());
-            if (right || s.size() > MANY) {
+            if (right || s.isRough()) {
                 return right;
             }
         }

@@ -73,9 +73,6 @@ final class HeapSystem implements Serializable {
 
     private double[] scratch = {};
 
-    /** Impulses of before. */
-    private double[] kept = {};
-
     double[] data = new double[8 * STRIDE];
     private final ContactRows rows = new ContactRows();
 
@@ -97,6 +94,11 @@ final class HeapSystem implements Serializable {
     /** Says which error of velocities is good enough in the end; the least that is said counts. */
     void allow(double error) {
         enough = Math.min(enough, error);
+    }
+
+    /** Error of velocities that is good enough in the end. */
+    double enough() {
+        return enough;
     }
 
     /**
@@ -394,27 +396,6 @@ final class HeapSystem implements Serializable {
         if (replies == null || !replies.push(2 * p, jn, jt, v)) {
             rows.pushFirst(p, jn, jt, w, v);
         }
-    }
-
-    /** Keeps the impulses to compare them with. */
-    void keep() {
-        kept = impulses(kept);
-    }
-
-    /** How much the impulses have changed since then, as a velocity that they give. */
-    double change() {
-        double most = 0;
-        for (int p = 0; p < points; p++) {
-            int o = STRIDE * p;
-            most = Math.max(most, change(data[o + IMPULSE_N] - kept[2 * p], data[o + MOBILITY_N]));
-            most = Math.max(most, change(data[o + IMPULSE_T] - kept[2 * p + 1], data[o + MOBILITY_T]));
-        }
-        return most;
-    }
-
-    /** What a change of an impulse does; where mobility is infinite there is none. */
-    private static double change(double impulse, double mobility) {
-        return impulse == 0 ? 0 : Math.abs(impulse) * mobility;
     }
 
     /** Takes from the velocities what the points' impulses do. */

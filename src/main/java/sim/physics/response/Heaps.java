@@ -32,7 +32,7 @@ public final class Heaps implements Serializable {
     private static final int MOST_TIED = 40;
 
     /** The same for bodies that are not driven. */
-    private static final int MOST_OF_ALL = 300;
+    private static final int MOST_OF_ALL = 2000;
 
     /** Times that forces on it may be found in a step before that. */
     private static final int MOST_ENDS = 40;
@@ -285,14 +285,17 @@ public final class Heaps implements Serializable {
     }
 
     /**
-     * Takes note that the time is over for which a body's velocity was found.
+     * Takes note that the path of a body has ended, or the time for which its velocity was found.
      *
      * @param body index
+     * @param tau offset in the present step
      */
-    public void again(int body) {
+    public void again(int body, double tau) {
         by.ends[body]++;
         if (isTooOften(body)) {
             giveUp(body);
+            changed.add(body);
+        } else if (!by.isDirty[body] && tau < by.paidUntil[body] && trajectories.isDriven(body) && heap.goesOn(body, tau)) {
             changed.add(body);
         } else {
             mark(body);

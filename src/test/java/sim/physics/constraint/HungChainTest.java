@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
@@ -97,6 +98,25 @@ class HungChainTest {
         for (int k = 0; k < one.length; k++) {
             assertThat(other[k]).isEqualTo(k % 3 == 1 ? one[k] : -one[k]);
         }
+    }
+
+    /** At the origin, at rest, all values of a link are zero. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aPendulumAtTheOriginFallsAsOneElsewhere(boolean isField) {
+        double[][] angles = new double[2][4];
+        for (int place = 0; place < 2; place++) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(1 / 32.0);
+            engine.add(isField ? new Gravity(0, -9.81) : new Weight());
+            Body rod = engine.add(new Body(new Rectangle(2, 0.25)).at(place, 0));
+            engine.add(new PinJoint(rod, place - 1, 0));
+            for (int k = 0; k < 4; k++) {
+                engine.step();
+                angles[place][k] = rod.getAngle();
+            }
+        }
+        assertThat(angles[0]).containsExactly(angles[1]);
     }
 
     /** What the root of a chain laid along an axis feels fades from link to link. */

@@ -17,10 +17,12 @@ import sim.physics.constraint.GlobalSolver;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.SliderJoint;
+import sim.physics.constraint.Stabilization;
 import sim.physics.constraint.WeldJoint;
 import sim.physics.constraint.WireJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
+import sim.physics.motion.Spring;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -104,6 +106,65 @@ class JointLawsTest {
             }
             assertThat(x[1]).containsExactly(x[0], within(1e-9));
         }
+    }
+
+    /** Pins alone, which are a case of their own; the masses change on the way. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void theGlobalSolveAndTheEliminationAgreeOnPins(boolean isHeld) {
+        double[][] x = new double[2][];
+        for (int way = 0; way < 2; way++) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(1e-3);
+            engine.add(new Gravity(0.5, -9.81));
+            Body[] b = new Body[5];
+            for (int k = 0; k < b.length; k++) {
+                b[k] = engine.add(new Body(new Rectangle(1, 0.2)).at(k + 0.5, 0));
+                b[k].setMass(1 + 0.5 * k, 0.1);
+                b[k].setCollisionGroup(1, 0);
+                if (k > 0 || isHeld) {
+                    engine.add(k == 0 ? new PinJoint(b[k], 0, 0) : new PinJoint(b[k - 1], b[k], k, 0));
+                }
+            }
+            b[4].setAngularVelocity(1);
+            if (way == 1) {
+                engine.setConstraintSolver(new GlobalSolver());
+            }
+            for (int k = 0; k < 200; k++) {
+                if (k == 100) {
+                    b[2].setMass(5, 0.5);
+                }
+                engine.step();
+            }
+            x[way] = new double[3 * b.length];
+            for (int k = 0; k < b.length; k++) {
+                x[way][3 * k] = b[k].getX();
+                x[way][3 * k + 1] = b[k].getY();
+                x[way][3 * k + 2] = b[k].getAngle();
+            }
+        }
+        assertThat(x[1]).containsExactly(x[0], within(1e-9));
+    }
+
+    /** C″ = −p C − v Ċ of a gear decays; it does not feed on what was fed back before. */
+    @Test
+    void feedbackKeepsAngles() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.01);
+        engine.setStabilization(Stabilization.feedback(0.3, 0.3));
+        Body a = engine.add(new Body(new Circle(1)).at(0, 0));
+        Body b = engine.add(new Body(new Circle(1)).at(3, 0));
+        engine.add(new PinJoint(a, 0, 0));
+        engine.add(new PinJoint(b, 3, 0));
+        engine.add(new GearJoint(a, b, -2));
+        engine.add(new Spring(a, 0.9, 0, b, 0, 0.8, 1, 30, 0));
+        double most = 0;
+        for (int k = 0; k < 3000; k++) {
+            engine.step();
+            most = Math.max(most, Math.abs(a.getAngle()));
+        }
+        assertThat(most).isGreaterThan(0.1);
+        assertThat(a.getAngle() - 2 * b.getAngle()).isCloseTo(0, within(1e-13)); // it was 2e-11, and grew
     }
 
     @Test

@@ -31,17 +31,16 @@ public final class BruteForce implements BroadPhase {
     @Override
     public void add(int body, Boxes boxes, Pairs pairs) {
         bodies.add(body);
-        if (body >= mark.length) {
-            mark = Arrays.copyOf(mark, Growth.length(mark.length, body + 1));
+        int all = boxes.data().length / Boxes.STRIDE; // after another broad phase it may have pairs with any body
+        if (all > mark.length) {
+            mark = Arrays.copyOf(mark, Growth.length(mark.length, all));
+            found = new int[mark.length + 1];
         }
         update(body, boxes, pairs);
     }
 
     @Override
     public void update(int body, Boxes boxes, Pairs pairs) {
-        if (found.length <= bodies.size) {
-            found = new int[2 * bodies.size];
-        }
         double[] d = boxes.data();
         int o = Boxes.STRIDE * body;
         double minX = d[o];

@@ -77,7 +77,7 @@ public final class CellGrid implements BroadPhase {
 
     @Override
     public void add(int body, Boxes boxes, Pairs pairs) {
-        ensure(body + 1);
+        ensure(boxes.data().length / Boxes.STRIDE); // after another broad phase it may have pairs with any body
         count++;
         endAndMark(body, boxes, pairs, null);
         file(body, place(body, boxes), boxes);

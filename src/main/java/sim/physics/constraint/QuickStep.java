@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import sim.physics.motion.Loads;
+import sim.physics.motion.State;
+import sim.physics.motion.TiedCoordinates;
+
+/** The quick ways that islands have: trees and chains of pins, and skeletons that are such trees. */
+final class QuickStep {
+    private QuickStep() {}
+
+    /** A step of RK4 in a uniform field; false if an island, which may be null, has no quick way. */
+    static boolean advance(Island one, State state, ConstraintSolver solver, double gx, double gy, double h) {
+        if (one == null) {
+            return false;
+        }
+        if (one.skeleton != null) {
+            return one.skeleton.advance(solver, gx, gy, h);
+        }
+        return one.tree != null
+                ? one.tree.advance(state, solver, gx, gy, h)
+                : one.chain != null && one.chain.advance(state, solver, gx, gy, h);
+    }
+
+    /** The same under any loads. */
+    static boolean advance(Island one, State state, ConstraintSolver solver, Loads loads, double[] a, double t, double h) {
+        if (one != null && one.skeleton != null) {
+            return one.skeleton.advance(solver, loads, a, t, h);
+        }
+        return one != null && one.tree != null && one.tree.advance(state, solver, loads, a, t, h);
+    }
+
+    /** Coordinates in which nothing ties the bodies, or null. */
+    static TiedCoordinates coordinates(Island one, State state, ConstraintSolver solver) {
+        return one == null || one.tree == null || one.skeleton != null ? null : one.tree.coordinates(state, solver);
+    }
+}
