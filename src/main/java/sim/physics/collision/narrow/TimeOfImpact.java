@@ -31,6 +31,9 @@ final class TimeOfImpact {
     /** Parts of the step by which a search moves on that rounding has stopped; a contact is believed after them. */
     private static final double[] NUDGE = {1e-13, 1e-12, 1e-11, 1e-10};
 
+    /** Way to the end of a search, relative to the tolerance of gaps, that is none: approaches as slow do not count. */
+    private static final double NO_WAY = 0x1p-7;
+
     /** Way that bodies graze one another without approaching, relative to their sizes, from which that is no contact. */
     private static final double GRAZE = 1e-6;
 
@@ -54,6 +57,9 @@ final class TimeOfImpact {
     private double horizon;
 
     private double slowness;
+
+    /** Speed, relative to the tolerance of gaps, that matters nowhere up to the end of the search. */
+    private double standstill;
 
     /** Whether vertices beyond the ends of an edge count as those over it. */
     private boolean wholeLine;
@@ -80,6 +86,7 @@ final class TimeOfImpact {
         double tau = start;
         code = cached;
         touching = false;
+        standstill = NO_WAY / (end - start);
         int stuck = 0;
         for (int k = 0; ; k++) {
             pose.moveTo(tau);
@@ -157,7 +164,7 @@ final class TimeOfImpact {
 
     /** Finds s, the time that surely passes before a contact, or notices that there is one. */
     private void advance() {
-        slowness = Tolerances.APPROACH * speed();
+        slowness = Math.max(Tolerances.APPROACH * speed(), standstill * tolerance);
         s = INFINITE;
         if ((features.featureB & 1) != 0) {
             advanceToEdge(pose.b, features.featureB >> 1, pose.a, features.featureA >> 1, -1);
