@@ -307,9 +307,6 @@ final class Heap implements Serializable {
                 }
             }
         }
-        if (isResumed) {
-            system.unpush(); // what the points go on pressing with is found anew
-        }
     }
 
     private void enter(int k, double tau) {
@@ -320,7 +317,7 @@ final class Heap implements Serializable {
         double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
         courses.enter(k, body, tau, system.v, isResumed);
-        for (int c = 0; c < State.BLOCK && !isEven() && !isResumed; c++) {
+        for (int c = 0; c < State.BLOCK && !isEven(); c++) {
             system.v[3 * k + c] += fall[c] * (until - tau);
         }
     }
@@ -361,7 +358,7 @@ final class Heap implements Serializable {
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
-            if (isFresh && !isEven() || isResumed && scale > 0) {
+            if (!isEven()) {
                 notes.start(p, left);
             }
         }

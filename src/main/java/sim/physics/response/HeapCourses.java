@@ -9,8 +9,9 @@ import sim.physics.motion.Trajectories;
 
 /**
  * The velocities of a heap's bodies before and after it is solved. When it is solved anew within the time for which it had been,
- * because something has struck it, what its contacts were to give for the time that is left is taken back first: so they press
- * as they did, and only those near the impact have to change. Bodies on which that has no effect keep their courses.
+ * because something has struck it, all that forces and contacts were to give for the time that is left is taken back first: so
+ * contacts press as they did, and only those near the impact have to change. Bodies on which that has no effect keep their
+ * courses.
  */
 final class HeapCourses implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -18,7 +19,7 @@ final class HeapCourses implements Serializable {
     private final Trajectories trajectories;
     private final HeapBodies by;
 
-    /** Velocities that the bodies have, and without what they have got for the time that is left; 3 per body. */
+    /** Velocities that the bodies have, and without what they are given from now on; 3 per body. */
     private double[] before = {};
 
     private double[] without = {};
@@ -28,7 +29,7 @@ final class HeapCourses implements Serializable {
         this.by = by;
     }
 
-    /** Takes in a body's velocity, which may be one with what forces and contacts were to give for the time that is left. */
+    /** Takes in a body's velocity, and gives it to a system without what it has got for the time that is left. */
     void enter(int k, int body, double tau, double[] v, boolean isResumed) {
         if (before.length < 3 * k + 3) {
             before = Arrays.copyOf(before, 6 * k + 6);
@@ -40,7 +41,7 @@ final class HeapCourses implements Serializable {
         if (isResumed) {
             by.unpay(body, tau, without, 3 * k);
         }
-        System.arraycopy(before, 3 * k, v, 3 * k, State.BLOCK);
+        System.arraycopy(without, 3 * k, v, 3 * k, State.BLOCK);
     }
 
     /** The velocities that the bodies had. */
