@@ -291,8 +291,9 @@ final class Heap implements Serializable {
         if (!isEven()) {
             free.begin(heap);
         }
+        boolean isPaid = isResumed && isPressed();
         for (int k = 0; k < heap.size; k++) {
-            enter(k, tau);
+            enter(k, tau, isPaid);
         }
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
@@ -309,14 +310,24 @@ final class Heap implements Serializable {
         }
     }
 
-    private void enter(int k, double tau) {
+    /** Whether a force acts on a body of the heap: else what contacts give is given at once. */
+    private boolean isPressed() {
+        boolean yes = false;
+        for (int k = 0; k < heap.size && !yes; k++) {
+            motion.fall(heap.values[k], fall, 0);
+            yes = fall[0] != 0 || fall[1] != 0 || fall[2] != 0;
+        }
+        return yes;
+    }
+
+    private void enter(int k, double tau, boolean isPaid) {
         int body = heap.values[k];
         double[] w = state.w().values();
         system.enter(k, w[State.BLOCK * body], w[State.BLOCK * body + State.THETA]);
         motion.fall(body, fall, 0);
         double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
-        courses.enter(k, body, tau, system.v, isResumed);
+        courses.enter(k, body, tau, system.v, isPaid);
         for (int c = 0; c < State.BLOCK && !isEven(); c++) {
             system.v[3 * k + c] += fall[c] * (until - tau);
         }
@@ -358,7 +369,7 @@ final class Heap implements Serializable {
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
-            if (!isEven()) {
+            if (!isEven() && (isFresh || scale > 0)) {
                 notes.start(p, left);
             }
         }

@@ -10,8 +10,8 @@ import sim.physics.motion.Trajectories;
 /**
  * The velocities of a heap's bodies before and after it is solved. When it is solved anew within the time for which it had been,
  * because something has struck it, all that forces and contacts were to give for the time that is left is taken back first: so
- * contacts press as they did, and only those near the impact have to change. Bodies on which that has no effect keep their
- * courses.
+ * contacts press as they did, and only those near the impact have to change. Without forces nothing is taken back: contacts have
+ * given all at once. Bodies on which that has no effect keep their courses.
  */
 final class HeapCourses implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -29,8 +29,8 @@ final class HeapCourses implements Serializable {
         this.by = by;
     }
 
-    /** Takes in a body's velocity, and gives it to a system without what it has got for the time that is left. */
-    void enter(int k, int body, double tau, double[] v, boolean isResumed) {
+    /** Takes in a body's velocity, and gives it to a system; where some is for the time that is left, without that. */
+    void enter(int k, int body, double tau, double[] v, boolean isPaid) {
         if (before.length < 3 * k + 3) {
             before = Arrays.copyOf(before, 6 * k + 6);
             without = Arrays.copyOf(without, 6 * k + 6);
@@ -38,7 +38,7 @@ final class HeapCourses implements Serializable {
         int o = body * Trajectories.STRIDE + Trajectories.VX;
         System.arraycopy(trajectories.data(), o, before, 3 * k, State.BLOCK);
         System.arraycopy(before, 3 * k, without, 3 * k, State.BLOCK);
-        if (isResumed) {
+        if (isPaid) {
             by.unpay(body, tau, without, 3 * k);
         }
         System.arraycopy(without, 3 * k, v, 3 * k, State.BLOCK);
