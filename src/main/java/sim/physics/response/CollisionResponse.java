@@ -469,8 +469,7 @@ public final class CollisionResponse implements Serializable {
             if (rattles || lies) {
                 impact.restitution = lies ? 0 : rattle;
             }
-            boolean bouncesOn = rattles || lies || impact.restitution == 1 && !canRest;
-            restsNow &= !bouncesOn && bounces.limit(pair, a, b, impact, canRest);
+            restsNow &= !rattles && !lies && (canRest || impact.restitution < 1) && bounces.limit(pair, a, b, impact, canRest);
             simultaneous.add(a, b, impact);
         }
         if (!rattles) {
