@@ -172,7 +172,8 @@ final class Bounces implements Serializable {
         double approachSpeed = -c.normalVelocity();
         double pressing = pressing(a, b, c);
         double closing = pressing;
-        if (count > Tolerances.ELASTIC_AFTER / 2) {
+        boolean isForced = canRest && c.restitution == 1; // elastic bodies come to rest by forces only
+        if (count > Tolerances.ELASTIC_AFTER / 2 && !isForced) {
             // whatever pressed the two together since their last impact, spin for one, will do it again
             double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * h);
             closing = Math.max(closing, (approachSpeed + lastSpeed[pair]) / since);
@@ -185,7 +186,7 @@ final class Bounces implements Serializable {
         }
         double bounce = 2 * c.restitution * approachSpeed / closing;
         double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
-        boolean isBlurred = 2 * c.restitution * approachSpeed > (1 + c.restitution) * lastSpeed[pair];
+        boolean isBlurred = !isForced && 2 * c.restitution * approachSpeed > (1 + c.restitution) * lastSpeed[pair];
         boolean isLong = count > Tolerances.REST_AFTER || count > BLURRED && isBlurred;
         if (canRest && bounce < (isLong ? shortest : Tolerances.REST * h)) {
             c.restitution = 0;
