@@ -205,6 +205,9 @@ final class Bounces implements Serializable {
         if (c.restitution == 0 && (inHeap || pressing(a, b, c) > 0) && !trajectories.isDriven(a) && !trajectories.isDriven(b)) {
             return true; // it does not bounce at all
         }
+        if (counts[pair] > Tolerances.LIE_AFTER && isTiny(a, b, c)) {
+            return true;
+        }
         int least = inHeap ? Tolerances.JOIN_AFTER : Tolerances.LIE_AFTER;
         int most = c.restitution < 1 ? least : Tolerances.ELASTIC_LIE_AFTER;
         if (counts[pair] <= most || c.restitution == 1 && c.friction == 0 && !inHeap) {
@@ -214,6 +217,16 @@ final class Bounces implements Serializable {
         double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * h);
         double closing = Math.max(pressing(a, b, c), (approach + lastSpeed[pair]) / since);
         return 2 * c.restitution * approach <= closing * Tolerances.SHORT * h;
+    }
+
+    /** Whether bounces of free bodies are counted: where they lose nothing, only those that a force makes next to nothing. */
+    boolean areCounted(int a, int b, Impact c) {
+        return c.restitution < 1 || c.friction > 0 || isTiny(a, b, c);
+    }
+
+    /** Whether a force takes next to no time to bring two bodies together again, if they bounce at all. */
+    private boolean isTiny(int a, int b, Impact c) {
+        return 2 * c.restitution * Math.max(0, -c.normalVelocity()) < Tolerances.REST * h * pressing(a, b, c);
     }
 
     /** Whether a pair that lies on one another meets at a speed from which it bounces. */

@@ -183,7 +183,7 @@ public final class CollisionResponse implements Serializable {
         boolean canRest = canRest(pair, a, b);
         if (bounces.dampRattle(pair, a, b, impact)) {
             bounces.spend(pair, impact);
-        } else if (canRest || impact.restitution < 1 || impact.friction > 0 || heaps.has(a) || heaps.has(b)) {
+        } else if (canRest || heaps.has(a) || heaps.has(b) || bounces.areCounted(a, b, impact)) {
             bounces.count(pair);
             if (!canRest && startsToLie(pair, a, b)) {
                 impact.restitution = 0;

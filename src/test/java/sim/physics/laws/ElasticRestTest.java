@@ -31,6 +31,23 @@ class ElasticRestTest {
         assertRests(new Circle(0.5), friction);
     }
 
+    /** On one another too, where each impact moves what lies below: some dozens of impacts, and then a stack that stays. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 5})
+    void discsPutOnOneAnotherLieThere(int count) {
+        PhysicsEngine engine = ground(0);
+        for (int k = 0; k < count; k++) {
+            engine.add(new Body(new Circle(0.5)).at(0, 0.5 + k));
+        }
+        for (int step = 0; step < 10; step++) {
+            engine.step();
+        }
+        assertTrue(engine.getImpacts() < 2000, engine.getImpacts() + " impacts");
+        for (int k = 0; k < count; k++) {
+            assertEquals(0.5 + k, engine.bodies().get(k + 1).getY(), 1e-6);
+        }
+    }
+
     private static void assertRests(Shape shape, double friction) {
         PhysicsEngine engine = ground(friction);
         Body body = engine.add(new Body(shape).at(0, 0.5));
