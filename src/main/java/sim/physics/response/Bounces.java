@@ -172,7 +172,8 @@ final class Bounces implements Serializable {
         double approachSpeed = -c.normalVelocity();
         double pressing = pressing(a, b, c);
         double closing = pressing;
-        if (count > Tolerances.ELASTIC_AFTER / 2) {
+        boolean isForced = canRest && c.restitution == 1; // elastic bodies come to rest by forces only
+        if (count > Tolerances.ELASTIC_AFTER / 2 && !isForced) {
             // whatever pressed the two together since their last impact, spin for one, will do it again
             double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * h);
             closing = Math.max(closing, (approachSpeed + lastSpeed[pair]) / since);
@@ -185,7 +186,7 @@ final class Bounces implements Serializable {
         }
         double bounce = 2 * c.restitution * approachSpeed / closing;
         double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
-        boolean isBlurred = 2 * c.restitution * approachSpeed > (1 + c.restitution) * lastSpeed[pair];
+        boolean isBlurred = !isForced && 2 * c.restitution * approachSpeed > (1 + c.restitution) * lastSpeed[pair];
         boolean isLong = count > Tolerances.REST_AFTER || count > BLURRED && isBlurred;
         if (canRest && bounce < (isLong ? shortest : Tolerances.REST * h)) {
             c.restitution = 0;
@@ -204,6 +205,9 @@ final class Bounces implements Serializable {
         if (c.restitution == 0 && (inHeap || pressing(a, b, c) > 0) && !trajectories.isDriven(a) && !trajectories.isDriven(b)) {
             return true; // it does not bounce at all
         }
+        if (counts[pair] > Tolerances.LIE_AFTER && isTiny(a, b, c)) {
+            return true;
+        }
         int least = inHeap ? Tolerances.JOIN_AFTER : Tolerances.LIE_AFTER;
         int most = c.restitution < 1 ? least : Tolerances.ELASTIC_LIE_AFTER;
         if (counts[pair] <= most || c.restitution == 1 && c.friction == 0 && !inHeap) {
@@ -213,6 +217,16 @@ final class Bounces implements Serializable {
         double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * h);
         double closing = Math.max(pressing(a, b, c), (approach + lastSpeed[pair]) / since);
         return 2 * c.restitution * approach <= closing * Tolerances.SHORT * h;
+    }
+
+    /** Whether bounces of free bodies are counted: where they lose nothing, only those that a force makes next to nothing. */
+    boolean areCounted(int a, int b, Impact c) {
+        return c.restitution < 1 || c.friction > 0 || isTiny(a, b, c);
+    }
+
+    /** Whether a force takes next to no time to bring two bodies together again, if they bounce at all. */
+    private boolean isTiny(int a, int b, Impact c) {
+        return 2 * c.restitution * Math.max(0, -c.normalVelocity()) < Tolerances.REST * h * pressing(a, b, c);
     }
 
     /** Whether a pair that lies on one another meets at a speed from which it bounces. */

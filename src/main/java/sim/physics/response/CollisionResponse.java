@@ -180,11 +180,11 @@ public final class CollisionResponse implements Serializable {
         }
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
+        boolean canRest = canRest(pair, a, b);
         if (bounces.dampRattle(pair, a, b, impact)) {
             bounces.spend(pair, impact);
-        } else if (impact.restitution < 1 || impact.friction > 0 || heaps.has(a) || heaps.has(b)) {
+        } else if (canRest || heaps.has(a) || heaps.has(b) || bounces.areCounted(a, b, impact)) {
             bounces.count(pair);
-            boolean canRest = canRest(pair, a, b);
             if (!canRest && startsToLie(pair, a, b)) {
                 impact.restitution = 0;
             } else if (bounces.limit(pair, a, b, impact, canRest)) {
@@ -469,7 +469,7 @@ public final class CollisionResponse implements Serializable {
             if (rattles || lies) {
                 impact.restitution = lies ? 0 : rattle;
             }
-            restsNow &= !rattles && !lies && impact.restitution < 1 && bounces.limit(pair, a, b, impact, canRest);
+            restsNow &= !rattles && !lies && (canRest || impact.restitution < 1) && bounces.limit(pair, a, b, impact, canRest);
             simultaneous.add(a, b, impact);
         }
         if (!rattles) {

@@ -18,6 +18,9 @@ final class FreeHeap implements Serializable {
     /** Solutions for which points that are hardly open count as closed, once without that there was none. */
     private static final int RELENTS = 1000;
 
+    /** Times that a heap may not be solved in a step, before little work is spent on it. */
+    private static final int FAILURES = 3;
+
     private final Trajectories trajectories;
     private final CollisionDetection detection;
     private final HeapBodies by;
@@ -45,6 +48,11 @@ final class FreeHeap implements Serializable {
         if (by.isRough(heap, trajectories.step())) {
             system.roughen();
         }
+        for (int k = 0; k < heap.size; k++) {
+            if (by.failures[heap.values[k]] >= FAILURES) {
+                system.spare();
+            }
+        }
     }
 
     /** Solves a heap whose points have been taken in; false if the impulses are not right. */
@@ -57,7 +65,7 @@ final class FreeHeap implements Serializable {
             system.relent();
         }
         boolean done = system.solve(scale, true);
-        if (!done && relents <= 0 && !system.isRough()) {
+        if (!done && relents <= 0 && !system.isRough() && !system.isSpared()) {
             relents = RELENTS;
             system.again();
             system.relent();
@@ -65,6 +73,7 @@ final class FreeHeap implements Serializable {
         }
         for (int k = 0; k < heap.size; k++) {
             by.relents[heap.values[k]] = relents;
+            by.failures[heap.values[k]] += done ? 0 : 1;
         }
         if (!done && !system.isRough() && system.size() > HeapSolver.MANY) {
             by.roughen(heap, trajectories.step());

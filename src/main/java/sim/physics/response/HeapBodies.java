@@ -71,6 +71,9 @@ final class HeapBodies implements Serializable {
     /** The number of the step before which its heap is solved roughly. */
     double[] roughUntil = {};
 
+    /** How often its heap could not be solved in this step. */
+    int[] failures = {};
+
     /** Solutions for which open points of its heap are taken for closed. */
     int[] relents = {};
 
@@ -109,6 +112,7 @@ final class HeapBodies implements Serializable {
             lost = Arrays.copyOf(lost, n);
             relents = Arrays.copyOf(relents, n);
             roughUntil = Arrays.copyOf(roughUntil, n);
+            failures = Arrays.copyOf(failures, n);
             place = Arrays.copyOf(place, n);
         }
     }
@@ -194,6 +198,7 @@ final class HeapBodies implements Serializable {
         givenUpTimes[body] = turns[body] + ends[body] < QUIET ? 0 : givenUpTimes[body];
         turns[body] = 0;
         ends[body] = 0;
+        failures[body] = 0;
         lost[body] = 0;
     }
 }

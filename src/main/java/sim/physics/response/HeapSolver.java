@@ -75,6 +75,9 @@ final class HeapSolver implements Serializable {
             return matrix.solve(s, RIGHT * scale, enough, scale);
         }
         s.applyAll();
+        if (s.isSpared() && !s.isTied()) {
+            return relax(s, scale, enough, LITTLE_WORK);
+        }
         if (!s.isTied() && s.size() > FEW) {
             pile = pile == null ? new HeapPile(relaxation) : pile;
             boolean right = pile.solve(s, RIGHT * scale, LATE * enough, s.isRough());

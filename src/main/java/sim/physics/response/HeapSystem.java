@@ -67,6 +67,7 @@ final class HeapSystem implements Serializable {
     private double enough;
 
     private boolean rough;
+    private boolean spared;
 
     /** The velocities without impulses. */
     private double[] free = {};
@@ -83,6 +84,7 @@ final class HeapSystem implements Serializable {
         contacts = 0;
         tied = false;
         rough = false;
+        spared = false;
         solver.forget();
         enough = Double.POSITIVE_INFINITY;
         count = 0;
@@ -252,6 +254,15 @@ final class HeapSystem implements Serializable {
 
     boolean isRough() {
         return rough;
+    }
+
+    /** Spends next to no work from now on: it has been in vain. */
+    void spare() {
+        spared = true;
+    }
+
+    boolean isSpared() {
+        return spared;
     }
 
     /** Whether bodies are tied to others. */
