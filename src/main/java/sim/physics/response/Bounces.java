@@ -23,6 +23,9 @@ final class Bounces implements Serializable {
     /** Impacts on a fixed body after which one that meets it faster than it left it is too near for its bounces to be told apart. */
     private static final int BLURRED = 50;
 
+    /** Length of a bounce, relative to the step, that rounding makes where bodies are put on one another. */
+    private static final double TINY = 1e-5;
+
     /** Way in a step at the speed of a rattling pair's bounces, in their greatest lengths: the force may have been misjudged. */
     private static final double RATTLE_WAY = 16;
 
@@ -224,9 +227,15 @@ final class Bounces implements Serializable {
         return c.restitution < 1 || c.friction > 0 || isTiny(a, b, c);
     }
 
-    /** Whether a force takes next to no time to bring two bodies together again, if they bounce at all. */
+    /** Whether forces on two bodies give them in next to no time the speed at which they bounce, if they do at all. */
     private boolean isTiny(int a, int b, Impact c) {
-        return 2 * c.restitution * Math.max(0, -c.normalVelocity()) < Tolerances.REST * h * pressing(a, b, c);
+        return 2 * c.restitution * Math.max(0, -c.normalVelocity()) < TINY * h * (pull(a) + pull(b));
+    }
+
+    private double pull(int body) {
+        double[] d = trajectories.bends();
+        int o = body * Trajectories.STRIDE & trajectories.bendMask();
+        return 2 * (Math.abs(d[o + Trajectories.AX]) + Math.abs(d[o + Trajectories.AY]));
     }
 
     /** Whether a pair that lies on one another meets at a speed from which it bounces. */
