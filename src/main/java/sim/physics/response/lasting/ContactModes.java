@@ -8,9 +8,6 @@ import java.util.Arrays;
 /**
  * Exact forces of a {@link ContactSystem} of not too many points: each is open, sticks or slides, and the rows of those that
  * are not open are equations, which are solved by elimination. Modes that turn out wrong are changed, until all are right.
- *
- * <p>Where forces are not unique, the system is made a little heavier on its diagonal, and the solution is refined until that
- * has no effect: of all forces that do the same, about the smallest are taken.
  */
 final class ContactModes implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -21,7 +18,6 @@ final class ContactModes implements Serializable {
 
     private static final int CHANGES = 40;
     private static final int REFINEMENTS = 6;
-    private static final double WEIGHT = 1e-9;
 
     /** What is none, relative to the largest value. */
     private static final double NONE = 1e-11;
@@ -36,11 +32,10 @@ final class ContactModes implements Serializable {
 
     private int[] tangent = {};
     private int unknowns;
-    private double[] matrix = {};
-    private double[] factors = {};
-    private double[] right = {};
-    private double[] solution = {};
-    private double[] rest = {};
+    private final ContactEquations equations = new ContactEquations(false, REFINEMENTS);
+
+    /** What a unit at a point does there, at most. */
+    private double heaviest;
 
     ContactModes() {
         // grows with the clusters
@@ -65,7 +60,7 @@ final class ContactModes implements Serializable {
             side[p] = 0;
         }
         assemble(s, false, true);
-        eliminate();
+        equations.solve(unknowns);
         apply(s);
     }
 
@@ -86,7 +81,7 @@ final class ContactModes implements Serializable {
         }
         for (int change = 0; change < CHANGES; change++) {
             assemble(s, forces, false);
-            eliminate();
+            equations.solve(unknowns);
             apply(s);
             if (!improve(s, forces)) {
                 return isFinite(s);
@@ -101,13 +96,7 @@ final class ContactModes implements Serializable {
             side = new double[n];
             normal = new int[n];
             tangent = new int[n];
-        }
-        if (right.length < 2 * n) {
-            matrix = new double[4 * n * n];
-            factors = new double[4 * n * n];
-            right = new double[2 * n];
-            solution = new double[2 * n];
-            rest = new double[2 * n];
+            equations.ensure(2 * n);
         }
     }
 
@@ -118,15 +107,7 @@ final class ContactModes implements Serializable {
             normal[p] = mode[p] == OPEN ? -1 : unknowns++;
             tangent[p] = mode[p] == STICK ? unknowns++ : -1;
         }
-        restore(s.u);
-        for (int p = 0; p < s.size(); p++) {
-            if (normal[p] >= 0) {
-                right[normal[p]] = -(s.normal(p) + (gaps ? s.gap(p) : forces ? s.bias(p) : 0));
-            }
-            if (tangent[p] >= 0) {
-                right[tangent[p]] = -s.tangent(p);
-            }
-        }
+        heaviest = 0;
         for (int p = 0; p < s.size(); p++) {
             if (normal[p] >= 0) {
                 column(s, p, normal[p], 1, mode[p] == SLIDE ? side[p] * s.friction(p) : 0);
@@ -136,6 +117,14 @@ final class ContactModes implements Serializable {
             }
         }
         restore(s.u);
+        for (int p = 0; p < s.size(); p++) {
+            if (normal[p] >= 0) {
+                equations.setRight(normal[p], -(s.normal(p) + (gaps ? s.gap(p) : forces ? s.bias(p) : 0)), heaviest);
+            }
+            if (tangent[p] >= 0) {
+                equations.setRight(tangent[p], -s.tangent(p), heaviest);
+            }
+        }
     }
 
     private void column(ContactSystem s, int p, int column, double fn, double ft) {
@@ -143,73 +132,25 @@ final class ContactModes implements Serializable {
         s.push(p, fn, ft);
         for (int q = 0; q < s.size(); q++) {
             if (normal[q] >= 0) {
-                matrix[normal[q] * unknowns + column] = s.normal(q);
+                set(normal[q], column, s.normal(q));
             }
             if (tangent[q] >= 0) {
-                matrix[tangent[q] * unknowns + column] = s.tangent(q);
+                set(tangent[q], column, s.tangent(q));
             }
         }
     }
 
-    /** Solves by elimination, of a matrix a little heavier, and refines. */
-    private void eliminate() {
-        int n = unknowns;
-        double most = 0;
-        for (int k = 0; k < n; k++) {
-            most = Math.max(most, Math.abs(matrix[k * n + k]));
-        }
-        System.arraycopy(matrix, 0, factors, 0, n * n);
-        for (int k = 0; k < n; k++) {
-            factors[k * n + k] += WEIGHT * most;
-        }
-        for (int k = 0; k < n; k++) {
-            for (int row = k + 1; row < n; row++) {
-                double f = factors[row * n + k] / factors[k * n + k];
-                factors[row * n + k] = f;
-                for (int m = k + 1; f != 0 && m < n; m++) {
-                    factors[row * n + m] -= f * factors[k * n + m];
-                }
-            }
-        }
-        Arrays.fill(solution, 0, n, 0);
-        for (int pass = 0; pass <= REFINEMENTS; pass++) {
-            for (int row = 0; row < n; row++) {
-                double sum = right[row];
-                for (int m = 0; m < n; m++) {
-                    sum -= matrix[row * n + m] * solution[m];
-                }
-                rest[row] = sum;
-            }
-            substitute(n);
-            for (int k = 0; k < n; k++) {
-                solution[k] += rest[k];
-            }
-        }
-    }
-
-    private void substitute(int n) {
-        for (int row = 0; row < n; row++) {
-            double sum = rest[row];
-            for (int m = 0; m < row; m++) {
-                sum -= factors[row * n + m] * rest[m];
-            }
-            rest[row] = sum;
-        }
-        for (int row = n - 1; row >= 0; row--) {
-            double sum = rest[row];
-            for (int m = row + 1; m < n; m++) {
-                sum -= factors[row * n + m] * rest[m];
-            }
-            rest[row] = sum / factors[row * n + row];
-        }
+    private void set(int row, int column, double value) {
+        equations.set(row * unknowns + column, value);
+        heaviest = row == column ? Math.max(heaviest, Math.abs(value)) : heaviest;
     }
 
     private double forceN(int p) {
-        return normal[p] < 0 ? 0 : solution[normal[p]];
+        return normal[p] < 0 ? 0 : equations.solution(normal[p]);
     }
 
     private double forceT(ContactSystem s, int p) {
-        return mode[p] == SLIDE ? side[p] * s.friction(p) * forceN(p) : tangent[p] < 0 ? 0 : solution[tangent[p]];
+        return mode[p] == SLIDE ? side[p] * s.friction(p) * forceN(p) : tangent[p] < 0 ? 0 : equations.solution(tangent[p]);
     }
 
     private void apply(ContactSystem s) {

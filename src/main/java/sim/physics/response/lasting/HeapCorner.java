@@ -19,7 +19,9 @@ final class HeapCorner implements Serializable {
     /** Times in a row that it may be tried, before it is left to {@link HeapFace}. */
     static final int ROUNDS = 10;
 
-    private final HeapEquations equations = new HeapEquations();
+    private static final int REFINEMENTS = 3;
+
+    private final ContactEquations equations = new ContactEquations(true, REFINEMENTS);
 
     /** By point: its normal and its tangential unknown, or −1; and the part of its normal impulse that its tangential one is. */
     private final int[] normal = new int[MOST];

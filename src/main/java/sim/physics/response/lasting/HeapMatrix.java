@@ -16,6 +16,7 @@ final class HeapMatrix extends HeapRows {
     private static final long serialVersionUID = 1L;
 
     private static final int ROUNDS = 12;
+    private static final int REFINEMENTS = 3;
 
     /** Rounds after which impulses are good enough that are nearly right. */
     private static final int LATE = 1;
@@ -47,7 +48,7 @@ final class HeapMatrix extends HeapRows {
     /** The equations. */
     private int[] unknown = {};
 
-    private final HeapEquations equations = new HeapEquations();
+    private final ContactEquations equations = new ContactEquations(true, REFINEMENTS);
     private double[] along = {};
     private double[] rest = {};
 
