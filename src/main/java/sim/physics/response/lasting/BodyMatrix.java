@@ -4,6 +4,7 @@ package sim.physics.response.lasting;
 
 import java.util.Arrays;
 import sim.physics.internal.IntList;
+import sim.physics.internal.MinimumDegree;
 
 /**
  * A matrix over the velocities of a heap's bodies: a block of 3 × 3 for each body, and two for each pair that touches; and its
@@ -13,7 +14,7 @@ final class BodyMatrix {
     /** Values of a block, row after row. */
     private static final int BLOCK = 9;
 
-    private final BodyOrder order = new BodyOrder();
+    private final MinimumDegree order = new MinimumDegree(false);
     private int n;
 
     /** Blocks beyond the diagonal by places in the order: those of place p are start[p] … start[p + 1] − 1, with the later places. */
@@ -64,7 +65,7 @@ final class BodyMatrix {
 
     /** Takes note that two bodies touch. */
     void touch(int a, int b) {
-        order.touch(a, b);
+        order.join(a, b);
     }
 
     /** Finds the order of elimination and the places of all blocks. */

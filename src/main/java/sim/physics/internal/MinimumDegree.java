@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
-package sim.physics.response.lasting;
+package sim.physics.internal;
 
 import java.util.Arrays;
-import sim.physics.internal.IntList;
 
 /**
- * The order in which the bodies of a heap are eliminated from its equations, and which others each one then meets: the body
- * with the fewest neighbours first (minimum degree; Rose 1972). Who touches whom is a planar graph, whose fill-in stays small.
+ * The order in which unknowns that are joined are eliminated from their equations, and which others each one then meets: that
+ * with the fewest neighbours first (minimum degree; Rose 1972), of those with equally many the one that got there first.
  */
-final class BodyOrder {
-    /** Neighbours of each body; when all are ordered, those of them that are eliminated after it. */
+public final class MinimumDegree {
+    private final boolean isSorted;
+
+    /** Neighbours of each unknown; when all are ordered, those of them that are eliminated after it. */
     private IntList[] near = {};
 
-    /** Bodies by the number of their neighbours, some of them of before; and how many of each list have been taken. */
+    /** Unknowns by the number of their neighbours, some of them of before; and how many of each list have been taken. */
     private IntList[] byDegree = {};
 
     private int[] taken = {};
@@ -22,18 +23,28 @@ final class BodyOrder {
     private int marks;
     private int n;
 
-    /** The bodies in their order, and the place of each body in it. */
-    int[] order = {};
+    /** The unknowns in their order. */
+    public int[] order = {};
 
-    int[] place = {};
+    /** The place of each unknown in it. */
+    public int[] place = {};
 
-    BodyOrder() {
-        // grows with the heaps
+    /**
+     * Makes an order of nothing.
+     *
+     * @param isSorted whether neighbours get fewer in the order of their numbers, else in that in which they were joined
+     */
+    public MinimumDegree(boolean isSorted) {
+        this.isSorted = isSorted;
     }
 
-    /** Begins a heap of bodies that do not touch. */
-    void begin(int bodies) {
-        n = bodies;
+    /**
+     * Begins with unknowns that are not joined.
+     *
+     * @param unknowns their number
+     */
+    public void begin(int unknowns) {
+        n = unknowns;
         if (near.length < n) {
             int had = near.length;
             near = Arrays.copyOf(near, 2 * n);
@@ -52,8 +63,13 @@ final class BodyOrder {
         }
     }
 
-    /** Takes note that two bodies touch. */
-    void touch(int a, int b) {
+    /**
+     * Joins two unknowns, if they are not yet.
+     *
+     * @param a one
+     * @param b another one
+     */
+    public void join(int a, int b) {
         IntList of = near[a];
         for (int k = 0; k < of.size; k++) {
             if (of.values[k] == b) {
@@ -64,13 +80,18 @@ final class BodyOrder {
         near[b].add(a);
     }
 
-    /** The bodies that a body meets when it is eliminated. */
-    IntList later(int body) {
-        return near[body];
+    /**
+     * What an unknown meets when it is eliminated.
+     *
+     * @param unknown its number
+     * @return the unknowns, live; all come later
+     */
+    public IntList later(int unknown) {
+        return near[unknown];
     }
 
     /** Finds the order. */
-    void find() {
+    public void find() {
         for (int k = 0; k < byDegree.length; k++) {
             byDegree[k].clear();
             taken[k] = 0;
@@ -79,26 +100,29 @@ final class BodyOrder {
             push(k);
         }
         for (int k = 0; k < n; k++) {
-            int body = pop();
-            isGone[body] = true;
-            order[k] = body;
-            place[body] = k;
-            IntList met = near[body];
+            int next = pop();
+            isGone[next] = true;
+            order[k] = next;
+            place[next] = k;
+            IntList met = near[next];
+            if (isSorted) {
+                Arrays.sort(met.values, 0, met.size);
+            }
             for (int m = 0; m < met.size; m++) {
-                join(met.values[m], body, met);
+                inherit(met.values[m], next, met);
                 push(met.values[m]);
             }
         }
     }
 
-    /** Takes a body that is eliminated from the neighbours of another, which gets its other neighbours for it. */
-    private void join(int other, int body, IntList met) {
+    /** Takes an unknown that is eliminated from the neighbours of another, which gets its other neighbours for it. */
+    private void inherit(int other, int gone, IntList met) {
         IntList of = near[other];
         marks++;
         mark[other] = marks;
         int kept = 0;
         for (int k = 0; k < of.size; k++) {
-            if (of.values[k] != body) {
+            if (of.values[k] != gone) {
                 mark[of.values[k]] = marks;
                 of.values[kept++] = of.values[k];
             }
@@ -111,8 +135,8 @@ final class BodyOrder {
         }
     }
 
-    private void push(int body) {
-        int degree = near[body].size;
+    private void push(int unknown) {
+        int degree = near[unknown].size;
         if (degree >= byDegree.length) {
             int had = byDegree.length;
             byDegree = Arrays.copyOf(byDegree, 2 * degree + 2);
@@ -121,16 +145,16 @@ final class BodyOrder {
                 byDegree[k] = new IntList();
             }
         }
-        byDegree[degree].add(body);
+        byDegree[degree].add(unknown);
     }
 
     private int pop() {
         for (int degree = 0; ; degree++) {
             IntList queue = byDegree[degree];
             while (taken[degree] < queue.size) {
-                int body = queue.values[taken[degree]++];
-                if (!isGone[body] && near[body].size == degree) {
-                    return body;
+                int unknown = queue.values[taken[degree]++];
+                if (!isGone[unknown] && near[unknown].size == degree) {
+                    return unknown;
                 }
             }
         }
