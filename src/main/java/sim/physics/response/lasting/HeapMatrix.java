@@ -49,14 +49,13 @@ final class HeapMatrix extends HeapRows {
     private int[] unknown = {};
 
     private final ContactEquations equations = new ContactEquations(true, REFINEMENTS);
-    private double[] along = {};
+    private final ConjugateSweeps sweeps = new ConjugateSweeps();
     private double[] rest = {};
 
     @Override
     void grow(int n) {
         side = new double[n];
         unknown = new int[n];
-        along = new double[n];
         rest = new double[n];
         equations.ensure(n);
     }
@@ -106,32 +105,26 @@ final class HeapMatrix extends HeapRows {
         return least;
     }
 
-    /**
-     * Relaxes by sweeps whose changes are taken for the gradients of a method of conjugate directions (Silcowitz-Hansen, Niebe
-     * and Erleben, <i>A nonsmooth nonlinear conjugate gradient method for interactive contact force problems</i>, 2010).
-     */
-    private double relax(int sweeps, double least) {
+    /** Relaxes by sweeps along conjugate directions; returns the least error so far. */
+    private double relax(int times, double least) {
         double best = least;
-        double last = 0;
-        for (int k = 0; k < sweeps; k++) {
-            System.arraycopy(impulse, 0, rest, 0, rows);
+        sweeps.begin(rows);
+        for (int k = 0; k < times; k++) {
+            System.arraycopy(impulse, 0, sweeps.before, 0, rows);
             sweep();
             double square = 0;
             for (int i = 0; i < rows; i++) {
-                rest[i] = impulse[i] - rest[i];
-                square += rest[i] * rest[i] * own(i);
+                double change = sweeps.change(i, impulse[i]);
+                square += change * change * own(i);
             }
             best = keep(best);
-            double beta = k > 0 && square < last ? square / last : 0;
+            boolean goesOn = sweeps.goesOn(square);
             for (int i = 0; i < rows; i++) {
-                double more = beta == 0 ? 0 : beta * along[i];
-                along[i] = rest[i] + more;
-                impulse[i] += more;
+                impulse[i] += sweeps.more(i);
             }
-            if (beta != 0) {
+            if (goesOn) {
                 evaluate();
             }
-            last = square;
         }
         return best;
     }

@@ -3,7 +3,6 @@
 package sim.physics.response.lasting;
 
 import java.io.Serializable;
-import java.util.Arrays;
 
 /**
  * Makes points of a {@link HeapSystem} right, one while the others keep their impulses: open, held by friction, or sliding, along
@@ -15,10 +14,8 @@ final class HeapRelaxation implements Serializable {
     /** Determinant, relative to the product of the mobilities, from which on these do not say both impulses. */
     private static final double FLAT = 1e-9;
 
-    /** Impulses before a sweep, or what it changes; and the direction in which they go; 2 per point. */
-    private double[] before = {};
-
-    private double[] direction = {};
+    /** Of impulses, 2 per point. */
+    private final ConjugateSweeps sweeps = new ConjugateSweeps();
 
     HeapRelaxation() {
         // grows with the heaps
@@ -41,47 +38,34 @@ final class HeapRelaxation implements Serializable {
         return change;
     }
 
-    /**
-     * The same with the changes of each sweep taken for the gradients of a method of conjugate directions (Silcowitz-Hansen, Niebe
-     * and Erleben, <i>A nonsmooth nonlinear conjugate gradient method for interactive contact force problems</i>, 2010).
-     */
+    /** The same along conjugate directions. */
     double conjugate(HeapSystem s, int times) {
-        if (direction.length < 2 * s.size()) {
-            direction = new double[4 * s.size()];
-        }
-        Arrays.fill(direction, 0, 2 * s.size(), 0);
-        double last = 0;
+        sweeps.begin(2 * s.size());
         for (int k = 0; k < times; k++) {
-            before = s.impulses(before);
+            sweeps.before = s.impulses(sweeps.before);
             sweep(s, 1, 0);
-            double square = compare(s);
-            follow(s, k > 0 && square < last ? square / last : 0);
-            last = square;
+            sweeps.goesOn(compare(s));
+            follow(s);
         }
         return sweep(s, 1, 0);
     }
 
-    /** Puts changes in the place of the impulses of before; returns their square, as an energy. */
+    /** The square of what a sweep has changed, as an energy. */
     private double compare(HeapSystem s) {
         double square = 0;
         for (int p = 0; p < s.size(); p++) {
-            double normal = s.normalImpulse(p) - before[2 * p];
-            double along = s.tangentImpulse(p) - before[2 * p + 1];
-            before[2 * p] = normal;
-            before[2 * p + 1] = along;
+            double normal = sweeps.change(2 * p, s.normalImpulse(p));
+            double along = sweeps.change(2 * p + 1, s.tangentImpulse(p));
             square += normal == 0 ? 0 : normal * normal * s.normalMobility(p);
             square += along == 0 ? 0 : along * along * s.tangentMobility(p);
         }
         return square;
     }
 
-    /** Goes on along the last direction, a part of it. */
-    private void follow(HeapSystem s, double beta) {
+    private void follow(HeapSystem s) {
         for (int p = 0; p < s.size(); p++) {
-            double normal = beta == 0 ? 0 : beta * direction[2 * p];
-            double along = beta == 0 ? 0 : beta * direction[2 * p + 1];
-            direction[2 * p] = before[2 * p] + normal;
-            direction[2 * p + 1] = before[2 * p + 1] + along;
+            double normal = sweeps.more(2 * p);
+            double along = sweeps.more(2 * p + 1);
             if (normal != 0 || along != 0) {
                 s.addImpulse(p, normal, along);
                 s.apply(p, normal, along);
