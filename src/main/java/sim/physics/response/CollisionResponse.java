@@ -163,14 +163,7 @@ public final class CollisionResponse implements Serializable {
     private void respondToOne(int pair, double tau) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
-        impact.sticky = false;
-        load(a, b, 0);
-        if (isWedged(pair, a, b, tau)) {
-            goOn(a, b);
-            return;
-        }
-        bounces.attend(a, b, tau);
-        if (heaps.lasts(pair) && closes(pair)) {
+        if (isLetBe(pair, a, b, tau)) {
             return;
         }
         if (!polish(pair, a, b, tau)) {
@@ -204,6 +197,18 @@ public final class CollisionResponse implements Serializable {
         if (!listeners.isEmpty()) {
             listeners.tell(a, b, impact, approach);
         }
+    }
+
+    /** Loads the impact of a pair, unless it is let be as deep as it is, or left to its heap. */
+    private boolean isLetBe(int pair, int a, int b, double tau) {
+        impact.sticky = false;
+        load(a, b, 0);
+        if (isWedged(pair, a, b, tau)) {
+            goOn(a, b);
+            return true;
+        }
+        bounces.attend(a, b, tau);
+        return heaps.lasts(pair) && closes(pair);
     }
 
     private boolean isWedged(int pair, int a, int b, double tau) {
@@ -428,15 +433,8 @@ public final class CollisionResponse implements Serializable {
     private void collect(int pair, double tau, boolean alone) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
-        impact.sticky = false;
         locate(pair, tau);
-        load(a, b, 0);
-        if (isWedged(pair, a, b, tau)) {
-            goOn(a, b);
-            return;
-        }
-        bounces.attend(a, b, tau);
-        if (heaps.lasts(pair) && closes(pair)) {
+        if (isLetBe(pair, a, b, tau)) {
             return;
         }
         if (alone) {
