@@ -50,7 +50,8 @@ public abstract class SceneWithUI extends GUIState {
         setupPortrayals();
     }
 
-    private void setupPortrayals() {
+    /** Begins to show a scene, when it starts or is loaded. */
+    protected void setupPortrayals() {
         Scene scene = (Scene) state;
         Map<Color, BodyPortrayal2D> portrayals = new HashMap<>();
         portrayal.setField(scene.field);

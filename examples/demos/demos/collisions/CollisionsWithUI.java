@@ -2,27 +2,16 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package demos.collisions;
 
-import java.awt.Color;
+import demos.SceneWithUI;
 import javax.swing.JFrame;
 import sim.display.Console;
 import sim.display.Controller;
-import sim.display.Display2D;
-import sim.display.GUIState;
 import sim.engine.SimState;
 import sim.engine.Steppable;
-import sim.physics.mason.BodyPortrayal2D;
-import sim.physics.motion.Body;
-import sim.portrayal.Inspector;
-import sim.portrayal.continuous.ContinuousPortrayal2D;
 import sim.util.media.chart.TimeSeriesChartGenerator;
 
 /** The collisions demo in MASON's console. */
-public class CollisionsWithUI extends GUIState {
-    private static final Color GROUND = new Color(0, 80, 0);
-
-    public Display2D display;
-    public JFrame displayFrame;
-    private final ContinuousPortrayal2D portrayal = new ContinuousPortrayal2D();
+public final class CollisionsWithUI extends SceneWithUI {
     private TimeSeriesChartGenerator chart;
     private JFrame chartFrame;
     private org.jfree.data.xy.XYSeries energy;
@@ -45,43 +34,8 @@ public class CollisionsWithUI extends GUIState {
     }
 
     @Override
-    public Object getSimulationInspectedObject() {
-        return state;
-    }
-
-    @Override
-    public Inspector getInspector() {
-        Inspector inspector = super.getInspector();
-        inspector.setVolatile(true);
-        return inspector;
-    }
-
-    @Override
-    public void start() {
-        super.start();
-        ((Collisions) state).mirror();
-        setupPortrayals();
-    }
-
-    @Override
-    public void load(SimState loaded) {
-        super.load(loaded);
-        setupPortrayals();
-    }
-
-    private void setupPortrayals() {
-        Collisions model = (Collisions) state;
-        portrayal.setField(model.field);
-        portrayal.setPortrayalForRemainder(new BodyPortrayal2D(Color.RED));
-        BodyPortrayal2D wall = new BodyPortrayal2D(Color.WHITE);
-        for (Body body : model.physics.bodies()) {
-            if (body.isFixed()) {
-                portrayal.setPortrayalForObject(body, wall);
-            }
-        }
-        display.reset();
-        display.setBackdrop(GROUND);
-        display.repaint();
+    protected void setupPortrayals() {
+        super.setupPortrayals();
         chart.removeAllSeries();
         energy = new org.jfree.data.xy.XYSeries("kinetic energy", false);
         chart.addSeries(energy, null);
@@ -101,12 +55,6 @@ public class CollisionsWithUI extends GUIState {
     @Override
     public void init(Controller controller) {
         super.init(controller);
-        display = new Display2D(800, 800, this);
-        displayFrame = display.createFrame();
-        displayFrame.setTitle("Collisions");
-        controller.registerFrame(displayFrame);
-        displayFrame.setVisible(true);
-        display.attach(portrayal, "Bodies");
         chart = new TimeSeriesChartGenerator();
         chart.setTitle("Kinetic energy");
         chart.setXAxisLabel("time");
@@ -120,14 +68,10 @@ public class CollisionsWithUI extends GUIState {
     @Override
     public void quit() {
         super.quit();
-        if (displayFrame != null) {
-            displayFrame.dispose();
-        }
         if (chartFrame != null) {
             chartFrame.dispose();
         }
-        displayFrame = null;
-        display = null;
+        chartFrame = null;
     }
 
     public static void main(String[] args) {

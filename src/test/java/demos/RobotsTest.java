@@ -5,11 +5,6 @@ package demos;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import demos.robots.Robots;
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -17,6 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import sim.physics.Checkpoint;
 import sim.physics.motion.Body;
 
 /** All cans end at home and all robots return, whatever the seed; a checkpoint in the middle changes nothing. */
@@ -60,19 +56,12 @@ class RobotsTest {
     }
 
     @Test
-    void aCheckpointWhileACanIsCarriedContinuesBitForBit() throws IOException, ClassNotFoundException {
+    void aCheckpointWhileACanIsCarriedContinuesBitForBit() {
         Robots model = robots(7, 2, 4);
         while (model.physics.allConstraints().size() == 4) {
             model.schedule.step(model);
         }
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(model);
-        }
-        Robots restored;
-        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-            restored = (Robots) in.readObject();
-        }
+        Robots restored = Checkpoint.copy(model);
         for (int k = 0; k < 1500; k++) {
             model.schedule.step(model);
             restored.schedule.step(restored);

@@ -20,8 +20,8 @@ import sim.physics.motion.Motion;
 import sim.physics.motion.Presence;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
-import sim.physics.response.Heaps;
-import sim.physics.response.RestingContacts;
+import sim.physics.response.lasting.Heaps;
+import sim.physics.response.lasting.RestingContacts;
 
 /**
  * Lets into the motion what authors have changed: bodies that were added, written or removed, and constraints that were

@@ -6,11 +6,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
@@ -130,20 +125,6 @@ class ThreadsTest {
             }
         }
         return engine;
-    }
-
-    private static PhysicsEngine copy(PhysicsEngine engine) {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(engine);
-        } catch (IOException e) {
-            throw new AssertionError(e);
-        }
-        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-            return (PhysicsEngine) in.readObject();
-        } catch (IOException | ClassNotFoundException e) {
-            throw new AssertionError(e);
-        }
     }
 
     private static void run(PhysicsEngine engine, int steps) {
@@ -298,7 +279,7 @@ class ThreadsTest {
         PhysicsEngine first = workshop();
         first.setThreads(3);
         run(first, 60);
-        PhysicsEngine restored = copy(first);
+        PhysicsEngine restored = Checkpoint.copy(first);
         assertThat(restored.getThreads()).isEqualTo(3);
         run(restored, 60);
         assertThat(restored.sharedWorks()).isGreaterThan(first.sharedWorks());

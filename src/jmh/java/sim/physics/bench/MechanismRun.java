@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.bench;
 
-import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -41,23 +39,13 @@ public final class MechanismRun {
         scenes.keySet().forEach(name -> times.put(name, new double[rounds]));
         for (int round = -WARM_UP; round < rounds; round++) {
             for (String name : scenes.keySet()) {
-                double time = batch(scenes.get(name).get());
+                double time = CpuTime.of(scenes.get(name).get()::step, STEPS) * 1e-3 / STEPS;
                 if (round >= 0) {
                     times.get(name)[round] = time;
                 }
             }
         }
         times.forEach((name, time) -> print(name, scenes.get(name).get(), time));
-    }
-
-    /** Time of a step in µs. */
-    private static double batch(PhysicsEngine engine) {
-        ThreadMXBean clock = ManagementFactory.getThreadMXBean();
-        long begun = clock.getCurrentThreadCpuTime();
-        for (int step = 0; step < STEPS; step++) {
-            engine.step();
-        }
-        return (clock.getCurrentThreadCpuTime() - begun) * 1e-3 / STEPS;
     }
 
     private static void print(String name, PhysicsEngine engine, double[] time) {

@@ -67,12 +67,12 @@ public final class ScaleRun {
     private static void disks(int n) {
         for (double covered : new double[] {0.2, 0.4, 0.6, 0.7}) {
             PhysicsEngine engine = disks(n, covered);
-            measure(engine::step, 1000);
+            CpuTime.of(engine::step, 1000);
             double[] perSecond = new double[7];
             double[] nanos = new double[7];
             for (int round = 0; round < 7; round++) {
                 long impacts = engine.getImpacts();
-                long time = measure(engine::step, 500);
+                long time = CpuTime.of(engine::step, 500);
                 perSecond[round] = (engine.getImpacts() - impacts) * 1e3 / time;
                 nanos[round] = time / 500.0 / n;
             }
@@ -128,9 +128,9 @@ public final class ScaleRun {
             PhysicsEngine engine = new OwnRunner(scene, false).engine();
             BareStep bare = new BareStep(scene);
             boolean first = r % 2 == 0;
-            double before = first ? measure(engine::step, steps) : 0;
-            double without = measure(bare::step, steps);
-            double with = first ? before : measure(engine::step, steps);
+            double before = first ? CpuTime.of(engine::step, steps) : 0;
+            double without = CpuTime.of(bare::step, steps);
+            double with = first ? before : CpuTime.of(engine::step, steps);
             if (r >= 0) {
                 ratios[r] = with / without;
                 micros[r] = with / 1e3 / steps;
@@ -150,14 +150,14 @@ public final class ScaleRun {
 
     private static void growth(int n, int rounds) {
         OwnRunner small = new OwnRunner(Gas.s3(1000, 1001), false);
-        measure(small::step, 4000);
+        CpuTime.of(small::step, 4000);
         OwnRunner large = new OwnRunner(Gas.s3(n, 1001), false);
-        measure(large::step, 60);
+        CpuTime.of(large::step, 60);
         double[][] results = new double[3][rounds];
         int steps = Math.max(1, 2_000_000 / n);
         for (int r = 0; r < rounds; r++) {
-            results[0][r] = measure(small::step, 2000) / 2e6;
-            results[1][r] = measure(large::step, steps) / (double) steps / n;
+            results[0][r] = CpuTime.of(small::step, 2000) / 2e6;
+            results[1][r] = CpuTime.of(large::step, steps) / (double) steps / n;
             results[2][r] = results[1][r] / results[0][r];
         }
         Arrays.stream(results).forEach(Arrays::sort);
@@ -165,20 +165,12 @@ public final class ScaleRun {
         System.out.printf(
                 Locale.ROOT, "1000 bodies: %.1f ns a body and step, %d: %.1f, %.2f [%.2f, %.2f] times as long%n",
                 results[0][m], n, results[1][m], results[2][m], results[2][0], results[2][rounds - 1]);
-        measure(large::step, 1);
+        CpuTime.of(large::step, 1);
         long bytes = THREAD.getCurrentThreadAllocatedBytes();
-        measure(large::step, steps);
+        CpuTime.of(large::step, steps);
         System.out.println(
                 "allocated in " + steps + " steps: " + (THREAD.getCurrentThreadAllocatedBytes() - bytes) + " bytes; collections"
                         + " so far: " + ManagementFactory.getGarbageCollectorMXBeans().stream()
                                 .map(c -> c.getName() + " " + c.getCollectionCount()).toList());
-    }
-
-    private static long measure(Runnable step, int steps) {
-        long nanos = THREAD.getCurrentThreadCpuTime();
-        for (int s = 0; s < steps; s++) {
-            step.run();
-        }
-        return THREAD.getCurrentThreadCpuTime() - nanos;
     }
 }

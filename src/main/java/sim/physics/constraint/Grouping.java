@@ -3,43 +3,39 @@
 package sim.physics.constraint;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import sim.physics.internal.DisjointSets;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
 
 /**
- * Sorts constraints into islands: those that are connected through movable bodies (union–find, Tarjan 1975); and says what is
+ * Sorts constraints into islands: those that are connected through movable bodies; and says what is
  * true of some of them together.
  */
 final class Grouping {
-    private final int[] parent;
-
-    private Grouping(int bodies) {
-        parent = new int[bodies];
-        for (int k = 0; k < bodies; k++) {
-            parent[k] = k;
-        }
-    }
+    private Grouping() {}
 
     /** The islands, in the order of their first constraints. */
     static List<Island> islands(List<Constraint> constraints, int bodies) {
         if (constraints.isEmpty()) {
             return List.of();
         }
-        Grouping sets = new Grouping(bodies);
+        int[] parent = new int[bodies];
+        Arrays.setAll(parent, k -> k);
         for (Constraint c : constraints) {
             if (isMovable(c.getBodyA()) && isMovable(c.getBodyB())) {
-                sets.join(c.getBodyA().index(), c.getBodyB().index());
+                DisjointSets.join(parent, c.getBodyA().index(), c.getBodyB().index());
             }
         }
         Map<Integer, List<Constraint>> groups = new LinkedHashMap<>();
         for (Constraint c : constraints) {
             Body body = isMovable(c.getBodyA()) ? c.getBodyA() : c.getBodyB();
-            groups.computeIfAbsent(sets.find(body.index()), k -> new ArrayList<>()).add(c);
+            groups.computeIfAbsent(DisjointSets.find(parent, body.index()), k -> new ArrayList<>()).add(c);
         }
         List<Island> islands = new ArrayList<>();
         for (List<Constraint> group : groups.values()) {
@@ -79,19 +75,6 @@ final class Grouping {
         IntList list = new IntList();
         found.forEach(list::add);
         return list;
-    }
-
-    private int find(int k) {
-        int root = k;
-        while (parent[root] != root) {
-            parent[root] = parent[parent[root]];
-            root = parent[root];
-        }
-        return root;
-    }
-
-    private void join(int a, int b) {
-        parent[find(a)] = find(b);
     }
 
     /** Whether the motion of islands depends on their state alone: no author's code has part in it, and nothing switches. */

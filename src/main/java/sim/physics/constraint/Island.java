@@ -6,7 +6,6 @@ import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.TreeSet;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import sim.physics.internal.IntList;
@@ -135,11 +134,8 @@ final class Island implements Serializable {
         EliminationOrder elimination = new EliminationOrder(first, second, bodies.size);
         constraints = new Constraint[n];
         firstNode = new int[n + 1];
-        int[] place = new int[n];
         for (int k = 0; k < n; k++) {
-            int from = elimination.order[k];
-            constraints[k] = those.get(from);
-            place[from] = k;
+            constraints[k] = those.get(elimination.at(k));
             firstNode[k + 1] = firstNode[k] + (constraints[k].getRows() + 1) / 2;
         }
         nodes = firstNode[n];
@@ -148,7 +144,7 @@ final class Island implements Serializable {
         blockA = new int[nodes];
         blockB = new int[nodes];
         for (int k = 0; k < n; k++) {
-            join(k, first[elimination.order[k]], second[elimination.order[k]]);
+            join(k, first[elimination.at(k)], second[elimination.at(k)]);
         }
         j = new double[J * nodes];
         c = new double[2 * nodes];
@@ -156,7 +152,7 @@ final class Island implements Serializable {
         lambda = new double[2 * nodes];
         leastSize = those.stream().mapToDouble(Constraint::getSize).min().orElse(Double.POSITIVE_INFINITY);
         mostSize = those.stream().mapToDouble(Constraint::getSize).max().orElse(0);
-        factor = factor(elimination, place);
+        factor = factor(elimination);
         int[] shared = shared();
         rows = new NodeRows(this, shared);
         isAngle = angles();
@@ -240,7 +236,7 @@ final class Island implements Serializable {
         return local < 0 ? -1 : State.BLOCK * bodies.values[local];
     }
 
-    private BlockFactor factor(EliminationOrder elimination, int[] place) {
+    private BlockFactor factor(EliminationOrder elimination) {
         int[] start = new int[nodes + 1];
         byte[] rows = new byte[nodes];
         IntList row = new IntList();
@@ -248,10 +244,12 @@ final class Island implements Serializable {
             for (int p = firstNode[k], left = constraints[k].getRows(); p < firstNode[k + 1]; p++, left -= 2) {
                 rows[p] = (byte) Math.min(left, 2);
             }
-            TreeSet<Integer> met = new TreeSet<>();
-            for (int other : elimination.later.get(elimination.order[k])) {
-                met.add(place[other]);
+            IntList later = elimination.later(elimination.at(k));
+            int[] met = new int[later.size];
+            for (int m = 0; m < met.length; m++) {
+                met[m] = elimination.place(later.values[m]);
             }
+            Arrays.sort(met);
             for (int p = firstNode[k]; p < firstNode[k + 1]; p++) {
                 for (int own = p + 1; own < firstNode[k + 1]; own++) {
                     row.add(own);

@@ -26,15 +26,38 @@ public final class DenseFactor {
                 return false;
             }
             swap(a, n, k, p);
-            for (int row = k + 1; row < n; row++) {
-                double f = a[row * n + k] / pivot;
-                a[row * n + k] = f;
-                for (int m = k + 1; f != 0 && m < n; m++) {
-                    a[row * n + m] -= f * a[k * n + m];
+            eliminate(a, n, k);
+        }
+        return true;
+    }
+
+    /**
+     * Factors in place without exchanging rows, where those are in a good order; what is singular has factors that are not finite.
+     *
+     * @param a the matrix by rows; its factors afterwards
+     * @param n rows
+     * @param pivots takes the row that each was exchanged with, itself
+     */
+    public static void factorInOrder(double[] a, int n, int[] pivots) {
+        for (int k = 0; k < n; k++) {
+            pivots[k] = k;
+            eliminate(a, n, k);
+        }
+    }
+
+    private static void eliminate(double[] a, int n, int k) {
+        int from = k * n;
+        double pivot = a[from + k];
+        for (int row = k + 1; row < n; row++) {
+            int to = row * n;
+            double f = a[to + k] / pivot;
+            a[to + k] = f;
+            if (f != 0) {
+                for (int m = k + 1; m < n; m++) {
+                    a[to + m] -= f * a[from + m];
                 }
             }
         }
-        return true;
     }
 
     private static void swap(double[] a, int n, int k, int p) {

@@ -4,6 +4,7 @@ package sim.physics.motion;
 
 import java.io.Serializable;
 import java.util.List;
+import sim.physics.internal.DisjointSets;
 import sim.physics.internal.IntList;
 
 /**
@@ -145,7 +146,7 @@ public final class Groups implements Serializable {
         }
         for (int k = 0; ties != null && k < n; k++) {
             if (parent[k] >= 0 && ties.isTied(k)) {
-                join(k, ties.island(k).values[0]);
+                DisjointSets.join(parent, k, ties.island(k).values[0]);
             }
         }
         boolean[] isOpen = new boolean[n];
@@ -153,7 +154,7 @@ public final class Groups implements Serializable {
         IntList[] lists = new IntList[n];
         for (int k = 0; k < n; k++) {
             if (parent[k] >= 0) {
-                int root = find(k);
+                int root = DisjointSets.find(parent, k);
                 lists[root] = lists[root] == null ? new IntList() : lists[root];
                 lists[root].add(k);
                 isOpen[root] |= isOpen[k];
@@ -204,7 +205,7 @@ public final class Groups implements Serializable {
         if (entry.first < 0) {
             entry.first = body;
         } else {
-            join(entry.first, body);
+            DisjointSets.join(parent, entry.first, body);
         }
     }
 
@@ -232,20 +233,5 @@ public final class Groups implements Serializable {
             next[group.values[k]] = group;
             isTiedNext[group.values[k]] = tied;
         }
-    }
-
-    private int find(int k) {
-        int root = k;
-        while (parent[root] != root) {
-            parent[root] = parent[parent[root]];
-            root = parent[root];
-        }
-        return root;
-    }
-
-    private void join(int a, int b) {
-        int first = find(a);
-        int second = find(b);
-        parent[Math.max(first, second)] = Math.min(first, second);
     }
 }

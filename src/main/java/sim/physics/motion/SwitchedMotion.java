@@ -144,13 +144,10 @@ final class SwitchedMotion implements Serializable {
     /** The time at which a force is beyond its bound by about what counts as reached, by the Illinois method. */
     private double findYield(
             Motion motion, IntList group, double t, double length, double first, double last, Path path) {
-        double a = 0;
-        double b = length;
-        double fa = first + HALF;
-        double fb = last + HALF;
+        Bracket in = new Bracket(0, first + HALF, length, last + HALF);
         double time = length;
-        for (int k = 0; k < MOST_LOOKS && b - a > 0x1p-50 * length; k++) {
-            time = k % 8 == 7 || Double.isInfinite(fa) || !(fb < 0) ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
+        for (int k = 0; k < MOST_LOOKS && in.b - in.a > 0x1p-50 * length; k++) {
+            time = k % 8 == 7 || Double.isInfinite(in.fa) || !(in.fb < 0) ? in.middle() : in.secant();
             tied.again(group);
             ties.switches(group, decided, true);
             tied.advance(motion, group, t, time, path);
@@ -158,15 +155,7 @@ final class SwitchedMotion implements Serializable {
             if (Math.abs(f) < HALF) {
                 break;
             }
-            if (f > 0) {
-                a = time;
-                fa = f;
-                fb *= 0.5;
-            } else {
-                b = time;
-                fb = f;
-                fa *= 0.5;
-            }
+            in.take(time, f);
         }
         return time;
     }
@@ -189,23 +178,20 @@ final class SwitchedMotion implements Serializable {
      * within what is left between the last places before and behind, which are otherwise approached by the Illinois method.
      */
     private double find(Motion motion, IntList group, double t, double low, double high, boolean near, Path path) {
-        double a = low;
-        double b = high;
-        double fa = 1;
-        double fb = ties.watch(group, near);
+        Bracket in = new Bracket(low, 1, high, ties.watch(group, near));
         double next = high + ties.toGo(group, near);
         double time = high;
         if (low == 0) {
             tied.again(group);
-            fa = ties.watch(group, near);
+            in.fa = ties.watch(group, near);
         }
-        for (int k = 0; k < MOST_LOOKS && b - a > 0x1p-50 * high; k++) {
+        for (int k = 0; k < MOST_LOOKS && in.b - in.a > 0x1p-50 * high; k++) {
             if (k % 4 == 3) {
-                next = 0.5 * (a + b);
-            } else if (!(next > a && next < b)) {
-                next = (a * fb - b * fa) / (fb - fa);
+                next = in.middle();
+            } else if (!in.has(next)) {
+                next = in.secant();
             }
-            next = next > a && next < b ? next : 0.5 * (a + b); // values may be infinite
+            next = in.has(next) ? next : in.middle(); // values may be infinite
             time = next;
             tied.again(group);
             tied.advance(motion, group, t, time, path);
@@ -214,6 +200,39 @@ final class SwitchedMotion implements Serializable {
                 break;
             }
             next = time + ties.toGo(group, near);
+            in.take(time, f);
+        }
+        return time;
+    }
+
+    /** Between its ends, where f is positive and where it is not, something becomes zero. */
+    private static final class Bracket {
+        double a;
+        double b;
+        double fa;
+        double fb;
+
+        Bracket(double a, double fa, double b, double fb) {
+            this.a = a;
+            this.b = b;
+            this.fa = fa;
+            this.fb = fb;
+        }
+
+        double middle() {
+            return 0.5 * (a + b);
+        }
+
+        double secant() {
+            return (a * fb - b * fa) / (fb - fa);
+        }
+
+        boolean has(double time) {
+            return time > a && time < b;
+        }
+
+        /** Takes a time between for one of the ends; f at the other one is halved, by the Illinois method. */
+        void take(double time, double f) {
             if (f > 0) {
                 a = time;
                 fa = f;
@@ -224,6 +243,5 @@ final class SwitchedMotion implements Serializable {
                 fa *= 0.5;
             }
         }
-        return time;
     }
 }

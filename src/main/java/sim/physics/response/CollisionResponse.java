@@ -14,6 +14,9 @@ import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
 import sim.physics.motion.Trajectories;
+import sim.physics.response.lasting.ContactLedger;
+import sim.physics.response.lasting.Heaps;
+import sim.physics.response.lasting.RestingContacts;
 
 /**
  * Gives colliding bodies their new velocities, the write-up's chapter <i>Collision Response</i>.
@@ -70,13 +73,13 @@ public final class CollisionResponse implements Serializable {
         this.detection = detection;
         this.pairs = detection.pairs();
         this.listeners = new Listeners(state, trajectories);
-        this.loader = new ContactLoader(state, trajectories);
+        this.loader = new ContactLoader(state, trajectories, detection);
         this.simultaneous = new SimultaneousImpact(state);
         this.freeBounce = new FreeBounce(state, trajectories, detection.narrowPhase(), loader);
         this.bounces = new Bounces(trajectories, motion);
         ContactLedger ledger = new ContactLedger(trajectories);
-        this.resting = new RestingContacts(state, trajectories, motion, detection, this, ledger);
-        this.heaps = new Heaps(state, trajectories, motion, detection, this, ledger);
+        this.resting = new RestingContacts(state, trajectories, motion, detection, loader, ledger);
+        this.heaps = new Heaps(state, trajectories, motion, detection, loader, resting, ledger);
         this.lasting = new LastingContacts(state, detection, resting, heaps, ledger);
         this.wedged = new Wedged(trajectories, detection);
     }
@@ -160,14 +163,7 @@ public final class CollisionResponse implements Serializable {
     private void respondToOne(int pair, double tau) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
-        impact.sticky = false;
-        load(a, b, 0);
-        if (isWedged(pair, a, b, tau)) {
-            goOn(a, b);
-            return;
-        }
-        bounces.attend(a, b, tau);
-        if (heaps.lasts(pair) && closes(pair)) {
+        if (isLetBe(pair, a, b, tau)) {
             return;
         }
         if (!polish(pair, a, b, tau)) {
@@ -201,6 +197,18 @@ public final class CollisionResponse implements Serializable {
         if (!listeners.isEmpty()) {
             listeners.tell(a, b, impact, approach);
         }
+    }
+
+    /** Loads the impact of a pair, unless it is let be as deep as it is, or left to its heap. */
+    private boolean isLetBe(int pair, int a, int b, double tau) {
+        impact.sticky = false;
+        load(a, b, 0);
+        if (isWedged(pair, a, b, tau)) {
+            goOn(a, b);
+            return true;
+        }
+        bounces.attend(a, b, tau);
+        return heaps.lasts(pair) && closes(pair);
     }
 
     private boolean isWedged(int pair, int a, int b, double tau) {
@@ -381,14 +389,6 @@ public final class CollisionResponse implements Serializable {
         impact.restitution = impact.sticky ? 0 : impact.restitution;
     }
 
-    /** Loads one point of a pair that rests or lies on one another: what sticks is held by friction without bounds. */
-    void load(Manifold m, int pair, int point, Impact c) {
-        loader.load(m, pairs.first(pair), pairs.second(pair), point, c);
-        if (detection.marks().isSticky(pair)) {
-            c.friction = PlasticImpact.STICKS;
-        }
-    }
-
     private void store(int a, int b) {
         Impact c = impact;
         if (c.wA != 0) {
@@ -433,15 +433,8 @@ public final class CollisionResponse implements Serializable {
     private void collect(int pair, double tau, boolean alone) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
-        impact.sticky = false;
         locate(pair, tau);
-        load(a, b, 0);
-        if (isWedged(pair, a, b, tau)) {
-            goOn(a, b);
-            return;
-        }
-        bounces.attend(a, b, tau);
-        if (heaps.lasts(pair) && closes(pair)) {
+        if (isLetBe(pair, a, b, tau)) {
             return;
         }
         if (alone) {

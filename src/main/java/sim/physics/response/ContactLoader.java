@@ -2,24 +2,29 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.response;
 
-import java.io.Serializable;
 import java.util.Objects;
+import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
+import sim.physics.response.lasting.ContactPoint;
+import sim.physics.response.lasting.ContactPoints;
 
 /** Loads what an impact's equations need of one point of a manifold: masses, velocities, levers, coefficients. */
-final class ContactLoader implements Serializable {
+final class ContactLoader implements ContactPoints {
     private static final long serialVersionUID = 1L;
 
     private final State state;
     private final Trajectories trajectories;
+    private final CollisionDetection detection;
+    private final Impact impact = new Impact();
     private PairRule restitutionRule = PairRule.MINIMUM;
     private PairRule frictionRule = PairRule.GEOMETRIC_MEAN;
 
-    ContactLoader(State state, Trajectories trajectories) {
+    ContactLoader(State state, Trajectories trajectories, CollisionDetection detection) {
         this.state = state;
         this.trajectories = trajectories;
+        this.detection = detection;
     }
 
     void setRules(PairRule restitution, PairRule friction) {
@@ -55,6 +60,16 @@ final class ContactLoader implements Serializable {
         c.restitution = restitution(a, b);
         c.friction = friction(a, b);
         c.allowance = 0;
+    }
+
+    /** What sticks is held by friction without bounds. */
+    @Override
+    public void load(Manifold m, int pair, int k, ContactPoint point) {
+        load(m, detection.pairs().first(pair), detection.pairs().second(pair), k, impact);
+        impact.describe(point);
+        if (detection.marks().isSticky(pair)) {
+            point.friction = PlasticImpact.STICKS;
+        }
     }
 
     /** The coefficient of restitution of a contact of two bodies. */

@@ -3,6 +3,7 @@
 package sim.physics.response;
 
 import java.io.Serializable;
+import sim.physics.response.lasting.ContactPoint;
 
 /**
  * One point at which two bodies collide: what (16)–(24) start from, and the impulse that they give. The object is
@@ -155,6 +156,22 @@ public final class Impact implements Serializable {
             b[1] = vBy;
             b[2] = omegaB;
         }
+    }
+
+    /** Says what a contact that lasts needs to know of the point. */
+    void describe(ContactPoint point) {
+        point.nx = nx;
+        point.ny = ny;
+        point.leverA = leverA;
+        point.leverB = leverB;
+        point.armA = armA;
+        point.armB = armB;
+        point.normalMobility = normalMobility();
+        point.tangentMobility = tangentMobility();
+        point.friction = friction;
+        point.omegaA = omegaA;
+        point.omegaB = omegaB;
+        point.slip = tangentVelocity();
     }
 
     void copy(Impact from) {

@@ -12,6 +12,9 @@ import sim.physics.collision.broad.Pairs;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
+import sim.physics.response.lasting.ContactLedger;
+import sim.physics.response.lasting.Heaps;
+import sim.physics.response.lasting.RestingContacts;
 
 /** Says which bodies rest or lie on one another when a step is over, and tells those who want to know; else does nothing. */
 public final class LastingContacts implements Serializable {

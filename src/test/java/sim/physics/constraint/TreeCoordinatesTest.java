@@ -6,11 +6,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -20,6 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.Checkpoint;
+import sim.physics.Cuts;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
 import sim.physics.motion.Automatic;
@@ -33,8 +30,6 @@ import sim.physics.motion.Integrator;
 import sim.physics.motion.RadauIIA;
 import sim.physics.motion.RungeKutta4;
 import sim.physics.references.RodChain;
-import sim.physics.response.CollisionListener;
-import sim.physics.response.Contact;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -396,26 +391,6 @@ class TreeCoordinatesTest {
         assertThat(ends[0]).containsExactly(ends[1], within(1e-5));
     }
 
-    /** Cuts a pin when something is hit. */
-    private static final class Cuts implements CollisionListener {
-        private static final long serialVersionUID = 1L;
-
-        private final PhysicsEngine engine;
-        private final Constraint pin;
-
-        Cuts(PhysicsEngine engine, Constraint pin) {
-            this.engine = engine;
-            this.pin = pin;
-        }
-
-        @Override
-        public void collided(Contact contact) {
-            if (engine.contains(pin)) {
-                engine.remove(pin);
-            }
-        }
-    }
-
     /** In the middle of a step the tree becomes two. */
     @ParameterizedTest
     @CsvSource({"DOP853, 0.2", "GBS, 0.2", "Automatic, 0.002", "DOP853, 0.002", "RK4, 0.0005"})
@@ -443,27 +418,18 @@ class TreeCoordinatesTest {
         assertThat(ends[0]).containsExactly(ends[1], within(1e-7));
     }
 
-    private static PhysicsEngine copy(PhysicsEngine engine) throws IOException, ClassNotFoundException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(engine);
-        }
-        return (PhysicsEngine) new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray())).readObject();
-    }
-
     /** In the middle of strides and at their ends; forces of an author's make the states of stages those of the bodies. */
     @ParameterizedTest
     @CsvSource({
         "RK4, free, 0.002, true", "DOP853, free, 0.002, true", "DOP853, world, 0.03, false", "GBS, base, 0.002, true",
         "GBS, free, 0.2, false", "Automatic, world, 0.002, false", "Automatic, free, 0.05, true"
     })
-    void aRestoredTreeGoesOnToTheBit(String name, String hold, double step, boolean isWindy)
-            throws IOException, ClassNotFoundException {
+    void aRestoredTreeGoesOnToTheBit(String name, String hold, double step, boolean isWindy) {
         Tree tree = new Tree(hold, true, isWindy);
         tree.engine.setIntegrator(method(name, 1e-7));
         tree.engine.setTimeStep(step);
         for (int k = 0; k < 12; k++) {
-            PhysicsEngine restored = copy(tree.engine);
+            PhysicsEngine restored = Checkpoint.copy(tree.engine);
             tree.run(3);
             restored.step();
             restored.step();

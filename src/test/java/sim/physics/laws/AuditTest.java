@@ -7,17 +7,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import com.sun.management.ThreadMXBean;
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
 import sim.physics.StepReport;
@@ -135,14 +131,6 @@ class AuditTest {
         return engine;
     }
 
-    private static byte[] bytes(PhysicsEngine engine) throws IOException {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        try (ObjectOutputStream stream = new ObjectOutputStream(out)) {
-            stream.writeObject(engine);
-        }
-        return out.toByteArray();
-    }
-
     /** Not only do the bodies move the same way: nothing at all in the engine is different. */
     @ParameterizedTest
     @CsvSource({
@@ -151,7 +139,7 @@ class AuditTest {
         "springs, RK4", "springs, Automatic", "puck, RK4", "puck, DOP853", "motor, RK4", "motor, DOP853", "motor, Radau",
         "wall, RK4", "wall, GBS", "stack, RK4", "gas, RK4"
     })
-    void itChangesNoBit(String name, String method) throws IOException {
+    void itChangesNoBit(String name, String method) {
         PhysicsEngine plain = scene(name, method);
         PhysicsEngine audited = scene(name, method);
         audited.setAudited(true);
@@ -160,18 +148,17 @@ class AuditTest {
         assertThat(Scenes.hash(audited)).isEqualTo(Scenes.hash(plain));
         audited.setAudited(false);
         if (!name.equals("gas")) { // where polygons keep what they computed last under friction
-            assertThat(Arrays.equals(bytes(audited), bytes(plain))).isTrue();
+            assertThat(Arrays.equals(Checkpoint.bytes(audited), Checkpoint.bytes(plain))).isTrue();
         }
     }
 
     @ParameterizedTest
     @CsvSource({"rods, DOP853", "motor, RK4", "gas, RK4"})
-    void aRestoredAuditGoesOnAsItWas(String name, String method) throws IOException, ClassNotFoundException {
+    void aRestoredAuditGoesOnAsItWas(String name, String method) {
         PhysicsEngine engine = scene(name, method);
         engine.setAudited(true);
         run(engine, 50);
-        ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes(engine)));
-        PhysicsEngine restored = (PhysicsEngine) in.readObject();
+        PhysicsEngine restored = Checkpoint.copy(engine);
         run(engine, 50);
         run(restored, 50);
         assertThat(restored.getRunReport()).isEqualTo(engine.getRunReport());

@@ -4,12 +4,8 @@ package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import org.junit.jupiter.api.Test;
+import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
 import sim.physics.motion.Automatic;
@@ -74,24 +70,14 @@ class DeterminismTest {
     }
 
     @Test
-    void aRestoredEngineContinuesBitForBit() throws IOException, ClassNotFoundException {
+    void aRestoredEngineContinuesBitForBit() {
         PhysicsEngine engine = Scenes.gas(Scenes.Kind.POLYGONS, 60, 13);
         run(engine, 137);
-        PhysicsEngine restored = copy(engine);
+        PhysicsEngine restored = Checkpoint.copy(engine);
         for (int k = 0; k < 300; k++) {
             engine.step();
             restored.step();
             assertThat(Scenes.hash(restored)).as("after %d steps", k).isEqualTo(Scenes.hash(engine));
-        }
-    }
-
-    private static PhysicsEngine copy(PhysicsEngine engine) throws IOException, ClassNotFoundException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(engine);
-        }
-        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-            return (PhysicsEngine) in.readObject();
         }
     }
 

@@ -5,16 +5,12 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
@@ -129,17 +125,10 @@ class DrivenContactTest {
     }
 
     @Test
-    void aCheckpointGoesOnBitForBit() throws IOException, ClassNotFoundException {
+    void aCheckpointGoesOnBitForBit() {
         car(0.3);
         run(70);
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(engine);
-        }
-        PhysicsEngine copy;
-        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-            copy = (PhysicsEngine) in.readObject();
-        }
+        PhysicsEngine copy = Checkpoint.copy(engine);
         run(80);
         for (int k = 0; k < 80; k++) {
             copy.step();

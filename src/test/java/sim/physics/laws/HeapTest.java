@@ -5,10 +5,6 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -16,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
 import sim.physics.motion.Body;
@@ -260,18 +257,11 @@ class HeapTest {
     }
 
     @Test
-    void aHeapContinuesFromACheckpointBitForBit() throws Exception {
+    void aHeapContinuesFromACheckpointBitForBit() {
         walls(0.2, 0.5);
         fill(30, 0.2, 0.5);
         run(80);
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(engine);
-        }
-        PhysicsEngine copy;
-        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-            copy = (PhysicsEngine) in.readObject();
-        }
+        PhysicsEngine copy = Checkpoint.copy(engine);
         for (int k = 0; k < 100; k++) {
             engine.step();
             copy.step();

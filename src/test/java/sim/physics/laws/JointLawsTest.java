@@ -5,7 +5,9 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -82,6 +84,10 @@ class JointLawsTest {
         return sum;
     }
 
+    private static double[] poses(Body[] bodies) {
+        return Arrays.stream(bodies).flatMapToDouble(b -> DoubleStream.of(b.getX(), b.getY(), b.getAngle())).toArray();
+    }
+
     @Test
     void theWriteUpsGlobalSolveAndTheEliminationAgree() {
         for (long seed = 1; seed <= 20; seed++) {
@@ -97,12 +103,7 @@ class JointLawsTest {
                 for (int k = 0; k < 20; k++) {
                     engine.step();
                 }
-                x[way] = new double[3 * b.length];
-                for (int k = 0; k < b.length; k++) {
-                    x[way][3 * k] = b[k].getX();
-                    x[way][3 * k + 1] = b[k].getY();
-                    x[way][3 * k + 2] = b[k].getAngle();
-                }
+                x[way] = poses(b);
             }
             assertThat(x[1]).containsExactly(x[0], within(1e-9));
         }
@@ -136,12 +137,7 @@ class JointLawsTest {
                 }
                 engine.step();
             }
-            x[way] = new double[3 * b.length];
-            for (int k = 0; k < b.length; k++) {
-                x[way][3 * k] = b[k].getX();
-                x[way][3 * k + 1] = b[k].getY();
-                x[way][3 * k + 2] = b[k].getAngle();
-            }
+            x[way] = poses(b);
         }
         assertThat(x[1]).containsExactly(x[0], within(1e-9));
     }

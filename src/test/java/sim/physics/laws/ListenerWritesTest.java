@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import sim.physics.Cuts;
 import sim.physics.PhysicsEngine;
-import sim.physics.constraint.Constraint;
 import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Spring;
@@ -52,25 +52,6 @@ class ListenerWritesTest {
         assertThat(third.getX()).isCloseTo(0.6, within(1e-14));
         assertThat(third.getY()).isCloseTo(10 + 2 * 0.4, within(1e-14));
         assertThat(third.getAngle()).isCloseTo(0.5, within(1e-15));
-    }
-
-    private static final class Cuts implements CollisionListener {
-        private static final long serialVersionUID = 1L;
-
-        private final PhysicsEngine engine;
-        private final Constraint pin;
-
-        Cuts(PhysicsEngine engine, Constraint pin) {
-            this.engine = engine;
-            this.pin = pin;
-        }
-
-        @Override
-        public void collided(Contact contact) {
-            if (engine.contains(pin)) {
-                engine.remove(pin);
-            }
-        }
     }
 
     @Test

@@ -5,11 +5,6 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -17,6 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.collision.Overlap;
 import sim.physics.constraint.Constraint;
@@ -38,7 +34,6 @@ class MotorContactTest {
 
     private final PhysicsEngine engine = new PhysicsEngine();
     private final List<Motor> motors = new ArrayList<>();
-    private final List<Limit> limits = new ArrayList<>();
     private Body chassis;
 
     @BeforeEach
@@ -134,19 +129,21 @@ class MotorContactTest {
         chassis = put(new Body(new Rectangle(1, 0.6)).at(0, 2.3));
         links.add(chassis);
         for (int side = -1; side <= 1; side += 2) {
-            Body thigh = put(new Body(new Rectangle(0.2, 1)).at(side * 0.3, 1.5));
-            Body shin = put(new Body(new Rectangle(0.2, 1)).at(side * 0.3, 0.5));
-            engine.add(new PinJoint(chassis, thigh, side * 0.3, 2));
-            engine.add(new PinJoint(thigh, shin, side * 0.3, 1));
-            drive(thigh, chassis, 0, 40);
-            drive(shin, thigh, 0, 30);
-            Limit knee = Limit.angle(shin, thigh, -1, 1);
-            engine.add(knee);
-            limits.add(knee);
-            links.add(thigh);
-            links.add(shin);
+            links.addAll(leg(chassis, side * 0.3));
         }
         return links;
+    }
+
+    /** Thigh and shin below a hip, held by brakes, with stops at the knee. */
+    private List<Body> leg(Body hip, double x) {
+        Body thigh = put(new Body(new Rectangle(0.2, 1)).at(x, 1.5));
+        Body shin = put(new Body(new Rectangle(0.2, 1)).at(x, 0.5));
+        engine.add(new PinJoint(hip, thigh, x, 2));
+        engine.add(new PinJoint(thigh, shin, x, 1));
+        drive(thigh, hip, 0, 40);
+        drive(shin, thigh, 0, 30);
+        engine.add(Limit.angle(shin, thigh, -1, 1));
+        return List.of(thigh, shin);
     }
 
     /** A motor that gives less than it could has its speed; stops hold; and nothing lies in anything. */
@@ -301,13 +298,7 @@ class MotorContactTest {
     @Test
     void brakesHoldWhatLandsAtRest() {
         Body hip = put(new Body(new Rectangle(1, 0.6)).at(0, 2.3));
-        Body thigh = put(new Body(new Rectangle(0.2, 1)).at(0, 1.5));
-        Body shin = put(new Body(new Rectangle(0.2, 1)).at(0, 0.5));
-        engine.add(new PinJoint(hip, thigh, 0, 2));
-        engine.add(new PinJoint(thigh, shin, 0, 1));
-        drive(thigh, hip, 0, 40);
-        drive(shin, thigh, 0, 30);
-        engine.add(Limit.angle(shin, thigh, -1, 1));
+        leg(hip, 0);
         step(60);
         assertThat(hip.getY()).isEqualTo(2.3, within(1e-4));
         assertThat(engine.getImpacts()).isLessThan(60);
@@ -412,6 +403,14 @@ class MotorContactTest {
         assertThat(arm.getAngularVelocity()).isEqualTo(0, within(1e-9));
     }
 
+    private Body lightArm(Body base, Body post) {
+        Body arm = put(new Body(new Rectangle(0.3, 0.05)).at(0, 1.5));
+        engine.add(new WeldJoint(base, post, 0, 0.5));
+        engine.add(new PinJoint(post, arm, 0, 1.5));
+        engine.add(Limit.angle(arm, post, -0.5, 0.5));
+        return arm;
+    }
+
     /** A motor that crosses the whole range within a step does not get past the stops. */
     @ParameterizedTest
     @ValueSource(doubles = {0.02, 0.1, 0.3})
@@ -419,10 +418,7 @@ class MotorContactTest {
         engine.setTimeStep(timeStep);
         Body base = put(new Body(new Rectangle(3, 0.5)).at(0, 0.25));
         Body post = put(new Body(new Rectangle(0.2, 1)).at(0, 1));
-        Body arm = put(new Body(new Rectangle(0.3, 0.05)).at(0, 1.5));
-        engine.add(new WeldJoint(base, post, 0, 0.5));
-        engine.add(new PinJoint(post, arm, 0, 1.5));
-        engine.add(Limit.angle(arm, post, -0.5, 0.5));
+        Body arm = lightArm(base, post);
         step(20);
         drive(arm, post, 5, 10);
         for (int k = 0; k < 60; k++) {
@@ -439,10 +435,7 @@ class MotorContactTest {
     void aServoTurnsBackFromItsStop() {
         Body base = put(new Body(new Rectangle(3, 0.5)).at(0, 0.25));
         Body post = put(new Body(new Rectangle(0.2, 1)).at(0, 1));
-        Body arm = put(new Body(new Rectangle(0.3, 0.05)).at(0, 1.5));
-        engine.add(new WeldJoint(base, post, 0, 0.5));
-        engine.add(new PinJoint(post, arm, 0, 1.5));
-        engine.add(Limit.angle(arm, post, -0.5, 0.5));
+        Body arm = lightArm(base, post);
         drive(arm, post, 5, 100);
         for (int turn = 0; turn < 4; turn++) {
             step(10);
@@ -461,7 +454,7 @@ class MotorContactTest {
 
     /** Engines that are written and read in the middle of a run, with motors and stops that push evenly, go on to the bit. */
     @Test
-    void aCheckpointKeepsForcesOfMotorsInContact() throws IOException, ClassNotFoundException {
+    void aCheckpointKeepsForcesOfMotorsInContact() {
         walker();
         PhysicsEngine copy = null;
         for (int k = 0; k < 240; k++) {
@@ -478,7 +471,7 @@ class MotorContactTest {
                 }
             }
             if (k % 37 == 36) {
-                copy = copyOf(engine);
+                copy = Checkpoint.copy(engine);
             }
         }
     }
@@ -489,16 +482,6 @@ class MotorContactTest {
             if (c instanceof Motor motor) {
                 motor.setSpeed(1.5 * Math.cos(step * 0.05 + m++));
             }
-        }
-    }
-
-    private static PhysicsEngine copyOf(PhysicsEngine one) throws IOException, ClassNotFoundException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(one);
-        }
-        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-            return (PhysicsEngine) in.readObject();
         }
     }
 

@@ -5,15 +5,11 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
 import sim.physics.motion.Body;
@@ -303,28 +299,18 @@ class PushedBoxTest {
         return crowd;
     }
 
-    private static PhysicsEngine copy(PhysicsEngine engine) throws IOException, ClassNotFoundException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(engine);
-        }
-        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-            return (PhysicsEngine) in.readObject();
-        }
-    }
-
     /** A crowd that pushes goes on bit for bit from a checkpoint, whenever it is taken, and with any number of threads. */
     @Test
-    void aCrowdGoesOnFromACheckpointBitForBit() throws IOException, ClassNotFoundException {
+    void aCrowdGoesOnFromACheckpointBitForBit() {
         PhysicsEngine straight = crowd(1);
         PhysicsEngine shared = crowd(3);
         steer(straight, 0, 100);
         steer(shared, 0, 100);
-        PhysicsEngine restored = copy(straight);
+        PhysicsEngine restored = Checkpoint.copy(straight);
         for (int k = 100; k < 160; k++) {
             steer(straight, k, k + 1);
             steer(shared, k, k + 1);
-            restored = copy(restored);
+            restored = Checkpoint.copy(restored);
             steer(restored, k, k + 1);
             assertThat(Scenes.hash(restored)).isEqualTo(Scenes.hash(straight));
             assertThat(Scenes.hash(shared)).isEqualTo(Scenes.hash(straight));

@@ -5,11 +5,6 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -19,6 +14,7 @@ import org.hipparchus.ode.nonstiff.DormandPrince853Integrator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
 import sim.physics.constraint.PinJoint;
@@ -580,7 +576,7 @@ class SpringNetworkTest {
 
     /** A restored engine goes on as it was, and takes and gives back springs. */
     @Test
-    void aCheckpointKeepsWhatIsCoupled() throws IOException, ClassNotFoundException {
+    void aCheckpointKeepsWhatIsCoupled() {
         PhysicsEngine engine = new PhysicsEngine();
         engine.setTimeStep(0.01);
         engine.add(new Gravity(0, -1));
@@ -588,14 +584,7 @@ class SpringNetworkTest {
         net.into(engine, 0);
         Net.random(5, 8).into(engine, 20);
         run(engine, 0.5);
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        try (ObjectOutputStream stream = new ObjectOutputStream(out)) {
-            stream.writeObject(new Object[] {engine, net.made.get(2)});
-        }
-        Object[] restored;
-        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(out.toByteArray()))) {
-            restored = (Object[]) in.readObject();
-        }
+        Object[] restored = Checkpoint.copy(new Object[] {engine, net.made.get(2)});
         for (Object[] pair : new Object[][] {{engine, net.made.get(2)}, restored}) {
             PhysicsEngine one = (PhysicsEngine) pair[0];
             run(one, 1);

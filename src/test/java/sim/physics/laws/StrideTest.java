@@ -5,16 +5,12 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import java.io.Serializable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
 import sim.physics.constraint.PinJoint;
@@ -322,7 +318,7 @@ class StrideTest {
     /** A checkpoint in the middle of a stride goes on bit for bit. */
     @ParameterizedTest
     @CsvSource({"orbit, DOP853", "orbit, GBS", "orbit, Radau", "orbit, Automatic", "rods, DOP853", "rods, GBS", "rods, Radau"})
-    void aCheckpointInTheMiddleGoesOn(String name, String method) throws IOException, ClassNotFoundException {
+    void aCheckpointInTheMiddleGoesOn(String name, String method) {
         Setup setup = Setup.of(name, method(method, 1e-6), 1e-3);
         PhysicsEngine engine = setup.engine();
         for (int k = 0; k < 700; k++) {
@@ -333,11 +329,7 @@ class StrideTest {
             before = setup.calls();
             engine.step();
         } while (setup.calls() != before);
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(setup);
-        }
-        Setup restored = (Setup) new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray())).readObject();
+        Setup restored = Checkpoint.copy(setup);
         for (int k = 0; k < 1000; k++) {
             engine.step();
             restored.engine().step();

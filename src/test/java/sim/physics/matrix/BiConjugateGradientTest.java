@@ -11,6 +11,7 @@ import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import sim.physics.Checkpoint;
 
 /** The solver gives the solution, or says that it cannot. */
 class BiConjugateGradientTest {
@@ -178,7 +179,7 @@ class BiConjugateGradientTest {
     }
 
     @Test
-    void aReusedSolverGivesTheBitsOfANewOneAlsoAfterACheckpoint() throws Exception {
+    void aReusedSolverGivesTheBitsOfANewOneAlsoAfterACheckpoint() {
         SplittableRandom random = new SplittableRandom(5);
         DenseMatrix large = Matrices.dense(12, 12, random);
         DenseMatrix small = new DenseMatrix(3, 3, 4, 1, 0, -1, 5, 2, 0, 1, 6);
@@ -186,7 +187,7 @@ class BiConjugateGradientTest {
         double[] fresh = new double[3];
         SolveReport report = solver.solve(small, b, fresh);
         solver.solveInPlace(large, b, new double[12], null);
-        BiConjugateGradient copy = Matrices.copied(solver, BiConjugateGradient.class);
+        BiConjugateGradient copy = Checkpoint.copy(solver);
         assertThat(copy.iterations()).isEqualTo(solver.iterations());
         for (BiConjugateGradient s : new BiConjugateGradient[] {solver, copy}) {
             double[] x = new double[3];

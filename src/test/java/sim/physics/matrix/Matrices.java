@@ -5,11 +5,6 @@ package sim.physics.matrix;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import java.util.SplittableRandom;
 
 /** Matrices to test with, and the dense products that the sparse ones must agree with. */
@@ -99,17 +94,6 @@ final class Matrices {
         @Override
         public int storedValues() {
             return j.storedValues() + w.storedValues();
-        }
-    }
-
-    /** What comes back from a checkpoint. */
-    static <T> T copied(T object, Class<T> type) throws IOException, ClassNotFoundException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(object);
-        }
-        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-            return type.cast(in.readObject());
         }
     }
 }

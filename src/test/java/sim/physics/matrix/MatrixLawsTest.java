@@ -12,6 +12,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.LongRange;
 import org.junit.jupiter.api.Test;
+import sim.physics.Checkpoint;
 
 /** What holds for every matrix of the package, and what each of them refuses. */
 class MatrixLawsTest {
@@ -128,9 +129,9 @@ class MatrixLawsTest {
     }
 
     @Test
-    void matricesComeBackFromACheckpoint() throws Exception {
+    void matricesComeBackFromACheckpoint() {
         BorderedIdentityMatrix matrix = PrintedMatricesTest.threeRectangles();
-        assertThat(Matrices.copied(matrix, BorderedIdentityMatrix.class).toDense())
+        assertThat(Checkpoint.copy(matrix).toDense())
                 .isDeepEqualTo(matrix.toDense());
     }
 

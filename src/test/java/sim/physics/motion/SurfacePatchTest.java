@@ -5,11 +5,6 @@ package sim.physics.motion;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.ObjectInputStream;
-import java.io.ObjectOutputStream;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
@@ -21,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.Checkpoint;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
@@ -342,16 +338,10 @@ class SurfacePatchTest {
 
     @ParameterizedTest
     @MethodSource("shapes")
-    void aPatchCanBeSaved(Shape shape) throws IOException, ClassNotFoundException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-            out.writeObject(SurfacePatch.of(shape));
-        }
-        try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes.toByteArray()))) {
-            double[] f = new double[3];
-            ((SurfacePatch) in.readObject()).friction(1, 2, 3, 4, f);
-            assertThat(f).containsExactly(friction(shape, 1, 2, 3, 4));
-        }
+    void aPatchCanBeSaved(Shape shape) {
+        double[] f = new double[3];
+        Checkpoint.copy(SurfacePatch.of(shape)).friction(1, 2, 3, 4, f);
+        assertThat(f).containsExactly(friction(shape, 1, 2, 3, 4));
     }
 
     /** Means over the area by nested adaptive quadrature on chords: slow, and independent of the closed forms. */

@@ -32,6 +32,7 @@ class ArchitectureTest {
                 .layer("broad").definedBy("sim.physics.collision.broad")
                 .layer("narrow").definedBy("sim.physics.collision.narrow")
                 .layer("collision").definedBy("sim.physics.collision")
+                .layer("lasting").definedBy("sim.physics.response.lasting")
                 .layer("response").definedBy("sim.physics.response")
                 .layer("query").definedBy("sim.physics.query")
                 .layer("engine").definedBy("sim.physics")
@@ -39,15 +40,16 @@ class ArchitectureTest {
                 .whereLayer("mason").mayNotBeAccessedByAnyLayer()
                 .whereLayer("engine").mayOnlyBeAccessedByLayers("mason")
                 .whereLayer("response").mayOnlyBeAccessedByLayers("engine")
-                .whereLayer("collision").mayOnlyBeAccessedByLayers("engine", "response")
-                .whereLayer("narrow").mayOnlyBeAccessedByLayers("engine", "response", "collision")
-                .whereLayer("broad").mayOnlyBeAccessedByLayers("engine", "response", "collision", "narrow")
+                .whereLayer("lasting").mayOnlyBeAccessedByLayers("engine", "response")
+                .whereLayer("collision").mayOnlyBeAccessedByLayers("engine", "response", "lasting")
+                .whereLayer("narrow").mayOnlyBeAccessedByLayers("engine", "response", "lasting", "collision")
+                .whereLayer("broad").mayOnlyBeAccessedByLayers("engine", "response", "lasting", "collision", "narrow")
                 .whereLayer("motion")
                 .mayOnlyBeAccessedByLayers(
-                        "engine", "response", "constraint", "collision", "narrow", "mason", "query")
+                        "engine", "response", "lasting", "constraint", "collision", "narrow", "mason", "query")
                 .whereLayer("query").mayOnlyBeAccessedByLayers("engine")
                 .whereLayer("constraint").mayOnlyBeAccessedByLayers("engine")
-                .whereLayer("matrix").mayOnlyBeAccessedByLayers("motion", "response", "constraint")
+                .whereLayer("matrix").mayOnlyBeAccessedByLayers("motion", "response", "lasting", "constraint")
                 .check(PRODUCT);
     }
 

@@ -5,57 +5,16 @@ package sim.physics.collision.narrow;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Random;
 import org.junit.jupiter.api.Test;
-import sim.physics.motion.Trajectories;
-import sim.physics.shape.Circle;
-import sim.physics.shape.Polygon;
-import sim.physics.shape.Rectangle;
-import sim.physics.shape.Shape;
 
 /** Two ways to the time of impact, which share no arithmetic, agree; and nothing overlaps before it. */
-class SeparatingLineTest {
+class SeparatingLineTest extends MovingPair {
     private static final double END = 1;
 
-    private final Random random = new Random(77);
-    private final ShapeTable shapes = new ShapeTable();
-    private final Trajectories trajectories = new Trajectories();
-    private final Pose pose = new Pose(shapes, trajectories);
-    private final ClosestFeatures features = new ClosestFeatures(pose);
     private final TimeOfImpact reference = new TimeOfImpact(pose, features);
-    private final SeparatingLine line = new SeparatingLine(shapes, trajectories, pose, features);
 
-    private double between(double low, double high) {
-        return low + (high - low) * random.nextDouble();
-    }
-
-    private Shape shape(int kind) {
-        double size = between(0.2, 2);
-        return switch (kind) {
-            case 0 -> new Circle(size);
-            case 1 -> new Rectangle(size, between(0.05, 3));
-            default -> new Polygon(new double[] {-size, -0.3, size, -0.5, 0.2, size});
-        };
-    }
-
-    private void place(int body, Shape shape, double x, double y, double spin) {
-        shapes.set(body, shape);
-        double[] m = trajectories.data();
-        int o = body * Trajectories.STRIDE;
-        m[o] = x;
-        m[o + 1] = y;
-        m[o + Trajectories.THETA0] = between(-3, 3);
-        m[o + Trajectories.VX] = between(-4, 4);
-        m[o + Trajectories.VY] = between(-4, 4);
-        m[o + Trajectories.OMEGA] = spin * between(-1, 1);
-    }
-
-    private double gap(double tau) {
-        pose.load(0, 1);
-        pose.moveTo(tau);
-        pose.turn();
-        features.find(ClosestFeatures.NO_FEATURES);
-        return features.gap;
+    SeparatingLineTest() {
+        super(77);
     }
 
     @Test

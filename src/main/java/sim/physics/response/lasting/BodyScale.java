@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import sim.physics.collision.narrow.Manifold;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+import sim.physics.shape.Circle;
+
+/** How large bodies are, and how fast they leave the tangents of their contacts. */
+final class BodyScale implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Bend that counts at most, relative to the smaller body. */
+    private static final double MOST_BEND = 1e-3;
+
+    private final State state;
+    private final Trajectories trajectories;
+
+    BodyScale(State state, Trajectories trajectories) {
+        this.state = state;
+        this.trajectories = trajectories;
+    }
+
+    /** How fast two bodies turn and slide on one another, as a rate at which their contact bends out of its tangent. */
+    double bending(int a, int b) {
+        double[] d = trajectories.data();
+        int oa = a * Trajectories.STRIDE;
+        int ob = b * Trajectories.STRIDE;
+        double vx = d[ob + Trajectories.VX] - d[oa + Trajectories.VX];
+        double vy = d[ob + Trajectories.VY] - d[oa + Trajectories.VY];
+        double turnA = isRound(a) ? 0 : Math.abs(d[oa + Trajectories.OMEGA]);
+        double turn = Math.max(turnA, isRound(b) ? 0 : Math.abs(d[ob + Trajectories.OMEGA]));
+        double slide = Math.sqrt(vx * vx + vy * vy) / size(a, b);
+        return Math.sqrt(turn * (turn + slide));
+    }
+
+    /** Whether a body looks the same when it turns. */
+    boolean isRound(int body) {
+        return state.body(body).getShape() instanceof Circle;
+    }
+
+    /** Radius of the smaller one of two bodies, of which one may be fixed. */
+    double size(int a, int b) {
+        double first = state.body(a).isFixed() ? Double.MAX_VALUE : radius(a);
+        double second = state.body(b).isFixed() ? Double.MAX_VALUE : radius(b);
+        return Math.min(first, second);
+    }
+
+    /** The largest speed of a body's points, nearly, for a velocity. */
+    double speed(int body, double[] v, int at) {
+        double way = Math.max(Math.abs(v[at]), Math.abs(v[at + 1]));
+        return Math.max(way, radius(body) * Math.abs(v[at + 2]));
+    }
+
+    double radius(int body) {
+        return trajectories.radius(body);
+    }
+
+    /** What the turning and sliding of a loaded point's bodies may take of their gap in a time. */
+    double bend(Manifold manifold, ContactPoint point, int a, int b, double h) {
+        double turnA = manifold.roundA ? 0 : h * Math.abs(point.omegaA);
+        double turnB = manifold.roundB ? 0 : h * Math.abs(point.omegaB);
+        double spinA = manifold.roundA ? point.omegaA * point.armA : 0; // a disc's spin moves no normal
+        double spinB = manifold.roundB ? point.omegaB * point.armB : 0;
+        double slide = h * Math.abs(point.slip + spinA - spinB);
+        return bend(turnA, radius(a), turnB, radius(b), slide, mostBend(a, b));
+    }
+
+    /** The bend of a contact that counts at most. */
+    double mostBend(int a, int b) {
+        return MOST_BEND * size(a, b);
+    }
+
+    /** What the turns of two bodies, rad, and the way that they slide on one another may take of their gap. */
+    static double bend(double turnA, double radiusA, double turnB, double radiusB, double slide, double most) {
+        double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * radiusA) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * radiusB);
+        return Math.min(bend + slide * (turnA + turnB), most);
+    }
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+
+/** A point at which two bodies rest or lie on one another. Filled again for each point by {@link ContactPoints#load}. */
+public final class ContactPoint implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Unit normal from body A to body B. */
+    public double nx;
+
+    /** Unit normal from body A to body B. */
+    public double ny;
+
+    /** Lever of an impulse along the normal on A, zero for a circle. */
+    public double leverA;
+
+    /** Lever of an impulse along the normal on B, zero for a circle. */
+    public double leverB;
+
+    /** Lever of an impulse along the tangent on A. */
+    public double armA;
+
+    /** Lever of an impulse along the tangent on B. */
+    public double armB;
+
+    /** What a unit of impulse along the normal changes of the velocity along it. */
+    public double normalMobility;
+
+    /** The same along the tangent. */
+    public double tangentMobility;
+
+    /** Coefficient of friction; as good as without bounds where the surfaces stick. */
+    public double friction;
+
+    /** Angular velocity of A. */
+    public double omegaA;
+
+    /** Angular velocity of B. */
+    public double omegaB;
+
+    /** Velocity of B's point relative to A's along the tangent. */
+    public double slip;
+
+    /** Makes an empty point. */
+    public ContactPoint() {
+        // filled again for each point
+    }
+}

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import java.util.Arrays;
+
+/**
+ * The rows of J at the contact points of a cluster, one along the normal and one along the tangent of each: how velocities
+ * of bodies move the points on one another, and how impulses at the points move the bodies. Bodies are numbers in the
+ * cluster, −1 for what cannot move; velocities are three values for each, inverse masses and moments of inertia two.
+ */
+final class ContactRows implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Values per point: normal, levers, arms. */
+    private static final int STRIDE = 6;
+
+    private static final int NX = 0;
+    private static final int NY = 1;
+    private static final int LEVER_A = 2;
+    private static final int LEVER_B = 3;
+    private static final int ARM_A = 4;
+    private static final int ARM_B = 5;
+
+    private double[] data = new double[8 * STRIDE];
+    private int[] bodies = new int[16];
+
+    ContactRows() {
+        // grows with the clusters
+    }
+
+    /** Sets a point, which may be the next one. */
+    void set(int p, int a, int b, ContactPoint c) {
+        set(p, a, b, c.nx, c.ny, c.leverA, c.leverB, c.armA, c.armB);
+    }
+
+    /** Sets a row along any normal, of whatever length, and one along the tangent; the latter means nothing without arms. */
+    void set(int p, int a, int b, double nx, double ny, double leverA, double leverB, double armA, double armB) {
+        if (bodies.length < 2 * p + 2) {
+            bodies = Arrays.copyOf(bodies, 4 * p + 4);
+            data = Arrays.copyOf(data, STRIDE * (2 * p + 2));
+        }
+        bodies[2 * p] = a;
+        bodies[2 * p + 1] = b;
+        int o = STRIDE * p;
+        data[o + NX] = nx;
+        data[o + NY] = ny;
+        data[o + LEVER_A] = leverA;
+        data[o + LEVER_B] = leverB;
+        data[o + ARM_A] = armA;
+        data[o + ARM_B] = armB;
+    }
+
+    /** The first body of a point, or with side 1 its second one; −1 for what cannot move. */
+    int body(int p, int side) {
+        return bodies[2 * p + side];
+    }
+
+    double nx(int p) {
+        return data[STRIDE * p + NX];
+    }
+
+    double ny(int p) {
+        return data[STRIDE * p + NY];
+    }
+
+    /** What turns a body when an impulse acts along a point's normal. */
+    double lever(int p, int side) {
+        return data[STRIDE * p + LEVER_A + side];
+    }
+
+    /** The same along its tangent. */
+    double arm(int p, int side) {
+        return data[STRIDE * p + ARM_A + side];
+    }
+
+    /** Whether one of a point's bodies cannot move. */
+    boolean isOnFixed(int p) {
+        return bodies[2 * p] < 0 || bodies[2 * p + 1] < 0;
+    }
+
+    /** What a unit of impulse along a point's normal does to its velocity along that. */
+    double normalMobility(int p, double[] w) {
+        int o = STRIDE * p;
+        return mobility(p, w, data[o + LEVER_A], data[o + LEVER_B]);
+    }
+
+    /** The same for a normal of any length, given its square. */
+    double normalMobility(int p, double[] w, double square) {
+        int o = STRIDE * p;
+        int a = bodies[2 * p];
+        int b = bodies[2 * p + 1];
+        double first = a < 0 ? 0 : square * w[2 * a] + data[o + LEVER_A] * data[o + LEVER_A] * w[2 * a + 1];
+        return first + (b < 0 ? 0 : square * w[2 * b] + data[o + LEVER_B] * data[o + LEVER_B] * w[2 * b + 1]);
+    }
+
+    /** The same along its tangent. */
+    double tangentMobility(int p, double[] w) {
+        int o = STRIDE * p;
+        return mobility(p, w, data[o + ARM_A], data[o + ARM_B]);
+    }
+
+    private double mobility(int p, double[] w, double armA, double armB) {
+        int a = bodies[2 * p];
+        int b = bodies[2 * p + 1];
+        double first = a < 0 ? 0 : w[2 * a] + armA * armA * w[2 * a + 1];
+        return first + (b < 0 ? 0 : w[2 * b] + armB * armB * w[2 * b + 1]);
+    }
+
+    /** What a unit along the tangent does to the velocity along the normal, and the other way round. */
+    double crossMobility(int p, double[] w) {
+        int o = STRIDE * p;
+        int a = bodies[2 * p];
+        int b = bodies[2 * p + 1];
+        double first = a < 0 ? 0 : data[o + LEVER_A] * data[o + ARM_A] * w[2 * a + 1];
+        return first + (b < 0 ? 0 : data[o + LEVER_B] * data[o + ARM_B] * w[2 * b + 1]);
+    }
+
+    /** Whether a point is one of a body's. */
+    boolean isOf(int p, int body) {
+        return bodies[2 * p] == body || bodies[2 * p + 1] == body;
+    }
+
+    /** Normal velocity of a point, positive when it parts. */
+    double normal(int p, double[] v) {
+        int o = STRIDE * p;
+        int a = 3 * bodies[2 * p];
+        int b = 3 * bodies[2 * p + 1];
+        double nx = data[o + NX];
+        double ny = data[o + NY];
+        double sum = 0;
+        if (b >= 0) {
+            sum += v[b] * nx + v[b + 1] * ny + v[b + 2] * data[o + LEVER_B];
+        }
+        if (a >= 0) {
+            sum -= v[a] * nx + v[a + 1] * ny + v[a + 2] * data[o + LEVER_A];
+        }
+        return sum;
+    }
+
+    /** Tangential velocity of a point. */
+    double tangent(int p, double[] v) {
+        int o = STRIDE * p;
+        int a = 3 * bodies[2 * p];
+        int b = 3 * bodies[2 * p + 1];
+        double nx = data[o + NX];
+        double ny = data[o + NY];
+        double sum = 0;
+        if (b >= 0) {
+            sum += v[b + 1] * nx - v[b] * ny + v[b + 2] * data[o + ARM_B];
+        }
+        if (a >= 0) {
+            sum -= v[a + 1] * nx - v[a] * ny + v[a + 2] * data[o + ARM_A];
+        }
+        return sum;
+    }
+
+    /** Adds what a point's impulses do to the velocities of its first body. */
+    void pushFirst(int p, double jn, double jt, double[] w, double[] v) {
+        int a = bodies[2 * p];
+        if (a >= 0) {
+            int o = STRIDE * p;
+            v[3 * a] -= w[2 * a] * (jn * data[o + NX] - jt * data[o + NY]);
+            v[3 * a + 1] -= w[2 * a] * (jn * data[o + NY] + jt * data[o + NX]);
+            v[3 * a + 2] -= w[2 * a + 1] * (jn * data[o + LEVER_A] + jt * data[o + ARM_A]);
+        }
+    }
+
+    /** The same for its second body. */
+    void pushSecond(int p, double jn, double jt, double[] w, double[] v) {
+        int b = bodies[2 * p + 1];
+        if (b >= 0) {
+            int o = STRIDE * p;
+            v[3 * b] += w[2 * b] * (jn * data[o + NX] - jt * data[o + NY]);
+            v[3 * b + 1] += w[2 * b] * (jn * data[o + NY] + jt * data[o + NX]);
+            v[3 * b + 2] += w[2 * b + 1] * (jn * data[o + LEVER_B] + jt * data[o + ARM_B]);
+        }
+    }
+}

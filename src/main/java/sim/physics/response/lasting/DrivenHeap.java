@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Motion;
+import sim.physics.motion.Probes;
+import sim.physics.motion.State;
+import sim.physics.motion.Ties;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Heaps with bodies that the integrator drives: what their contacts push them with is found by integrating under the last
+ * forces and solving for what is missing, again and again.
+ */
+final class DrivenHeap implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Times that the forces of driven bodies are found, and their change at which they are right, as a share of the scale. */
+    private static final int PROBES = 6;
+
+    private static final double SAME = 1e-9;
+
+    /** The same at which the last integration is as good as one under the forces that were found from it. */
+    private static final double EQUAL = 1e-11;
+
+    /** Error of velocities at the end of their time, relative to them, with which forces may go on until then. */
+    private static final double DRIFT = 1e-5;
+
+    /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
+    private static final double MOST_SHARE = 100;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final Motion motion;
+    private final HeapBodies by;
+    private final HeapSystem system;
+    private final HeapNotes notes;
+    private final BodyScale scales;
+    private final double[] fall = new double[State.BLOCK];
+    private double[] alone = {};
+
+    /** Whether the impulses are right or nearly so, and whether the last integration was made under them. */
+    private boolean isRight;
+
+    private boolean isProbed;
+
+    /** Null while nothing ties bodies of the heap together. */
+    private transient Ties ties;
+
+    private final HeapSwitches switches;
+    private final Probes probes;
+    private final KeptImpulses kept;
+
+    /** By the first body of a heap. */
+    private Extrapolation[] extrapolations = {};
+
+    DrivenHeap(
+            State state,
+            Trajectories trajectories,
+            Motion motion,
+            HeapBodies by,
+            HeapSystem system,
+            HeapNotes notes,
+            BodyScale scales) {
+        this.state = state;
+        this.trajectories = trajectories;
+        this.motion = motion;
+        this.by = by;
+        this.system = system;
+        this.notes = notes;
+        this.scales = scales;
+        this.switches = new HeapSwitches(by, system);
+        this.probes = new Probes(motion, trajectories);
+        this.kept = new KeptImpulses(system);
+    }
+
+    /** Takes from bodies what forces have given them for the time that is left: it is found anew, with those of driven ones. */
+    void unpay(IntList heap, double tau, Ties those) {
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            motion.ground().resume(body);
+            if (!trajectories.isDriven(body)) {
+                by.unpay(body, tau, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX);
+            }
+            by.paidUntil[body] = 0;
+            if (isFirstTied(body)) {
+                motion.restore(those.island(body));
+                those.prepareImpact(those.island(body));
+            }
+        }
+    }
+
+    /** Whether a body of the heap is the first of those that move with it. */
+    private boolean isFirst(int body) {
+        return trajectories.isDriven(body) && motion.companions(body).values[0] == body;
+    }
+
+    /**
+     * Takes in the motors and stops of tied bodies, and finds what impulses do to these, as their ties are prepared.
+     *
+     * @param length of the time for which forces are to act
+     * @param fall speed that they give to bodies in it
+     */
+    void gather(IntList heap, Ties those, double length, double fall) {
+        ties = those;
+        switches.clear();
+        for (int k = 0; k < heap.size; k++) {
+            if (isFirstTied(heap.values[k])) {
+                switches.gather(ties.switched(ties.island(heap.values[k])), length, fall);
+            }
+        }
+        for (int p = 0; p < system.size(); p++) {
+            for (int side = 0; side < 2; side++) {
+                int k = system.rows().body(p, side);
+                if (k >= 0 && motion.isTied(heap.values[k])) {
+                    int first = by.place[ties.island(heap.values[k]).values[0]] - 1;
+                    system.replies().find(system.rows(), p, side, first, ties, heap.values[k], state.x().length);
+                }
+            }
+            system.measure(p);
+        }
+    }
+
+    /** Speeds at which motors and stops, in their order behind the contacts, are left by what strikes them now. */
+    double[] rebounds() {
+        return switches.rebounds();
+    }
+
+    private boolean isFirstTied(int body) {
+        return motion.isTied(body) && isFirst(body);
+    }
+
+    /** Solves for the forces of driven bodies, which change with the way that they make under them; returns the largest speed. */
+    double drive(IntList heap, double length, double scale) {
+        double most = scale;
+        for (int p = 0; p < system.contacts(); p++) {
+            notes.start(p, length);
+        }
+        switches.start();
+        Extrapolation extrapolation = extrapolation(heap.values[0]);
+        extrapolation.begin(heap, length);
+        boolean isSame = false;
+        for (int k = 0; k < PROBES && !isSame; k++) {
+            probe(heap, length);
+            extrapolation.next(system.w, system.v);
+            for (int b = 0; b < heap.size; b++) {
+                most = Math.max(most, scales.speed(heap.values[b], system.v, 3 * b));
+            }
+            kept.keep();
+            isRight = system.solve(most, true);
+            double change = kept.change();
+            isSame = change <= Math.max(SAME * most, system.enough());
+            isProbed = change <= EQUAL * most;
+        }
+        if (isProbed) {
+            kept.goBack();
+        }
+        for (int k = 0; k < heap.size; k++) {
+            if (isFirst(heap.values[k])) {
+                motion.restore(motion.companions(heap.values[k]));
+            }
+        }
+        return most;
+    }
+
+    private Extrapolation extrapolation(int first) {
+        if (first >= extrapolations.length) {
+            extrapolations = Arrays.copyOf(extrapolations, Math.max(2 * extrapolations.length, first + 1));
+        }
+        if (extrapolations[first] == null) {
+            extrapolations[first] = new Extrapolation();
+        }
+        return extrapolations[first];
+    }
+
+    /** Whether the impulses that were found last are right or nearly so. */
+    boolean isRight() {
+        return isRight;
+    }
+
+    /**
+     * Lets bodies be pushed evenly over a time as was found, also those that nothing drives: if these moved at once as they do
+     * at its end, they would run into those that do not yet. Integrations under the same forces go for the bodies' motion.
+     */
+    void publish(IntList heap, double time) {
+        double[] pushes = pushes(heap);
+        support(heap, time, pushes);
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            if (!trajectories.isDriven(body)) {
+                motion.support(body, pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
+                continue;
+            }
+            System.arraycopy(system.v, 3 * k, by.expected, 3 * body, State.BLOCK);
+            if (isProbed && isFirst(body)) {
+                probes.keep(body, time);
+            }
+        }
+    }
+
+    /**
+     * Whether forces may go on until their time is over, where the path of a body has ended before: if what moves with it comes
+     * to the velocities for which they were found. The error of one long step may be more than that of two short ones.
+     */
+    boolean goesOn(int body, double tau) {
+        motion.bring(body, tau);
+        IntList group = motion.companions(body);
+        double length = by.paidUntil[body] - tau;
+        boolean goesOn = probes.probe(body, length) == length;
+        double most = 0;
+        double error = 0;
+        for (int k = 0; k < group.size; k++) {
+            int one = group.values[k];
+            most = Math.max(most, scales.speed(one, by.expected, State.BLOCK * one));
+            for (int c = 0; c < State.BLOCK; c++) {
+                fall[c] = state.v()[State.BLOCK * one + c] - by.expected[State.BLOCK * one + c];
+            }
+            error = Math.max(error, scales.speed(one, fall, 0));
+        }
+        motion.restore(group);
+        goesOn &= error <= DRIFT * most;
+        if (goesOn) {
+            probes.keep(body, length);
+        }
+        return goesOn;
+    }
+
+    /** Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces. */
+    private void probe(IntList heap, double length) {
+        double[] d = trajectories.data();
+        double[] pushes = pushes(heap);
+        support(heap, length, pushes);
+        double share = 1;
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            int o = body * Trajectories.STRIDE + Trajectories.VX;
+            if (isFirst(body)) {
+                share = Math.min(MOST_SHARE, length / probes.probe(body, length)); // it may end early, at a stop
+            }
+            motion.fall(body, fall, 0);
+            for (int c = 0; c < State.BLOCK; c++) {
+                double gained = trajectories.isDriven(body)
+                        ? share * (state.v()[State.BLOCK * body + c] - d[o + c])
+                        : fall[c] * length + pushes[3 * k + c];
+                system.v[3 * k + c] = d[o + c] + gained;
+            }
+        }
+        system.unpush();
+    }
+
+    /** Lets driven bodies, and their motors and stops, be pushed evenly over a time. */
+    private void support(IntList heap, double time, double[] pushes) {
+        int island = 0;
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            if (trajectories.isDriven(body)) {
+                motion.support(body, pushes[3 * k] / time, pushes[3 * k + 1] / time, pushes[3 * k + 2] / time);
+            }
+            if (isFirstTied(body)) {
+                switches.freeze(ties.switched(ties.island(body)), island++, time);
+            }
+        }
+    }
+
+    /** What the impulses would do to bodies that nothing ties; their ties reply when they are driven. */
+    private double[] pushes(IntList heap) {
+        alone = alone.length < 3 * heap.size ? new double[6 * heap.size] : alone;
+        Arrays.fill(alone, 0, 3 * heap.size, 0);
+        system.pushAlone(alone);
+        return alone;
+    }
+}

@@ -1,0 +1,500 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.collision.CollisionDetection;
+import sim.physics.collision.narrow.Manifold;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Motion;
+import sim.physics.motion.State;
+import sim.physics.motion.Ties;
+import sim.physics.motion.Trajectories;
+
+/**
+ * The heap that is being solved: finds its bodies and points, and gives it new velocities. One solution holds for a step, or
+ * for as long as the bodies turn little.
+ */
+final class Heap implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Gap from which a lasting pair has parted, relative to the smaller body. */
+    private static final double PARTED = 1e-2;
+
+    /** Height of an edge's other end from which it is no contact, relative to the smaller body. */
+    private static final double FLAT = 2e-2;
+
+    /** Speed at which points hardly close, relative to the bodies' or to what forces give them. */
+    private static final double HARDLY = 1e-12;
+
+    /** The same for points that have just been struck; and the part of the speed that they lack which they get then at once. */
+    private static final double STRUCK = 1e-9;
+
+    private static final double LIFT = 0.1;
+
+    /** Change of velocity that is none, relative to the speeds. */
+    private static final double SAME = 1e-13;
+
+    /** Speed that is none, relative to that which the forces give in the time of a solution. */
+    private static final double STILL = 1e-7;
+
+    /** Turn of a body, rad, for which a solution holds; and how many there are in a step at most. */
+    private static final double TURN = 0.1;
+
+    private static final int SOLUTIONS = 1000;
+
+    /** Times that something may happen to a body in a step before its heap stands still for the rest of it. */
+    private static final int MOST = 50;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final Motion motion;
+    private final CollisionDetection detection;
+    private final ContactPoints points;
+    private final HeapBodies by;
+    private final ContactLedger ledger;
+    private final BodyScale scales;
+    private final HeapSystem system = new HeapSystem();
+    private final HeapStrike striking = new HeapStrike();
+
+    private final IntList heap = new IntList();
+    private final HeapNotes notes;
+    private final DrivenHeap driving;
+    private final RubbedHeap rubbing;
+    private final FreeHeap free;
+    private final HeapCourses courses;
+
+    private final double[] fall = new double[State.BLOCK];
+    private final ContactPoint point = new ContactPoint();
+    private transient Manifold manifold;
+
+    /** Until when the velocities are to hold, and whether those before held until now. */
+    private double until;
+
+    private boolean isFresh;
+
+    /** Whether bodies that have got what the forces give them until then are solved for anew, because one has been struck. */
+    private boolean isResumed;
+
+    /** Whether bodies of the heap are driven. */
+    private boolean isDriven;
+
+    /**
+     * Whether bodies rub on the plane on which they lie, or are driven over one on which others rub, and none is tied to
+     * others. In the end it is not both this and driven.
+     */
+    private boolean isRubbed;
+
+    /** Whether bodies are tied to others. */
+    private boolean isTied;
+
+    /** Null while nothing ties bodies together. */
+    private Ties ties;
+
+    /** How much of gaps the paths of driven bodies may take while forces hold, relative to the smaller body. */
+    private double sag;
+
+    /** Points of tied bodies that are deeper than they may be, by the error of an instant. */
+    private final IntList deep = new IntList();
+
+    private boolean halts;
+    private double scale;
+
+    Heap(
+            State state,
+            Trajectories trajectories,
+            Motion motion,
+            CollisionDetection detection,
+            ContactPoints points,
+            HeapBodies by,
+            ContactLedger ledger) {
+        this.state = state;
+        this.trajectories = trajectories;
+        this.motion = motion;
+        this.detection = detection;
+        this.points = points;
+        this.by = by;
+        this.ledger = ledger;
+        this.notes = new HeapNotes(system, ledger);
+        this.scales = new BodyScale(state, trajectories);
+        this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales);
+        this.free = new FreeHeap(trajectories, detection, by, system, notes, scales);
+        this.courses = new HeapCourses(trajectories, by);
+        this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
+    }
+
+    BodyScale scales() {
+        return scales;
+    }
+
+    boolean lasts(int pair) {
+        return detection.marks().isLasting(pair) && !detection.marks().isIgnored(pair);
+    }
+
+    /** Lets a pair last. */
+    void begin(int pair) {
+        if (!lasts(pair)) {
+            double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
+            boolean driven = trajectories.isDriven(detection.pairs().first(pair))
+                    || trajectories.isDriven(detection.pairs().second(pair));
+            detection.marks().setLasting(pair, true);
+            detection.marks().setDepth(pair, HeapGaps.depth(driven, size));
+            ledger.begin(pair);
+        }
+    }
+
+    void end(int pair) {
+        detection.marks().setLasting(pair, false);
+        detection.marks().setDepth(pair, 0);
+    }
+
+    /** Lets a body go on without acceleration: it has got already what the forces give it. */
+    void coast(int body) {
+        motion.fall(body, fall, 0);
+        motion.support(body, -fall[0], -fall[1], -fall[2]);
+    }
+
+    /** Whether forces may be what they are until their time is over, where the path of a driven body has ended before. */
+    boolean goesOn(int body, double tau) {
+        return driving.goesOn(body, tau);
+    }
+
+    /** Lets the motors and stops of a body that lies on nothing any more decide by themselves. */
+    void thaw(int body) {
+        if (motion.isTied(body)) {
+            ties.switched(ties.island(body)).thaw();
+        }
+    }
+
+    void setTies(Ties those) {
+        ties = those;
+    }
+
+    /** Solves the heap of a body; notes those whose courses change. */
+    void settle(int seed, double tau, IntList changed) {
+        find(seed, tau);
+        if (isDriven) {
+            driving.unpay(heap, tau, ties);
+        } else if (isRubbed) {
+            rubbing.unpay(heap, tau);
+        }
+        isFresh |= isEven();
+        isResumed = !isFresh;
+        gather(tau);
+        if (isDriven) {
+            driving.gather(heap, ties, until - tau, scale);
+        }
+        if (isEven()) {
+            strike();
+        }
+        if (isDriven) {
+            scale = driving.drive(heap, until - tau, scale);
+        }
+        solve(tau);
+        publish(tau, changed);
+    }
+
+    /** Whether what the heap does to its bodies acts evenly over the time of the solution; else it does at its start. */
+    private boolean isEven() {
+        return isDriven || isRubbed;
+    }
+
+    /** Finds the bodies that lie on one another with a body, and until when their velocities are to hold. */
+    private void find(int seed, double tau) {
+        heap.clear();
+        isDriven = false;
+        isRubbed = false;
+        isTied = false;
+        include(seed);
+        double spin = 0;
+        boolean struck = false;
+        double paid = trajectories.h();
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            motion.bring(body, tau);
+            detection.unplan(body);
+            struck |= by.paidUntil[body] > tau;
+            paid = by.paidUntil[body] > tau ? Math.min(paid, by.paidUntil[body]) : paid;
+            for (int m = 0; m < detection.pairs().countOf(body); m++) {
+                int other = detection.pairs().other(detection.pairs().of(body, m), body);
+                if (lasts(detection.pairs().of(body, m))) {
+                    spin = Math.max(spin, scales.bending(body, other));
+                    if (!state.body(other).isFixed() && by.place[other] == 0) {
+                        include(other);
+                    }
+                }
+            }
+        }
+        isRubbed = !isTied && (isRubbed || isDriven && most() > MOST); // only such heaps can be stopped
+        isDriven &= !isRubbed;
+        double h = trajectories.h();
+        double length = spin * h > TURN ? TURN / spin : h;
+        length = Math.max(isDriven ? Math.min(length, by.pace(heap, h, h / SOLUTIONS)) : length, h / SOLUTIONS);
+        sag = isDriven ? by.sag[seed] : 0;
+        isFresh = !struck;
+        until = Math.min(isEven() ? h : paid, tau + length);
+        until = h - until < 0.5 * h / SOLUTIONS ? h : until;
+    }
+
+    /** Includes a body, and those that move with it. */
+    private void include(int body) {
+        boolean byOthers = motion.ground().isDrivenByOthers(body);
+        isRubbed |= motion.ground().rubs(body) || byOthers && motion.ground().isRough();
+        isDriven |= byOthers;
+        isTied |= motion.isTied(body);
+        if (!motion.isTied(body)) {
+            includeOne(body);
+            return;
+        }
+        IntList group = motion.companions(body);
+        for (int k = 0; k < group.size; k++) {
+            by.ensure(group.values[k]);
+            includeOne(group.values[k]);
+        }
+    }
+
+    private void includeOne(int body) {
+        heap.add(body);
+        by.place[body] = heap.size;
+        by.isDirty[body] = false;
+    }
+
+    /** Changes the velocities at once where points close too fast, before forces act. */
+    private void strike() {
+        double speed = 0;
+        for (int k = 0; k < heap.size; k++) {
+            speed = Math.max(speed, speed(k));
+        }
+        boolean isStuck = false;
+        for (int k = 0; k < deep.size; k++) {
+            isStuck |= Math.abs(system.normal(deep.values[k])) <= STRUCK * speed; // forces that act evenly come too late
+        }
+        if (!isStuck && !HeapStrike.isDue(system, HARDLY * Math.max(speed, scale))) {
+            return;
+        }
+        striking.strike(system, Math.max(speed, scale), driving.rebounds(), isStuck ? LIFT : 0);
+        notes.strike(1);
+        for (int k = 0; k < heap.size; k++) {
+            int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
+            System.arraycopy(system.v, 3 * k, trajectories.data(), o, State.BLOCK);
+        }
+    }
+
+    /** Takes in the bodies of the heap and their points. */
+    private void gather(double tau) {
+        manifold = manifold == null ? new Manifold() : manifold;
+        notes.clear();
+        system.clear();
+        deep.clear();
+        scale = 0;
+        if (!isEven()) {
+            free.begin(heap);
+        }
+        boolean isPaid = isResumed && isPressed();
+        for (int k = 0; k < heap.size; k++) {
+            enter(k, tau, isPaid);
+        }
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            for (int m = 0; m < detection.pairs().countOf(body); m++) {
+                int pair = detection.pairs().of(body, m);
+                int other = detection.pairs().other(pair, body);
+                if (lasts(pair) && (state.body(other).isFixed() || by.place[other] > k + 1)) {
+                    if (state.body(other).isFixed()) {
+                        trajectories.bring(other, tau);
+                    }
+                    collect(pair, tau);
+                }
+            }
+        }
+    }
+
+    /** Whether a force acts on a body of the heap: else what contacts give is given at once. */
+    private boolean isPressed() {
+        boolean yes = false;
+        for (int k = 0; k < heap.size && !yes; k++) {
+            motion.fall(heap.values[k], fall, 0);
+            yes = fall[0] != 0 || fall[1] != 0 || fall[2] != 0;
+        }
+        return yes;
+    }
+
+    private void enter(int k, double tau, boolean isPaid) {
+        int body = heap.values[k];
+        double[] w = state.w().values();
+        system.enter(k, w[State.BLOCK * body], w[State.BLOCK * body + State.THETA]);
+        motion.fall(body, fall, 0);
+        double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
+        scale = Math.max(scale, pull * (until - tau));
+        courses.enter(k, body, tau, system.v, isPaid);
+        for (int c = 0; c < State.BLOCK && !isEven(); c++) {
+            system.v[3 * k + c] += fall[c] * (until - tau);
+        }
+    }
+
+    /** Takes in the points of a pair, or finds that it has parted. */
+    private void collect(int pair, double tau) {
+        int a = detection.pairs().first(pair);
+        int b = detection.pairs().second(pair);
+        double size = scales.size(a, b);
+        detection.narrowPhase().contact(pair, tau, manifold, FLAT * size / (scales.radius(a) + scales.radius(b)));
+        if (manifold.gap > PARTED * size) {
+            if (isFresh) {
+                end(pair);
+            }
+            return;
+        }
+        ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
+        double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
+        double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size, system.isRough());
+        detection.marks().setDepth(pair, depth);
+        system.allow(HeapGaps.littleSpeed(depth, left));
+        for (int k = 0; k < manifold.count; k++) {
+            points.load(manifold, pair, k, point);
+            int p = system.size();
+            system.add(number(a), number(b), point);
+            notes.add(pair, k);
+            if (isTied && manifold.gaps[k] < -depth) {
+                deep.add(p);
+            }
+            double bend = scales.bend(manifold, point, a, b, left) + (isDriven ? size * sag : 0);
+            double least = HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven());
+            if (isResumed && least > 0) {
+                double now = system.normal(p, courses.before());
+                double lift = (bend - Math.max(0, manifold.gaps[k] + depth)) / left;
+                least = now >= Math.max(0, lift) ? Math.min(least, now) : least; // as it was found; else gaps are noise
+            }
+            system.bound(p, least);
+            if (isRubbed) {
+                rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
+            }
+            if (!isEven() && (isFresh || scale > 0)) {
+                notes.start(p, left);
+            }
+        }
+    }
+
+    private int number(int body) {
+        return state.body(body).isFixed() ? -1 : by.place[body] - 1;
+    }
+
+    /** The acceleration that all but the heap gives to a body. */
+    double pull(int body) {
+        if (state.body(body).isFixed()) {
+            return 0;
+        }
+        motion.fall(body, fall, 0);
+        return Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
+    }
+
+    private void solve(double tau) {
+        for (int k = 0; k < heap.size && !isDriven; k++) {
+            scale = Math.max(scale, speed(k));
+        }
+        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? driving.isRight() : free.solve(heap, scale);
+        double[] from = isResumed ? courses.before() : system.free();
+        if (!by.afford(heap, HeapEnergy.gained(system, from))) {
+            done = system.solve(scale, false); // regaining gaps must not add energy
+            by.afford(heap, HeapEnergy.gained(system, from));
+        }
+        notes.press(until - tau);
+        if (isFresh) {
+            notes.note(until - tau, done || !system.isTied());
+        }
+        if (isRubbed) {
+            rubbing.end();
+        }
+        halts = most() > MOST && !isDriven;
+        if (halts) {
+            HeapEnergy.halt(system);
+        }
+    }
+
+    /** How often something has happened in this step to a body of the heap, at most. */
+    private int most() {
+        int most = 0;
+        for (int k = 0; k < heap.size; k++) {
+            most = Math.max(most, by.turns[heap.values[k]]);
+        }
+        return most;
+    }
+
+    private double speed(int k) {
+        return scales.speed(heap.values[k], system.v, 3 * k);
+    }
+
+    /** Finds what holds a heap that stands still from now on, when it has been stopped; nothing else depends on that. */
+    private void bear(double time, double none) {
+        for (int k = 0; k < heap.size; k++) {
+            motion.fall(heap.values[k], fall, 0);
+            for (int c = 0; c < State.BLOCK; c++) {
+                system.v[3 * k + c] = fall[c] * time;
+            }
+        }
+        notes.strike(1);
+        for (int p = 0; p < system.size(); p++) {
+            system.bound(p, system.bound(p) < -none ? system.bound(p) : 0);
+        }
+        system.solve(scale, true);
+        notes.press(time);
+        notes.strike(-1); // what has stopped it was more than what holds it
+    }
+
+    private void publish(double tau, IntList changed) {
+        double pull = 0;
+        double most = 0;
+        for (int k = 0; k < heap.size; k++) {
+            pull = Math.max(pull, pull(heap.values[k]));
+            most = Math.max(most, speed(k));
+        }
+        boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && most <= STILL * pull * (until - tau);
+        if (!still && until < trajectories.h()) {
+            detection.plan(heap.values[0], until);
+        }
+        if (still) {
+            bear(until - tau, STILL * pull * (until - tau));
+        }
+        double[] d = trajectories.data();
+        if (isDriven && !(system.contacts() == 0 && isFresh)) {
+            driving.publish(heap, until - tau);
+        }
+        boolean stands = isRubbed && !halts && rubbing.isStill(heap);
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            by.place[body] = 0;
+            by.isStill[body] = still || stands;
+            if (still) {
+                Arrays.fill(system.v, 3 * k, 3 * k + 3, 0);
+            }
+            if (system.contacts() == 0 && isFresh) {
+                by.lies[body] = false;
+                motion.support(body, 0, 0, 0);
+                motion.ground().resume(body);
+                thaw(body);
+                changed.add(body);
+                continue;
+            }
+            if (isRubbed) {
+                if (halts) {
+                    rubbing.halt(k);
+                }
+                rubbing.publish(k, body, until - tau, fall);
+                changed.add(body);
+                continue;
+            }
+            if (isDriven) {
+                by.paidUntil[body] = trajectories.isDriven(body) ? until : 0;
+                changed.add(body);
+                continue;
+            }
+            int o = body * Trajectories.STRIDE + Trajectories.VX;
+            if (!(isResumed && courses.isKept(k, body, tau, system.v, SAME * scale))) {
+                by.paidUntil[body] = still ? 0 : until;
+                courses.set(k, body, tau, system.v);
+                coast(body);
+                changed.add(body);
+            }
+        }
+    }
+}

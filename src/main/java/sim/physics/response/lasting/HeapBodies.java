@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.internal.IntList;
+
+/** What {@link Heaps} knows of bodies, by their indices. */
+final class HeapBodies implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Times that something happens to a body in a step which is quiet; and after which its pauses get no longer. */
+    private static final int QUIET = 10;
+
+    private static final int LONGEST = 7;
+
+    /** The same of bodies that are tied to others, whose bounces cost more. */
+    private static final int LONGEST_TIED = 1;
+
+    /** By how much longer forces are to hold on driven bodies than last time, if no point has closed. */
+    private static final double LONGER = 1.2;
+
+    /** Bounds of the gaps that are kept for that; how much wider they get, and closer again. */
+    private static final double LEAST_SAG = 1e-6;
+
+    private static final double MOST_SAG = 1e-4;
+    private static final double WIDER = 4;
+    private static final double CLOSER = 0.95;
+
+    /** Steps for which a heap is solved roughly that could not be solved. */
+    private static final int ROUGH_STEPS = 20;
+
+    /** Whether a body lies in a heap, stands still there, and is to be solved for. */
+    boolean[] lies = {};
+
+    boolean[] isStill = {};
+    boolean[] isDirty = {};
+
+    /** Until when it has got what the forces give it, as an offset in the step. */
+    double[] paidUntil = {};
+
+    /** The velocities that driven ones are to have then, 3 each. */
+    double[] expected = {};
+
+    /** From when on, and how much that is with the heap's impulses, 3 each. */
+    double[] paidFrom = {};
+
+    double[] paid = {};
+
+    /** Of driven bodies: for how long forces hold, 0 for the step; and whether a point has closed before that. */
+    double[] pace = {};
+
+    boolean[] hasClosed = {};
+
+    /** How much the gaps of driven bodies change while forces hold, relative to the smaller body of a pair. */
+    double[] sag = {};
+
+    /** The number of the step before which it does not lie on anything, because it was struck too often. */
+    double[] givenUp = {};
+
+    /** How often that was so without a quiet step between. */
+    int[] givenUpTimes = {};
+
+    /** How often something has happened to it in this step, and the energy that it has lost in heaps. */
+    int[] turns = {};
+    int[] ends = {};
+
+    double[] lost = {};
+
+    /** The number of the step before which its heap is solved roughly. */
+    double[] roughUntil = {};
+
+    /** How often its heap could not be solved in this step. */
+    int[] failures = {};
+
+    /** Solutions for which open points of its heap are taken for closed. */
+    int[] relents = {};
+
+    /** Its number in the heap that is being solved, plus 1. */
+    int[] place = {};
+
+    HeapBodies() {
+        // empty until something lies on something
+    }
+
+    boolean knows(int body) {
+        return body < lies.length;
+    }
+
+    boolean has(int body) {
+        return body < lies.length && lies[body];
+    }
+
+    void ensure(int body) {
+        if (body >= lies.length) {
+            int n = Math.max(2 * lies.length, body + 1);
+            lies = Arrays.copyOf(lies, n);
+            isStill = Arrays.copyOf(isStill, n);
+            isDirty = Arrays.copyOf(isDirty, n);
+            paidUntil = Arrays.copyOf(paidUntil, n);
+            expected = Arrays.copyOf(expected, 3 * n);
+            paidFrom = Arrays.copyOf(paidFrom, n);
+            paid = Arrays.copyOf(paid, 3 * n);
+            pace = Arrays.copyOf(pace, n);
+            hasClosed = Arrays.copyOf(hasClosed, n);
+            sag = Arrays.copyOf(sag, n);
+            givenUp = Arrays.copyOf(givenUp, n);
+            givenUpTimes = Arrays.copyOf(givenUpTimes, n);
+            turns = Arrays.copyOf(turns, n);
+            ends = Arrays.copyOf(ends, n);
+            lost = Arrays.copyOf(lost, n);
+            relents = Arrays.copyOf(relents, n);
+            roughUntil = Arrays.copyOf(roughUntil, n);
+            failures = Arrays.copyOf(failures, n);
+            place = Arrays.copyOf(place, n);
+        }
+    }
+
+    /** Lets a driven body lie on nothing for some steps; for more steps each time, but not many if it is tied to others. */
+    void giveUp(int body, double step, boolean isTied) {
+        givenUpTimes[body] = Math.min(givenUpTimes[body] + 1, isTied ? LONGEST_TIED : LONGEST);
+        givenUp[body] = step + (2 << givenUpTimes[body]);
+    }
+
+    /** Whether a heap is solved roughly for now. */
+    boolean isRough(IntList bodies, double step) {
+        boolean rough = false;
+        for (int k = 0; k < bodies.size; k++) {
+            rough |= roughUntil[bodies.values[k]] > step;
+        }
+        return rough;
+    }
+
+    /** Lets a heap be solved roughly for some steps. */
+    void roughen(IntList bodies, double step) {
+        for (int k = 0; k < bodies.size; k++) {
+            roughUntil[bodies.values[k]] = step + ROUGH_STEPS;
+        }
+    }
+
+    /** Takes note of a change of velocity. */
+    void pay(int body, double tau, double[] from, double[] to, int at) {
+        paidFrom[body] = tau;
+        for (int c = 0; c < 3; c++) {
+            paid[3 * body + c] = to[at + c] - from[at + c];
+        }
+    }
+
+    /** Takes back what was paid for the time that is left. */
+    void unpay(int body, double tau, double[] v, int o) {
+        double part = (paidUntil[body] - tau) / (paidUntil[body] - paidFrom[body]);
+        for (int c = 0; c < 3 && paidUntil[body] > tau; c++) {
+            v[o + c] -= part * paid[3 * body + c];
+        }
+    }
+
+    /**
+     * For how long forces are to hold on driven bodies: where points have closed too early, their gaps are to be kept wider,
+     * and when that is not enough, forces hold half as long.
+     */
+    double pace(IntList bodies, double h, double shortest) {
+        double least = h;
+        double most = 0;
+        boolean closed = false;
+        for (int k = 0; k < bodies.size; k++) {
+            int body = bodies.values[k];
+            closed |= hasClosed[body];
+            most = Math.max(most, sag[body]);
+            least = Math.min(least, pace[body] == 0 ? h : pace[body]);
+        }
+        boolean isWide = most >= MOST_SAG;
+        least = Math.max(closed && isWide ? 0.5 * least : Math.min(h, LONGER * least), shortest);
+        most = closed ? Math.min(MOST_SAG, Math.max(LEAST_SAG, WIDER * most)) : most > LEAST_SAG ? CLOSER * most : 0;
+        for (int k = 0; k < bodies.size; k++) {
+            pace[bodies.values[k]] = least;
+            sag[bodies.values[k]] = most;
+            hasClosed[bodies.values[k]] = false;
+        }
+        return least;
+    }
+
+    /** Whether bodies have lost as much energy before in the step as they would gain now; takes note of it then. */
+    boolean afford(IntList bodies, double gain) {
+        double sum = -gain;
+        for (int k = 0; k < bodies.size; k++) {
+            sum += lost[bodies.values[k]];
+        }
+        for (int k = 0; k < bodies.size && sum >= 0; k++) {
+            lost[bodies.values[k]] = sum / bodies.size;
+        }
+        return sum >= 0;
+    }
+
+    /** Begins a step, or a body's time in a heap. */
+    void begin(int body) {
+        paidUntil[body] = 0;
+        givenUpTimes[body] = turns[body] + ends[body] < QUIET ? 0 : givenUpTimes[body];
+        turns[body] = 0;
+        ends[body] = 0;
+        failures[body] = 0;
+        lost[body] = 0;
+    }
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+/** The energy that the impulses of a {@link HeapSystem} give, and how to take all of it. */
+final class HeapEnergy {
+    private HeapEnergy() {}
+
+    /** Twice the kinetic energy that the bodies have more than with other velocities, mostly those without impulses; without that of motors. */
+    static double gained(HeapSystem s, double[] from) {
+        double sum = 0;
+        for (int p = 0; s.isTied() && p < s.size(); p++) {
+            double jn = s.isMotor(p) ? 0 : s.normalImpulse(p);
+            double jt = s.tangentImpulse(p);
+            sum += jn == 0 ? 0 : jn * (s.normal(p, s.v) + s.normal(p, from));
+            sum += jt == 0 ? 0 : jt * (s.tangent(p, s.v) + s.tangent(p, from));
+        }
+        return s.isTied() ? sum : gainedAlone(s, from);
+    }
+
+    private static double gainedAlone(HeapSystem s, double[] from) {
+        double sum = 0;
+        for (int k = 0; k < s.bodyCount(); k++) {
+            if (s.w[2 * k] == 0) {
+                continue; // held
+            }
+            double x = s.v[3 * k] - from[3 * k];
+            double y = s.v[3 * k + 1] - from[3 * k + 1];
+            double turn = s.v[3 * k + 2] - from[3 * k + 2];
+            sum += (x * (s.v[3 * k] + from[3 * k]) + y * (s.v[3 * k + 1] + from[3 * k + 1])) / s.w[2 * k];
+            sum += turn * (s.v[3 * k + 2] + from[3 * k + 2]) / s.w[2 * k + 1];
+        }
+        return sum;
+    }
+
+    /** Takes all motion relative to one another from the bodies, and all motion if they lie on what cannot move. */
+    static void halt(HeapSystem s) {
+        double mass = 0;
+        double px = 0;
+        double py = 0;
+        for (int k = 0; k < s.bodyCount(); k++) {
+            mass += 1 / s.w[2 * k];
+            px += s.v[3 * k] / s.w[2 * k];
+            py += s.v[3 * k + 1] / s.w[2 * k];
+        }
+        boolean fixed = false;
+        for (int p = 0; p < s.size(); p++) {
+            fixed |= s.rows().isOnFixed(p);
+        }
+        for (int k = 0; k < s.bodyCount(); k++) {
+            s.v[3 * k] = fixed ? 0 : px / mass;
+            s.v[3 * k + 1] = fixed ? 0 : py / mass;
+            s.v[3 * k + 2] = 0;
+        }
+    }
+}

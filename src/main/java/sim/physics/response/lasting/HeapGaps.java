@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+/** The gaps of lasting pairs: how deep they may be, which gap is kept for that, and how a missing one is regained. */
+final class HeapGaps {
+    /** How deep a pair may be, relative to the smaller body. */
+    private static final double CUSHION = 1e-10;
+
+    /** The same in heaps with driven bodies, whose paths are not quite the motion. */
+    private static final double DRIVEN_CUSHION = 1e-7;
+
+    /** The same in heaps that are solved roughly. */
+    private static final double ROUGH_CUSHION = 1e-4;
+
+    /** Part of a missing gap that a solution regains. */
+    private static final double REGAIN = 0.2;
+
+    /** Part of the depth that a solution may be wrong by, if it has to be. */
+    private static final double LITTLE = 1e-2;
+
+    private HeapGaps() {}
+
+    /** How deep a pair may be. */
+    static double depth(boolean isDriven, double size) {
+        return (isDriven ? DRIVEN_CUSHION : CUSHION) * size;
+    }
+
+    /** How deep a pair of free bodies may be that is as deep as it is: less and less where it could be deeper before. */
+    static double depth(double gap, double size, boolean isRough) {
+        double most = ROUGH_CUSHION * size;
+        return isRough ? most : Math.max(CUSHION * size, Math.min(most, -gap));
+    }
+
+    /** An error of velocities over a time that does not matter. */
+    static double littleSpeed(double depth, double time) {
+        return LITTLE * depth / time;
+    }
+
+    /**
+     * The least normal velocity of a point.
+     *
+     * @param gap that there is
+     * @param depth how deep it may be
+     * @param bend what turning and sliding may take of the gap in the time
+     * @param time for which the velocity is to hold
+     * @param isFresh whether it was not found for a longer time before
+     * @param isEven whether the velocity is reached evenly in the time; if not, at once, and the heap is stopped when this
+     *     does not do
+     */
+    static double leastSpeed(double gap, double depth, double bend, double time, boolean isFresh, boolean isEven) {
+        double room = depth + bend;
+        double least = isFresh ? room : 0.5 * room;
+        if (gap >= least) {
+            return (least - gap) / time;
+        }
+        double regained = REGAIN * (room - gap);
+        double lift = bend - Math.max(0, gap + depth); // or it would be too deep before the time is over
+        return (isEven ? regained + Math.max(0, 2 * lift) : Math.max(regained, lift)) / time;
+    }
+}

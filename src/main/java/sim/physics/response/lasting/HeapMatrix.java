@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+/**
+ * Solves a {@link HeapSystem} of not too many rows as a whole, where ties reply: each row's impulse moves all others then, so
+ * that a matrix of what they do to one another costs no more than bodies do, and sweeps over it cost little. Sweeps of
+ * projected relaxation guess which rows are at a bound; the others are equations, which are solved by elimination, friction
+ * that slides following its normal impulse (a Newton method on the natural map of the problem: Alart and Curnier 1991). What
+ * turns out to be at another bound is put there, and so on.
+ *
+ * <p>Where impulses are not unique, the system is made a little heavier on its diagonal, and refined until that has no
+ * effect: of all changes that do the same, about the smallest is taken.
+ */
+final class HeapMatrix extends HeapRows {
+    private static final long serialVersionUID = 1L;
+
+    private static final int ROUNDS = 12;
+    private static final int REFINEMENTS = 3;
+
+    /** Rounds after which impulses are good enough that are nearly right. */
+    private static final int LATE = 1;
+
+    /** How many times larger an error is, at most, of which sweeps make none. */
+    private static final double CLOSE = 1000;
+
+    /** The same of one that is left by the rounding of eliminations. */
+    private static final double ROUNDING = 100;
+
+    /** Sweeps of the first round, and of the next ones. */
+    private static final int FEW = 6;
+    private static final int SWEEPS = 30;
+
+    /** Steps of Newton's method in a round, and those in a row that may be in vain. */
+    private static final int NEWTON_STEPS = 12;
+
+    private static final int VAIN = 3;
+
+    /** Changes of bounds for each row. */
+    private static final int PIVOTS = 4;
+
+    /** Error at which the impulses may start the next solution, as a part of the scale. */
+    private static final double NEARLY = 1e-6;
+
+    /** The bound at which a row is, −1 or +1, 0 for none. */
+    private double[] side = {};
+
+    /** The equations. */
+    private int[] unknown = {};
+
+    private final ContactEquations equations = new ContactEquations(true, REFINEMENTS);
+    private final ConjugateSweeps sweeps = new ConjugateSweeps();
+    private double[] rest = {};
+
+    @Override
+    void grow(int n) {
+        side = new double[n];
+        unknown = new int[n];
+        rest = new double[n];
+        equations.ensure(n);
+    }
+
+    /**
+     * Solves for the impulses, from those that the system has; its velocities are those without any.
+     *
+     * @param exact error of velocities at which they are right
+     * @param enough error that is good enough in the end
+     * @param scale speed beside which errors are judged
+     * @return whether they are right or nearly so
+     */
+    boolean solve(HeapSystem s, double exact, double enough, double scale) {
+        take(s);
+        double least = keep(Double.POSITIVE_INFINITY);
+        if (least > exact) {
+            least = relax(least <= CLOSE * exact ? FEW : 1, least);
+            least = newton(least, exact, 1); // impulses of before may be at the same bounds
+        }
+        for (int round = 0; round < ROUNDS && least > ROUNDING * exact; round++) {
+            if (round == 0) {
+                restore();
+            }
+            least = relax(round == 0 ? FEW : SWEEPS, least);
+            least = newton(least, exact, VAIN);
+            if (round == 0 && least > ROUNDING * exact) {
+                least = pivot(least, exact);
+            }
+            if (least <= exact || round >= LATE && least <= enough) {
+                break;
+            }
+            restore();
+        }
+        give(s);
+        return least <= NEARLY * scale;
+    }
+
+    /** Newton's method, until some steps were in vain; returns the least error so far. */
+    private double newton(double error, double exact, int most) {
+        double least = error;
+        int vain = 0;
+        for (int k = 0; k < NEWTON_STEPS && least > exact && vain < most && newton(); k++) {
+            double before = least;
+            least = keep(least);
+            vain = least < before ? 0 : vain + 1;
+        }
+        return least;
+    }
+
+    /** Relaxes by sweeps along conjugate directions; returns the least error so far. */
+    private double relax(int times, double least) {
+        double best = least;
+        sweeps.begin(rows);
+        for (int k = 0; k < times; k++) {
+            System.arraycopy(impulse, 0, sweeps.before, 0, rows);
+            sweep();
+            double square = 0;
+            for (int i = 0; i < rows; i++) {
+                double change = sweeps.change(i, impulse[i]);
+                square += change * change * own(i);
+            }
+            best = keep(best);
+            boolean goesOn = sweeps.goesOn(square);
+            for (int i = 0; i < rows; i++) {
+                impulse[i] += sweeps.more(i);
+            }
+            if (goesOn) {
+                evaluate();
+            }
+        }
+        return best;
+    }
+
+    /** The impulse that makes a row right while others keep theirs, within its bounds. */
+    private double wanted(int row) {
+        double free = impulse[row] - (velocity[row] - bound[row]) / own(row);
+        return Math.max(lower(row), Math.min(upper(row), free));
+    }
+
+    private void sweep() {
+        for (int i = 0; i < rows; i++) {
+            set(i, wanted(i));
+            if (against[i] >= 0) {
+                settle(i, against[i]);
+            }
+        }
+    }
+
+    /**
+     * Finds the impulses of a stop and of the motor of its coordinate together. One after the other they would yield to each
+     * other by little in each sweep, since both can be strong and what they move light.
+     */
+    private void settle(int stop, int motor) {
+        double both = replies[stop * rows + motor];
+        double alone = velocity[stop] - own(stop) * impulse[stop] - both * impulse[motor];
+        double target = bound[motor] * both / own(motor);
+        double force = Math.max(least[motor], Math.min(most[motor], (target - alone) / both));
+        double missing = bound[stop] - (alone + both * force);
+        if (missing > 0 && target < bound[stop]) { // the motor drives it against the stop, as strongly as it can
+            force = both > 0 ? least[motor] : most[motor];
+            missing = bound[stop] - (alone + both * force);
+        }
+        set(stop, Math.max(0, missing / own(stop)));
+        set(motor, force);
+    }
+
+    /** Keeps the impulses if they are the best so far; returns the least error of velocities so far. */
+    private double keep(double before) {
+        double worst = 0;
+        for (int i = 0; i < rows; i++) {
+            worst = Math.max(worst, Math.abs(wanted(i) - impulse[i]) * own(i));
+        }
+        if (!(worst < before)) {
+            return before;
+        }
+        System.arraycopy(impulse, 0, best, 0, rows);
+        return worst;
+    }
+
+    private void restore() {
+        System.arraycopy(best, 0, impulse, 0, rows);
+        evaluate();
+    }
+
+    /** Solves the rows that are at no bound as equations; false if they cannot be solved. */
+    private boolean newton() {
+        int n = 0;
+        for (int i = 0; i < rows; i++) {
+            double free = impulse[i] - (velocity[i] - bound[i]) / own(i);
+            double up = bearer[i] < 0 ? most[i] : friction[i] * Math.max(0, rest[bearer[i]]);
+            double down = bearer[i] < 0 ? least[i] : -up;
+            boolean isFree = free > down && free < up && (bearer[i] < 0 || unknown[bearer[i]] >= 0);
+            rest[i] = free;
+            unknown[i] = isFree ? n++ : -1;
+            side[i] = isFree ? 0 : free <= down ? -1 : 1;
+        }
+        for (int i = 0; i < rows; i++) {
+            set(i, bearer[i] >= 0 || unknown[i] >= 0 ? impulse[i] : side[i] < 0 ? least[i] : most[i]);
+        }
+        slide(true);
+        assemble(n);
+        if (!equations.solve(n)) {
+            return false;
+        }
+        go(1);
+        return true;
+    }
+
+    /** Goes a part of the way to the solution of the equations. */
+    private void go(double share) {
+        for (int i = 0; i < rows; i++) {
+            if (unknown[i] >= 0) {
+                impulse[i] += share * equations.solution(unknown[i]);
+            }
+        }
+        slide(false);
+        evaluate();
+    }
+
+    /**
+     * The method of active sets: goes to the solution of the equations only until a row comes to a bound, which it keeps then,
+     * and lets off its bound the row that misses most, until none does. It ends also where rows ask twice for the same, as
+     * motors of wheels that roll do, and a bound decides which of them gets it.
+     */
+    private double pivot(double least, double exact) {
+        restore();
+        double error = least;
+        for (int i = 0; i < rows; i++) {
+            side[i] = impulse[i] <= lower(i) ? -1 : impulse[i] >= upper(i) ? 1 : 0;
+        }
+        for (int k = PIVOTS * rows; k > 0 && solveFree(); k--) {
+            double share = stop();
+            go(share);
+            error = share == 1 ? keep(error) : error;
+            if (error <= exact || share == 1 && !release(exact)) {
+                break;
+            }
+        }
+        return error;
+    }
+
+    /** Solves the equations of rows at no bound. */
+    private boolean solveFree() {
+        int n = 0;
+        for (int i = 0; i < rows; i++) {
+            unknown[i] = side[i] == 0 ? n++ : -1;
+            if (bearer[i] < 0 && side[i] != 0) {
+                impulse[i] = side[i] < 0 ? least[i] : most[i];
+            }
+        }
+        slide(false);
+        evaluate();
+        assemble(n);
+        return equations.solve(n);
+    }
+
+    /** How far impulses may go until the first one is at a bound, which is noted. */
+    private double stop() {
+        double share = 1;
+        int first = -1;
+        double way = 0;
+        for (int i = 0; i < rows; i++) {
+            for (int sign = -1; sign <= 1 && unknown[i] >= 0; sign += 2) {
+                double room = sign < 0 ? impulse[i] - lower(i) : upper(i) - impulse[i];
+                double nearer = sign * equations.solution(unknown[i]) - widening(i);
+                if (nearer > 0 && room < share * nearer) {
+                    share = Math.max(0, room / nearer);
+                    first = i;
+                    way = sign;
+                }
+            }
+        }
+        if (first >= 0) {
+            reach(first, way);
+        }
+        return share;
+    }
+
+    /** By how much the bounds of friction get wider on the whole way. */
+    private double widening(int row) {
+        int by = bearer[row];
+        return by < 0 || unknown[by] < 0 ? 0 : friction[row] * equations.solution(unknown[by]);
+    }
+
+    private void reach(int row, double way) {
+        side[row] = way;
+        if (bears(row) && side[row + 1] == 0) {
+            side[row + 1] = 1; // where nothing is borne nothing rubs
+        }
+    }
+
+    private boolean bears(int row) {
+        return row + 1 < rows && bearer[row + 1] == row;
+    }
+
+    /** Lets the row off its bound that misses most; false if all are right. */
+    private boolean release(double exact) {
+        double most = exact;
+        int worst = -1;
+        for (int i = 0; i < rows; i++) {
+            double miss = side[i] == 0 ? 0 : Math.abs(wanted(i) - impulse[i]) * own(i);
+            worst = miss > most ? i : worst;
+            most = Math.max(miss, most);
+        }
+        if (worst >= 0) {
+            side[worst] = 0;
+            if (bears(worst)) {
+                side[worst + 1] = velocity[worst + 1] > 0 ? -1 : 1;
+            }
+        }
+        return worst >= 0;
+    }
+
+    /** Lets friction that slides follow what bears it. */
+    private void slide(boolean pushes) {
+        for (int i = 0; i < rows; i++) {
+            if (bearer[i] >= 0 && unknown[i] < 0) {
+                double next = side[i] * friction[i] * impulse[bearer[i]];
+                if (pushes) {
+                    push(i, next - impulse[i]);
+                }
+                impulse[i] = next;
+            }
+        }
+    }
+
+    private void set(int row, double value) {
+        push(row, value - impulse[row]);
+        impulse[row] = value;
+    }
+
+    private void assemble(int n) {
+        for (int j = 0; j < rows; j++) {
+            int column = unknown[j];
+            for (int i = 0; column >= 0 && i < rows; i++) {
+                if (unknown[i] >= 0) {
+                    equations.set(unknown[i] * n + column, replies[j * rows + i]);
+                }
+            }
+        }
+        for (int j = 0; j < rows; j++) {
+            int column = bearer[j] >= 0 && unknown[j] < 0 ? unknown[bearer[j]] : -1;
+            for (int i = 0; column >= 0 && i < rows; i++) {
+                if (unknown[i] >= 0) {
+                    equations.add(unknown[i] * n + column, side[j] * friction[j] * replies[j * rows + i]);
+                }
+            }
+        }
+        for (int i = 0; i < rows; i++) {
+            if (unknown[i] >= 0) {
+                equations.setRight(unknown[i], bound[i] - velocity[i], own(i));
+            }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import sim.physics.collision.CollisionDetection;
+import sim.physics.internal.IntList;
+
+/** Where the points of the heap that is being solved come from, and what they bear, to the ledger and from it. */
+final class HeapNotes implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final HeapSystem system;
+    private final ContactLedger ledger;
+
+    /** Two numbers for each pair. */
+    private final IntList origin = new IntList();
+
+    HeapNotes(HeapSystem system, ContactLedger ledger) {
+        this.system = system;
+        this.ledger = ledger;
+    }
+
+    void clear() {
+        origin.clear();
+    }
+
+    void add(int pair, int point) {
+        origin.add(2 * pair + point);
+    }
+
+    /** Starts a point from its last forces. */
+    void start(int p, double time) {
+        int pair = origin.values[p] / 2;
+        int k = origin.values[p] % 2;
+        system.start(p, time * ledger.start(pair, k, false), time * ledger.start(pair, k, true));
+    }
+
+    /** Lets the pairs of all points be as deep as in heaps that are solved roughly. */
+    void roughen(CollisionDetection detection, BodyScale scales) {
+        for (int p = 0; p < system.contacts(); p++) {
+            int pair = origin.values[p] / 2;
+            double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
+            detection.marks().setDepth(pair, HeapGaps.depth(0, size, true));
+        }
+    }
+
+    /** Notes the forces from which the next solution is to start, if they are right. */
+    void note(double time, boolean right) {
+        for (int p = 0; p < system.contacts(); p++) {
+            double fn = right ? system.normalImpulse(p) / time : 0;
+            double ft = right ? system.tangentImpulse(p) / time : 0;
+            ledger.setStart(origin.values[p] / 2, origin.values[p] % 2, fn, ft);
+        }
+    }
+
+    /** Notes the forces that the points bear for a time. */
+    void press(double time) {
+        for (int p = 0; p < system.contacts(); p++) {
+            int pair = origin.values[p] / 2;
+            double fn = system.normalImpulse(p) / time;
+            ledger.press(pair, origin.values[p] % 2, fn, system.tangentImpulse(p) / time);
+        }
+    }
+
+    /** Notes that the impulses of the points have acted at once, that many times. */
+    void strike(double times) {
+        for (int p = 0; p < system.contacts(); p++) {
+            int pair = origin.values[p] / 2;
+            double jn = times * system.normalImpulse(p);
+            ledger.strike(pair, origin.values[p] % 2, jn, times * system.tangentImpulse(p));
+        }
+    }
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+
+/**
+ * Solves {@link HeapSystem}s: where ties reply as a matrix of all rows, by {@link HeapMatrix}; else by {@link HeapPile}. What
+ * these leave is left to projected relaxation, one point after the other (projected Gauss-Seidel; Jean, <i>The non-smooth
+ * contact dynamics method</i>, 1999), until nothing changes any more beyond rounding or the work is spent. Between the sweeps
+ * the points that they leave closed or stuck are solved for as equations, by {@link HeapFace} or {@link HeapCorner}.
+ */
+final class HeapSolver implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private static final int SWEEPS = 6;
+
+    /** The same between eliminations. */
+    private static final int FEW_SWEEPS = 2;
+
+    private static final int LEAST_SWEEPS = 20;
+
+    /** Points that are relaxed, over all sweeps. */
+    private static final int WORK = 50_000;
+
+    /** The work on one of several solutions in turn, where the last one need not be the best. */
+    private static final int LITTLE_WORK = 1000;
+
+    /**
+     * Part of the work after which impulses are good enough whose points miss their least gap by little. Where flush edges
+     * leave them open, in a row of boxes, bounds contradict each other by rounding, and impulses drift on and on.
+     */
+    private static final double ENDLESS = 0.1;
+
+    /** Points that are solved by relaxation alone at most; times the error that is good enough which is so in a pile. */
+    private static final int FEW = 2;
+
+    private static final double LATE = 10;
+
+    /** Points from which on a heap that is not solved is solved roughly for some steps, and no path begins from nothing. */
+    static final int MANY = 250;
+
+    /** Change of velocity in a sweep, relative to the largest speed, at which the impulses are right. */
+    private static final double RIGHT = 1e-13;
+
+    /** The same at which they may start the next solution. */
+    private static final double NEARLY = 1e-6;
+
+    private final HeapRelaxation relaxation = new HeapRelaxation();
+    private final HeapFace face = new HeapFace();
+    private final HeapCorner corner = new HeapCorner();
+    private final HeapMatrix matrix = new HeapMatrix();
+
+    /** Null until there is work for it; it keeps nothing from one solution to the next. */
+    private transient HeapPile pile;
+
+    HeapSolver() {
+        // grows with the heaps
+    }
+
+    /** Takes note that the points have changed. */
+    void forget() {
+        matrix.forget();
+    }
+
+    /**
+     * Solves a system whose velocities are those without impulses, from the impulses that it has.
+     *
+     * @param scale speed beside which errors are judged
+     * @param enough error that is good enough in the end
+     * @return whether the impulses are right or nearly so
+     */
+    boolean solve(HeapSystem s, double scale, double enough) {
+        if (s.isTied() && matrix.assemble(s)) {
+            return matrix.solve(s, RIGHT * scale, enough, scale);
+        }
+        s.applyAll();
+        if (s.isSpared() && !s.isTied()) {
+            return relax(s, scale, enough, LITTLE_WORK);
+        }
+        if (!s.isTied() && s.size() > FEW) {
+            pile = pile == null ? new HeapPile(relaxation) : pile;
+            boolean right = pile.solve(s, RIGHT * scale, LATE * enough, s.isRough());
+            if (right || s.isRough()) {
+                return right;
+            }
+        }
+        return relax(s, scale, enough, WORK);
+    }
+
+    /** The same with little work. */
+    boolean solveInTurn(HeapSystem s, double scale, double enough) {
+        if (s.isTied() && matrix.assemble(s)) {
+            return matrix.solve(s, RIGHT * scale, enough, scale);
+        }
+        s.applyAll();
+        return relax(s, scale, enough, LITTLE_WORK);
+    }
+
+    private boolean relax(HeapSystem s, double scale, double enough, int work) {
+        int left = Math.max(LEAST_SWEEPS, work / Math.max(1, s.size()));
+        int late = (int) ((1 - ENDLESS) * left);
+        int corners = work == LITTLE_WORK && !s.isTied() && s.size() <= HeapCorner.MOST ? HeapCorner.ROUNDS : 0;
+        while (left > 0) {
+            double nothing = left < late ? Math.max(enough, RIGHT * scale) : RIGHT * scale;
+            if (relaxation.sweep(s, corners > 0 ? FEW_SWEEPS : SWEEPS, nothing) <= nothing) {
+                return true;
+            }
+            left -= corners-- > 0 ? corner.solve(s) : SWEEPS + face.solve(s, RIGHT * scale);
+        }
+        return relaxation.sweep(s, 1, 0) <= NEARLY * scale;
+    }
+}

@@ -1,0 +1,480 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.motion.SwitchedRow;
+
+/**
+ * The contact points of a heap and the impulses that they bear in one step: the complementarity problem of Moreau's time
+ * stepping, of velocities at the end of the step,
+ *
+ * <pre>
+ *   λₙ ≥ 0,  vₙ ≥ bₙ,  λₙ (vₙ − bₙ) = 0,    |λₜ| ≤ μ λₙ,  λₜ opposes vₜ
+ * </pre>
+ *
+ * <p>solved by a {@link HeapSolver}.
+ */
+final class HeapSystem implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Values per point. */
+    static final int STRIDE = 9;
+
+    static final int BOUND = 0;
+    static final int FRICTION = 1;
+    static final int MOBILITY_N = 2;
+    static final int MOBILITY_T = 3;
+    static final int IMPULSE_N = 4;
+    static final int IMPULSE_T = 5;
+
+    /** What a unit of impulse along the tangent does to the velocity along the normal. */
+    static final int CROSS = 6;
+
+    /** The least and the greatest impulse along the normal: 0 and infinite but for motors. */
+    static final int LEAST = 7;
+
+    static final int MOST = 8;
+
+    /** Speed at which open points may be taken for closed, relative to the error that is good enough: 1e-5 of a size a step. */
+    private static final double HOVER = 1e7;
+
+    /** Mobility of a tied body's point that is none, relative to that of the body alone. */
+    private static final double IMMOBILE = 1e-7;
+
+    /** Inverse masses and moments of inertia, 2 per body; and velocities, 3 per body. */
+    double[] w = new double[16];
+
+    double[] v = new double[24];
+
+    /** All points, and those of contacts: the others are motors and stops, with a normal of their own and no friction. */
+    private int points;
+
+    private int contacts;
+    private int count;
+
+    /** Null until a body is tied to others. */
+    private HeapReplies replies;
+
+    private boolean tied;
+    private final HeapSolver solver = new HeapSolver();
+
+    /** Inverse masses of 1. */
+    private double[] units = {};
+
+    /** Error of velocities that is good enough in the end; and whether little work is to be spent on that. */
+    private double enough;
+
+    private boolean rough;
+    private boolean spared;
+
+    /** The velocities without impulses. */
+    private double[] free = {};
+
+    private double[] scratch = {};
+
+    double[] data = new double[8 * STRIDE];
+    private final ContactRows rows = new ContactRows();
+
+    HeapSystem() {}
+
+    void clear() {
+        points = 0;
+        contacts = 0;
+        tied = false;
+        rough = false;
+        spared = false;
+        solver.forget();
+        enough = Double.POSITIVE_INFINITY;
+        count = 0;
+        if (replies != null) {
+            replies.begin();
+        }
+    }
+
+    /** Says which error of velocities is good enough in the end; the least that is said counts. */
+    void allow(double error) {
+        enough = Math.min(enough, error);
+    }
+
+    /** Error of velocities that is good enough in the end. */
+    double enough() {
+        return enough;
+    }
+
+    /**
+     * Takes points that are open by next to nothing for closed. Where more points touch than the bodies have freedoms, in a
+     * pile of discs, not all of them can close at once, and which do would take long to find.
+     */
+    void relent() {
+        for (int p = 0; p < contacts; p++) {
+            double least = data[STRIDE * p + BOUND];
+            data[STRIDE * p + BOUND] = least < 0 && least > -HOVER * enough ? 0 : least;
+        }
+    }
+
+    /** Puts back the velocities without impulses. */
+    void again() {
+        System.arraycopy(free, 0, v, 0, 3 * count);
+    }
+
+    /** Makes room for one more body, and gives it its inverse masses. */
+    void enter(int place, double inverseMass, double inverseInertia) {
+        if (v.length < 3 * place + 3) {
+            v = Arrays.copyOf(v, 6 * place + 6);
+            w = Arrays.copyOf(w, 4 * place + 4);
+        }
+        count = place + 1;
+        w[2 * place] = inverseMass;
+        w[2 * place + 1] = inverseInertia;
+    }
+
+    int size() {
+        return points;
+    }
+
+    int contacts() {
+        return contacts;
+    }
+
+    /** Adds a contact's point between two bodies, −1 for what cannot move. */
+    void add(int a, int b, ContactPoint c) {
+        rows.set(points, a, b, c);
+        add(c.friction, c.normalMobility, c.tangentMobility, 0, Double.POSITIVE_INFINITY);
+        contacts = points;
+    }
+
+    /** Adds the momenta that a point's impulses give. */
+    void pushUnits(int p, double jn, double jt, double[] out) {
+        rows.pushSecond(p, jn, jt, units(), out);
+        rows.pushFirst(p, jn, jt, units, out);
+    }
+
+    private double[] units() {
+        if (units.length < 2 * count) {
+            units = new double[4 * count];
+            Arrays.fill(units, 1);
+        }
+        return units;
+    }
+
+    /** Puts the velocities in their place that the impulses give. */
+    void refresh() {
+        again();
+        applyAll();
+    }
+
+    /** Takes all impulses to an array, or a larger one. */
+    double[] impulses(double[] to) {
+        double[] out = to.length < 2 * points ? new double[4 * points] : to;
+        for (int p = 0; p < points; p++) {
+            out[2 * p] = data[STRIDE * p + IMPULSE_N];
+            out[2 * p + 1] = data[STRIDE * p + IMPULSE_T];
+        }
+        return out;
+    }
+
+    /** Puts all impulses in their place, and the velocities that they give. */
+    void put(double[] impulses) {
+        for (int p = 0; p < points; p++) {
+            start(p, impulses[2 * p], impulses[2 * p + 1]);
+        }
+        refresh();
+    }
+
+    /** Adds a motor or a stop, behind all contacts, between two bodies of the heap; sign −1 for the upper stop. */
+    void add(int a, int b, SwitchedRow row, double sign, double least, double most) {
+        rows.set(points, a, b, sign * row.nx, sign * row.ny, sign * row.firstLever, sign * row.secondLever, 0, 0);
+        add(0, rows.normalMobility(points, w, row.nx * row.nx + row.ny * row.ny), Double.POSITIVE_INFINITY, least, most);
+    }
+
+    private void add(double friction, double alongNormal, double alongTangent, double least, double most) {
+        int o = STRIDE * points;
+        if (data.length < o + STRIDE) {
+            data = Arrays.copyOf(data, 2 * o + STRIDE);
+        }
+        data[o + FRICTION] = friction;
+        data[o + MOBILITY_N] = alongNormal;
+        data[o + MOBILITY_T] = alongTangent;
+        data[o + CROSS] = rows.crossMobility(points, w);
+        data[o + IMPULSE_N] = 0;
+        data[o + IMPULSE_T] = 0;
+        data[o + LEAST] = least;
+        data[o + MOST] = most;
+        if (replies != null) {
+            replies.clear(points);
+        }
+        points++;
+    }
+
+    void removeLast() {
+        points--;
+    }
+
+    /** Whether a point is a motor: its bound is a speed that it is to have, and its impulse may have either sign. */
+    boolean isMotor(int p) {
+        return data[STRIDE * p + MOST] < Double.POSITIVE_INFINITY;
+    }
+
+    /** Lets a motor give impulses up to a bound, either way. */
+    void setMost(int p, double impulse) {
+        data[STRIDE * p + LEAST] = -impulse;
+        data[STRIDE * p + MOST] = impulse;
+    }
+
+    double leastImpulse(int p) {
+        return data[STRIDE * p + LEAST];
+    }
+
+    double mostImpulse(int p) {
+        return data[STRIDE * p + MOST];
+    }
+
+    /** The replies of bodies that are tied to others, to points that were added. */
+    HeapReplies replies() {
+        tied = true;
+        if (replies == null) {
+            replies = new HeapReplies();
+            for (int p = 0; p < points; p++) {
+                replies.clear(p);
+            }
+        }
+        return replies;
+    }
+
+    ContactRows rows() {
+        return rows;
+    }
+
+    /** Spends little work from now on. */
+    void roughen() {
+        rough = true;
+    }
+
+    boolean isRough() {
+        return rough;
+    }
+
+    /** Spends next to no work from now on: it has been in vain. */
+    void spare() {
+        spared = true;
+    }
+
+    boolean isSpared() {
+        return spared;
+    }
+
+    /** Whether bodies are tied to others. */
+    boolean isTied() {
+        return tied;
+    }
+
+    /** Takes note that replies of a point have been set. */
+    void measure(int p) {
+        double[] v = scratch();
+        Arrays.fill(v, 0, 3 * count, 0);
+        push(p, 1, 0, v);
+        measure(STRIDE * p + MOBILITY_N, normal(p, v));
+        if (p < contacts) {
+            Arrays.fill(v, 0, 3 * count, 0);
+            push(p, 0, 1, v);
+            measure(STRIDE * p + MOBILITY_T, tangent(p, v));
+        }
+    }
+
+    /** A body that its ties hold where it is can be given no impulse. */
+    private void measure(int at, double mobility) {
+        data[at] = mobility > IMMOBILE * data[at] ? mobility : Double.POSITIVE_INFINITY;
+    }
+
+    /** Room for velocities that nobody keeps. */
+    double[] scratch() {
+        if (scratch.length < 3 * count) {
+            scratch = new double[v.length];
+        }
+        return scratch;
+    }
+
+    /** Lets a body be moved, or be as good as fixed; given its own inverse mass and moment of inertia. */
+    void setMobile(int place, boolean yes, double inverseMass, double inverseInertia) {
+        w[2 * place] = yes ? inverseMass : 0;
+        w[2 * place + 1] = yes ? inverseInertia : 0;
+        for (int p = 0; p < points; p++) {
+            if (rows.isOf(p, place)) {
+                data[STRIDE * p + MOBILITY_N] = orNone(rows.normalMobility(p, w));
+                data[STRIDE * p + MOBILITY_T] = orNone(rows.tangentMobility(p, w));
+                data[STRIDE * p + CROSS] = rows.crossMobility(p, w);
+            }
+        }
+    }
+
+    /** A point that nothing moves can be given no impulse. */
+    private static double orNone(double mobility) {
+        return mobility > 0 ? mobility : Double.POSITIVE_INFINITY;
+    }
+
+    /** Takes the momenta that the impulses give to bodies, whatever their masses, to an array. */
+    void momenta(double[] out) {
+        Arrays.fill(out, 0, 3 * count, 0);
+        pushAlone(units(), out);
+    }
+
+    /** Sets the least normal velocity of a point. */
+    void bound(int p, double least) {
+        data[STRIDE * p + BOUND] = least;
+    }
+
+    double bound(int p) {
+        return data[STRIDE * p + BOUND];
+    }
+
+    /** Starts from impulses that are known nearly. */
+    void start(int p, double normal, double tangential) {
+        data[STRIDE * p + IMPULSE_N] = normal;
+        data[STRIDE * p + IMPULSE_T] = tangential;
+    }
+
+    double normalImpulse(int p) {
+        return data[STRIDE * p + IMPULSE_N];
+    }
+
+    double tangentImpulse(int p) {
+        return data[STRIDE * p + IMPULSE_T];
+    }
+
+    double normal(int p) {
+        return normal(p, v);
+    }
+
+    double tangent(int p) {
+        return tangent(p, v);
+    }
+
+    /** Normal velocity of a point. */
+    double normal(int p, double[] v) {
+        return rows.normal(p, v);
+    }
+
+    /** Tangential velocity of a point. */
+    double tangent(int p, double[] v) {
+        return rows.tangent(p, v);
+    }
+
+    int bodyCount() {
+        return count;
+    }
+
+    /** Whether a point's normal row is an equation now, and its tangential one. */
+    boolean isClosed(int p) {
+        double impulse = data[STRIDE * p + IMPULSE_N];
+        boolean isBetween = impulse > data[STRIDE * p + LEAST] && impulse < data[STRIDE * p + MOST];
+        return isBetween && data[STRIDE * p + MOBILITY_N] < Double.POSITIVE_INFINITY;
+    }
+
+    boolean isStuck(int p) {
+        double most = data[STRIDE * p + FRICTION] * data[STRIDE * p + IMPULSE_N];
+        return Math.abs(data[STRIDE * p + IMPULSE_T]) < most;
+    }
+
+    double friction(int p) {
+        return data[STRIDE * p + FRICTION];
+    }
+
+    double normalMobility(int p) {
+        return data[STRIDE * p + MOBILITY_N];
+    }
+
+    double tangentMobility(int p) {
+        return data[STRIDE * p + MOBILITY_T];
+    }
+
+    /** Adds to a point's impulses, but not to the velocities. */
+    void addImpulse(int p, double jn, double jt) {
+        data[STRIDE * p + IMPULSE_N] += jn;
+        data[STRIDE * p + IMPULSE_T] += jt;
+    }
+
+    void apply(int p, double jn, double jt) {
+        push(p, jn, jt, v);
+    }
+
+    /** Adds what a point's impulses do to velocities. */
+    void push(int p, double jn, double jt, double[] v) {
+        if (replies == null || !replies.push(2 * p + 1, jn, jt, v)) {
+            rows.pushSecond(p, jn, jt, w, v);
+        }
+        if (replies == null || !replies.push(2 * p, jn, jt, v)) {
+            rows.pushFirst(p, jn, jt, w, v);
+        }
+    }
+
+    /** Takes from the velocities what the points' impulses do. */
+    void unpush() {
+        for (int p = 0; p < points; p++) {
+            push(p, -data[STRIDE * p + IMPULSE_N], -data[STRIDE * p + IMPULSE_T], v);
+        }
+    }
+
+    /** Adds what all contacts' impulses would do to bodies that nothing ties. */
+    void pushAlone(double[] v) {
+        pushAlone(w, v);
+    }
+
+    private void pushAlone(double[] w, double[] v) {
+        for (int p = 0; p < contacts; p++) {
+            rows.pushSecond(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
+            rows.pushFirst(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
+        }
+    }
+
+    /**
+     * Solves for the impulses.
+     *
+     * @param scale speed beside which errors are judged
+     * @param regains whether points may have to part, for gaps that are too small
+     * @return whether the impulses are right or nearly so
+     */
+    boolean solve(double scale, boolean regains) {
+        begin(regains);
+        return solver.solve(this, scale, enough);
+    }
+
+    /** The same with little work. */
+    boolean solveInTurn(double scale) {
+        begin(true);
+        return solver.solveInTurn(this, scale, enough);
+    }
+
+    private void begin(boolean regains) {
+        if (free.length < v.length) {
+            free = new double[v.length];
+        }
+        if (regains) {
+            System.arraycopy(v, 0, free, 0, 3 * count);
+        } else {
+            System.arraycopy(free, 0, v, 0, 3 * count);
+        }
+        for (int p = 0; p < points; p++) {
+            int o = STRIDE * p;
+            if (!regains && !isMotor(p)) {
+                data[o + BOUND] = Math.min(0, data[o + BOUND]);
+            }
+        }
+    }
+
+    /** Adds to the velocities what all impulses do. */
+    void applyAll() {
+        for (int p = 0; p < points; p++) {
+            int o = STRIDE * p;
+            if (data[o + IMPULSE_N] != 0 || data[o + IMPULSE_T] != 0) {
+                apply(p, data[o + IMPULSE_N], data[o + IMPULSE_T]);
+            }
+        }
+    }
+
+    /** The velocities without impulses. */
+    double[] free() {
+        return free;
+    }
+}

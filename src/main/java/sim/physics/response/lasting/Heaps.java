@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import sim.physics.collision.CollisionDetection;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Motion;
+import sim.physics.motion.State;
+import sim.physics.motion.Ties;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Bodies that lie on one another: stacks, heaps, and what is jammed in a corner. Pairs whose bounces have become too many
+ * and too short in a step are <i>lasting</i>, until they part. At the start of each step the bodies that lasting pairs
+ * connect get the velocities with which none of these pairs is deeper than closed at its end (Moreau 1988, <i>Unilateral
+ * contact and dry friction in finite freedom dynamics</i>), and keep them for the step, unless something strikes them; so a
+ * heap costs some sweeps over its points in place of thousands of bounces. It is of first order in the step, where all else
+ * is exact. The search for impacts watches the bodies all the while, so that they do not penetrate here either.
+ *
+ * <p>What stands still is let be, exactly where it is.
+ */
+public final class Heaps implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /**
+     * Times that something may happen in a step to a driven body that moves alone before its pairs do not last any more:
+     * in a crowd bounces then cost less. What is tied to others may be given more of them.
+     */
+    private static final int MOST = 10;
+
+    private static final int MOST_TIED = 40;
+
+    /** The same for bodies that are not driven. */
+    private static final int MOST_OF_ALL = 2000;
+
+    /** Times that forces on it may be found in a step before that. */
+    private static final int MOST_ENDS = 40;
+
+    private static final int MOST_ENDS_TIED = 300;
+
+    /** Turn of driven bodies in a step, rad, up to which they may lie on something. */
+    private static final double CALM = 0.5;
+
+    private static final int NONE = -1;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final Motion motion;
+    private final CollisionDetection detection;
+    private final RestingContacts resting;
+    private final HeapBodies by = new HeapBodies();
+    private final Heap heap;
+    private final IntList members = new IntList();
+
+    /** Bodies to which something has happened, and those whose courses have changed. */
+    private final IntList dirty = new IntList();
+
+    private final IntList changed = new IntList();
+
+    /**
+     * Makes the heaps of an engine, none at first.
+     *
+     * @param state the state vectors
+     * @param trajectories the motion of the bodies
+     * @param motion says what forces give the bodies, and takes what contacts give them
+     * @param detection where the pairs come from
+     * @param points loads the points at which they touch
+     * @param resting lets go of bodies that come to lie in a heap
+     * @param ledger where it is noted what the points bear
+     */
+    public Heaps(
+            State state,
+            Trajectories trajectories,
+            Motion motion,
+            CollisionDetection detection,
+            ContactPoints points,
+            RestingContacts resting,
+            ContactLedger ledger) {
+        this.state = state;
+        this.trajectories = trajectories;
+        this.motion = motion;
+        this.detection = detection;
+        this.resting = resting;
+        this.heap = new Heap(state, trajectories, motion, detection, points, by, ledger);
+    }
+
+    /**
+     * Whether no body lies in a heap.
+     *
+     * @return true if there is nothing to do
+     */
+    public boolean isEmpty() {
+        return members.size == 0;
+    }
+
+    /**
+     * Whether a body lies in a heap.
+     *
+     * @param body index
+     * @return false for fixed bodies
+     */
+    public boolean has(int body) {
+        return by.has(body);
+    }
+
+    /**
+     * Bodies in heaps.
+     *
+     * @return live; some may not lie in one any more
+     */
+    public IntList members() {
+        return members;
+    }
+
+    /**
+     * Sets what ties bodies together.
+     *
+     * @param ties null for nothing
+     */
+    public void setTies(Ties ties) {
+        heap.setTies(ties);
+    }
+
+    /**
+     * Whether two bodies may lie on one another: driven ones not if they have been struck too often in this step.
+     *
+     * @param a index
+     * @param b index
+     * @return false also where forces couple them to others, or they turn too fast
+     */
+    public boolean mayLie(int a, int b) {
+        return mayLie(a) && mayLie(b);
+    }
+
+    private boolean mayLie(int body) {
+        if (trajectories.isDriven(body) && motion.groups().isCoupled(body)) {
+            return false;
+        }
+        boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
+        return !paused && (!isDriven(body) || isCalm(motion.companions(body), body));
+    }
+
+    /** Whether so much has happened to a body in this step that it is to lie on nothing. */
+    private boolean isTooOften(int body) {
+        if (!isDriven(body)) {
+            return by.turns[body] > MOST_OF_ALL; // on driven ones that cannot be stopped, as free heaps are
+        }
+        boolean tied = motion.isTied(body);
+        return by.turns[body] > (tied ? MOST_TIED : MOST) || by.ends[body] > (tied ? MOST_ENDS_TIED : MOST_ENDS);
+    }
+
+    /** Whether the integrator moves a body also when it lies on others. */
+    private boolean isDriven(int body) {
+        return trajectories.isDriven(body) && (motion.isTied(body) || !motion.ground().isRough());
+    }
+
+    /**
+     * Whether those of some bodies that move together which lie on something, or are to, turn so little in a step that forces
+     * may be constant for it.
+     */
+    private boolean isCalm(IntList group, int body) {
+        double most = 0;
+        for (int k = 0; k < group.size; k++) {
+            boolean round = heap.scales().isRound(group.values[k]);
+            double spin = trajectories.data()[group.values[k] * Trajectories.STRIDE + Trajectories.OMEGA];
+            boolean counts = !round && (group.values[k] == body || liesItself(group.values[k]));
+            most = Math.max(most, counts ? Math.abs(spin) : 0);
+        }
+        return most * trajectories.h() <= CALM;
+    }
+
+    /** Whether a body has a lasting pair, not only those that move with it. */
+    private boolean liesItself(int body) {
+        boolean yes = false;
+        for (int k = 0; k < detection.pairs().countOf(body) && !yes; k++) {
+            yes = lasts(detection.pairs().of(body, k));
+        }
+        return yes;
+    }
+
+    /** Ends the lasting of all pairs of a body, and of those that move with it, for some steps. */
+    private void giveUp(int body) {
+        if (!trajectories.isDriven(body)) {
+            by.giveUp(body, trajectories.step(), false);
+            motion.support(body, 0, 0, 0);
+            motion.ground().resume(body);
+            part(body);
+            return;
+        }
+        IntList group = motion.companions(body);
+        for (int k = 0; k < group.size; k++) {
+            int one = group.values[k];
+            by.giveUp(one, trajectories.step(), motion.isTied(one));
+            motion.support(one, 0, 0, 0);
+            part(one);
+        }
+    }
+
+    /**
+     * Whether a pair lasts.
+     *
+     * @param pair number of the pair
+     * @return false also if it is ignored
+     */
+    public boolean lasts(int pair) {
+        return heap.lasts(pair);
+    }
+
+    /**
+     * What forces press two bodies together at most.
+     *
+     * @param a index
+     * @param b index
+     * @return an acceleration
+     */
+    public double pull(int a, int b) {
+        return heap.pull(a) + heap.pull(b);
+    }
+
+    /**
+     * Radius of the smaller one of two bodies, of which one may be fixed.
+     *
+     * @param a index
+     * @param b index
+     * @return length
+     */
+    public double size(int a, int b) {
+        return heap.scales().size(a, b);
+    }
+
+    /**
+     * Lets a pair last.
+     *
+     * @param pair number of the pair
+     */
+    public void add(int pair) {
+        heap.begin(pair);
+        join(detection.pairs().first(pair));
+        join(detection.pairs().second(pair));
+    }
+
+    /**
+     * Ends a pair's lasting.
+     *
+     * @param pair number of the pair
+     */
+    public void end(int pair) {
+        heap.end(pair);
+    }
+
+    private void join(int body) {
+        by.ensure(body);
+        if (state.body(body).isFixed()) {
+            return;
+        }
+        if (!by.lies[body] && trajectories.isDriven(body)) {
+            IntList group = motion.companions(body);
+            for (int k = 0; k < group.size; k++) {
+                by.ensure(group.values[k]);
+                if (!by.lies[group.values[k]]) {
+                    by.lies[group.values[k]] = true;
+                    by.begin(group.values[k]);
+                    members.add(group.values[k]);
+                }
+            }
+        }
+        if (!by.lies[body]) {
+            by.lies[body] = true;
+            by.begin(body);
+            members.add(body);
+            for (int k = 0; k < detection.pairs().countOf(body); k++) {
+                if (detection.marks().isHeld(detection.pairs().of(body, k))) {
+                    add(detection.pairs().of(body, k)); // what it rests on bears it in the heap too
+                }
+            }
+            resting.forget(body);
+        }
+        mark(body);
+    }
+
+    private void mark(int body) {
+        by.isStill[body] = false;
+        if (!by.isDirty[body]) {
+            by.isDirty[body] = true;
+            dirty.add(body);
+        }
+    }
+
+    /** Begins a step: all heaps that move are to be solved. */
+    public void begin() {
+        int kept = 0;
+        for (int k = 0; k < members.size; k++) {
+            int body = members.values[k];
+            if (!by.lies[body] || state.body(body) == null) {
+                by.lies[body] = false;
+                continue;
+            }
+            members.values[kept++] = body;
+            by.begin(body);
+            if (!by.isStill[body]) {
+                mark(body);
+            }
+        }
+        members.size = kept;
+    }
+
+    /**
+     * Takes note that a body's velocity has changed at an impact, and with it its course.
+     *
+     * @param body index
+     */
+    public void struck(int body) {
+        if (!has(body)) {
+            return;
+        }
+        if (by.paidUntil[body] > 0 && !trajectories.isDriven(body)) {
+            heap.coast(body);
+        }
+        by.turns[body]++;
+        if (isTooOften(body)) {
+            giveUp(body);
+        } else {
+            mark(body);
+        }
+    }
+
+    /**
+     * Until when the velocity of a body in a heap was found.
+     *
+     * @param body index
+     * @return offset in the present step; infinite outside heaps
+     */
+    public double until(int body) {
+        return by.has(body) && by.paidUntil[body] > 0 ? by.paidUntil[body] : Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * Takes note that the path of a body has ended, or the time for which its velocity was found.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     */
+    public void again(int body, double tau) {
+        by.ends[body]++;
+        if (isTooOften(body)) {
+            giveUp(body);
+            changed.add(body);
+        } else if (!by.isDirty[body] && tau < by.paidUntil[body] && trajectories.isDriven(body) && heap.goesOn(body, tau)) {
+            changed.add(body);
+        } else {
+            mark(body);
+        }
+    }
+
+    /**
+     * Takes note that a lasting pair has closed within the step.
+     *
+     * @param pair number of the pair
+     * @return false if it is not to last any more
+     */
+    public boolean close(int pair) {
+        for (int side = 0; side < 2; side++) {
+            int body = side == 0 ? detection.pairs().first(pair) : detection.pairs().second(pair);
+            if (has(body)) {
+                by.turns[body]++;
+                by.hasClosed[body] = true;
+                mark(body);
+                changed.add(body); // to be looked at again in any case
+                if (isTooOften(body)) {
+                    giveUp(body);
+                }
+            }
+        }
+        return lasts(pair);
+    }
+
+    /**
+     * Lets go of a body that was written or leaves, and of all that lies on it.
+     *
+     * @param body index
+     */
+    public void forget(int body) {
+        if (members.size == 0 || !detection.knows(body)) {
+            return;
+        }
+        part(body);
+    }
+
+    private void part(int body) {
+        for (int k = 0; k < detection.pairs().countOf(body); k++) {
+            int pair = detection.pairs().of(body, k);
+            if (lasts(pair)) {
+                end(pair);
+                int other = detection.pairs().other(pair, body);
+                if (has(other)) {
+                    mark(other);
+                }
+            }
+        }
+        if (has(body)) {
+            by.lies[body] = false;
+            heap.thaw(body);
+        }
+    }
+
+    /**
+     * Solves the heaps in which something has happened.
+     *
+     * @param tau offset in the present step
+     * @return the bodies whose courses have changed, which the detection must be told of; valid until something else happens
+     */
+    public IntList settle(double tau) {
+        for (int k = 0; k < dirty.size; k++) {
+            int body = dirty.values[k];
+            if (by.lies[body] && trajectories.isDriven(body) && motion.groups().isCoupled(body)) {
+                part(body); // since it came to lie there a force has been added that couples bodies
+                motion.support(body, 0, 0, 0);
+                changed.add(body);
+            } else if (by.lies[body] && isDriven(body) && !isCalm(motion.companions(body), NONE)) {
+                giveUp(body);
+                changed.add(body);
+            } else if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {
+                heap.settle(body, tau, changed);
+            }
+            by.isDirty[body] = false;
+        }
+        dirty.clear();
+        return changed;
+    }
+
+    /** Forgets which courses have changed. */
+    public void told() {
+        changed.clear();
+    }
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Ground;
+import sim.physics.motion.Motion;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+
+/**
+ * Heaps with bodies that rub on the plane on which they lie: boxes that robots push, seen from above. The friction of the
+ * plane is solved for together with that of the contacts, as an impulse at the end of the solution's time (Moreau 1988), and
+ * then acts on the bodies evenly, as the contacts do: for that time they follow parabolas, and no integrator is needed.
+ *
+ * <p>A body that the plane can hold is as good as fixed. What slides is slowed down by the friction of the motion that it
+ * has in the end.
+ */
+final class RubbedHeap implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Times that the friction of the plane and the contacts are solved for by turns. */
+    private static final int TURNS = 8;
+
+    /** Times that are left at least after a body at rest has been torn off: in a row that is pushed one after the other is. */
+    private static final int MORE = 3;
+
+    /** Change of the friction of the plane, relative to itself, at which they are right. */
+    private static final double SAME = 3e-3;
+
+    /** Times that what turning and sliding take of gaps is looked at. */
+    private static final int RAISES = 2;
+
+    /** Speed of a body that is none, relative to that which the plane takes from it in the time. */
+    private static final double NONE = 1e-9;
+
+    private final Trajectories trajectories;
+    private final Motion motion;
+    private final HeapBodies by;
+    private final HeapSystem system;
+    private final HeapNotes notes;
+    private final BodyScale scales;
+    private final HeapGround ground;
+    private final HeapBends bends = new HeapBends();
+
+    /** Velocities at the start, without the heap at the end, and momenta that the contacts give; 3 per body. */
+    private double[] before = {};
+
+    private double[] free = {};
+    private double[] momenta = {};
+
+    RubbedHeap(Trajectories trajectories, Motion motion, HeapBodies by, HeapSystem system, HeapNotes notes, BodyScale scales) {
+        this.trajectories = trajectories;
+        this.motion = motion;
+        this.by = by;
+        this.system = system;
+        this.notes = notes;
+        this.scales = scales;
+        this.ground = new HeapGround(motion.ground());
+    }
+
+    HeapBends bends() {
+        return bends;
+    }
+
+    /** Takes from bodies what forces have given them for the time that is left. */
+    void unpay(IntList heap, double tau) {
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            by.unpay(body, tau, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX);
+            by.paidUntil[body] = 0;
+        }
+    }
+
+    /** Solves for the velocities at the end of a time; those of the start are in the system. */
+    boolean solve(IntList heap, double tau, double length, double scale) {
+        begin(heap, tau, length);
+        for (int p = 0; p < system.size(); p++) {
+            notes.start(p, length);
+        }
+        boolean right = true;
+        boolean raised = false;
+        System.arraycopy(free, 0, system.v, 0, 3 * heap.size); // a first guess of how they move
+        for (int turn = 0, turns = TURNS; turn < turns; turn++) {
+            system.momenta(momenta);
+            double change = ground.find(system, free, momenta);
+            if (turn > 0 && change <= SAME && !raised) {
+                break;
+            }
+            turns = ground.isNew() ? Math.max(turns, turn + 1 + MORE) : turns;
+            ground.apply(system, free);
+            right = system.solveInTurn(scale);
+            raised = turn < RAISES && bends.raise(system, before, length);
+        }
+        if (ground.stop(system)) {
+            ground.apply(system, free);
+            right = system.solveInTurn(scale);
+        }
+        return right;
+    }
+
+    private void begin(IntList heap, double tau, double length) {
+        int n = 3 * heap.size;
+        if (before.length < n) {
+            before = new double[2 * n];
+            free = new double[2 * n];
+            momenta = new double[2 * n];
+        }
+        System.arraycopy(system.v, 0, before, 0, n);
+        ground.begin(heap.size, length);
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            boolean rubs = motion.ground().rubs(body);
+            if (rubs && scales.speed(body, before, 3 * k) <= NONE * length * motion.ground().deceleration(body)) {
+                Arrays.fill(before, 3 * k, 3 * k + 3, 0); // the rounding of what has met it
+            }
+            motion.ground().accelerate(body, tau, free, 3 * k);
+            for (int c = 3 * k; c < 3 * k + 3; c++) {
+                free[c] = before[c] + length * free[c];
+            }
+            if (rubs) {
+                ground.enter(k, body, system, before, 3 * k);
+            }
+        }
+    }
+
+    /** Gives the bodies back the masses that they have. */
+    void end() {
+        ground.end(system);
+    }
+
+    /** Lets a body stop at once. */
+    void halt(int k) {
+        System.arraycopy(system.v, 3 * k, before, 3 * k, State.BLOCK);
+    }
+
+    /**
+     * Whether no body of the heap has moved, or does so now, or is pushed. Where generators of authors act this is not known
+     * beyond the solution: their forces may change with time, and nobody else would ask for them again.
+     */
+    boolean isStill(IntList heap) {
+        for (int k = 0; k < heap.size; k++) {
+            if (motion.ground().isDrivenByOthers(heap.values[k])) {
+                return false;
+            }
+        }
+        for (int k = 0; k < 3 * heap.size; k++) {
+            if (before[k] != 0 || system.v[k] != 0 || free[k] != 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Lets a body get its new velocity evenly over a time. */
+    void publish(int k, int body, double length, double[] fall) {
+        double[] d = trajectories.data();
+        System.arraycopy(before, 3 * k, d, body * Trajectories.STRIDE + Trajectories.VX, State.BLOCK);
+        motion.ground().carry(body);
+        motion.fall(body, fall, 0);
+        motion.support(
+                body,
+                (system.v[3 * k] - before[3 * k]) / length - fall[0],
+                (system.v[3 * k + 1] - before[3 * k + 1]) / length - fall[1],
+                (system.v[3 * k + 2] - before[3 * k + 2]) / length - fall[2]);
+    }
+}
