@@ -47,13 +47,13 @@ final class HungChain implements Serializable {
     private static final int SIN = 1;
     private static final int TURNING = 2;
 
-    /** σ L; the diagonal blocks, τ I + ι n⊥ n⊥ᵀ, as τ, τ + ι and ι; and σ L / J. */
+    /** σ L; the diagonal blocks, τ I + ι n⊥ n⊥ᵀ, as τ, τ + ι and ι; and their determinant. */
     static final int SWING = 3;
 
     static final int TAU = 4;
     static final int ALL = 5;
     static final int IOTA = 6;
-    static final int LEVER = 7;
+    static final int FULL = 7;
 
     /** Inverses of the eliminated blocks, without the sign beside the diagonal, and those times the right-hand sides. */
     private static final int P00 = 8;
@@ -63,35 +63,38 @@ final class HungChain implements Serializable {
     private static final int Z0 = 11;
     private static final int Z1 = 12;
 
-    /** Angle of n, but for quarter turns, and angular velocity at the start of a step; and those quarter turns. */
+    /** Angle of n, in parts of the table, but for quarter turns; angular velocity; both at the start; and those quarter turns. */
     private static final int BASE = 13;
 
     private static final int OMEGA = 14;
     static final int QUARTERS = 15;
 
+    /** σ L / J. */
+    static final int LEVER = 16;
+
     /** Angular accelerations of the first three stages. */
-    private static final int ALPHA = 16;
+    private static final int ALPHA = 17;
 
     /** The state at the start and at the end of a step. */
-    private static final int ANGLE = 19;
+    private static final int ANGLE = 20;
 
-    private static final int X = 20;
-    private static final int Y = 21;
-    private static final int U = 22;
-    private static final int V = 23;
+    private static final int X = 21;
+    private static final int Y = 22;
+    private static final int U = 23;
+    private static final int V = 24;
 
     /** L, of either sign; from the near pin to the centre of mass, along n; mass and moment of inertia. */
-    static final int LENGTH = 24;
+    static final int LENGTH = 25;
 
-    static final int REACH = 25;
-    static final int MASS = 26;
-    static final int INERTIA = 27;
+    static final int REACH = 26;
+    static final int MASS = 27;
+    static final int INERTIA = 28;
 
     /** What the turn from the axis of the link to n is beyond quarter turns, with cosine and sine. */
-    static final int REST = 28;
+    static final int REST = 29;
 
-    static final int REST_COS = 29;
-    static final int REST_SIN = 30;
+    static final int REST_COS = 30;
+    static final int REST_SIN = 31;
 
     private final PinTree tree;
     private final int links;
@@ -135,7 +138,7 @@ final class HungChain implements Serializable {
     /** Turns n to where the angle has it. */
     private void point(int o) {
         double[] l = link;
-        l[o + BASE] = l[o + ANGLE] + l[o + REST];
+        l[o + BASE] = SineTable.parts(l[o + ANGLE] + l[o + REST]);
         SineTable.direct(l[o + ANGLE], l[o + QUARTERS], l, o + COS);
         if (l[o + REST] != 0) {
             double c = l[o + COS];
@@ -159,7 +162,16 @@ final class HungChain implements Serializable {
         return roughness;
     }
 
-    /** Eliminates the links from both ends, and solves for the one in the middle. */
+    /**
+     * Eliminates the links from both ends, and solves for the one in the middle. With E a block as it is without its
+     * neighbours, D′ the one eliminated before it, and δ for determinants, D = E − D′⁻¹ has
+     *
+     * <pre>
+     *   δ = δ_E − (E₀₀ D′₀₀ + E₁₁ D′₁₁ + 2 E₀₁ D′₀₁ − 1) / δ′
+     * </pre>
+     *
+     * <p>so that each division waits for little more than the one before it.
+     */
     private void eliminate(double gx, double gy) {
         double[] l = link;
         double a00 = 0; // what the link before it leaves in a block, without the sign beside the diagonal, and in its right side
@@ -167,6 +179,10 @@ final class HungChain implements Serializable {
         double a11 = 0;
         double x0 = first * gx;
         double x1 = first * gy;
+        double c00 = 0; // its block, and 1/δ
+        double c01 = 0;
+        double c11 = 0;
+        double perA = 0;
         int q = eliminateOdd();
         int odd = q + STRIDE;
         boolean isOdd = odd < l.length;
@@ -175,20 +191,28 @@ final class HungChain implements Serializable {
         double b11 = isOdd ? l[odd + P11] : 0;
         double y0 = isOdd ? l[odd + Z0] : 0;
         double y1 = isOdd ? l[odd + Z1] : 0;
+        double perB = isOdd ? 1 / l[odd + FULL] : 0;
+        double d00 = isOdd ? b11 * l[odd + FULL] : 0;
+        double d01 = isOdd ? b01 * l[odd + FULL] : 0;
+        double d11 = isOdd ? b00 * l[odd + FULL] : 0;
         for (int o = 0; o < middle; o += STRIDE, q -= STRIDE) {
             double c = l[o + COS];
             double s = l[o + SIN];
             double across = l[o + IOTA] * s;
             double square = l[o + TURNING] * l[o + TURNING] * l[o + SWING];
-            double d00 = l[o + TAU] + across * s - a00;
-            double d11 = l[o + ALL] - across * s - a11;
-            double d01 = a01 - across * c;
+            double e00 = l[o + TAU] + across * s;
+            double e11 = l[o + ALL] - across * s;
+            double e01 = across * c;
+            double both = e01 * c01;
+            perA = 1 / (l[o + FULL] - perA * (e00 * c00 - both + (e11 * c11 - both) - 1));
+            c00 = e00 - a00;
+            c11 = e11 - a11;
+            c01 = a01 - e01;
             double f0 = square * c + x0;
             double f1 = square * s + x1;
-            double per = 1 / (d00 * d11 - d01 * d01);
-            a00 = d11 * per;
-            a11 = d00 * per;
-            a01 = d01 * per;
+            a00 = c11 * perA;
+            a11 = c00 * perA;
+            a01 = c01 * perA;
             x0 = a00 * f0 - a01 * f1;
             x1 = a11 * f1 - a01 * f0;
             l[o + P00] = a00;
@@ -200,15 +224,19 @@ final class HungChain implements Serializable {
             s = l[q + SIN];
             across = l[q + IOTA] * s;
             square = l[q + TURNING] * l[q + TURNING] * l[q + SWING];
-            d00 = l[q + TAU] + across * s - b00;
-            d11 = l[q + ALL] - across * s - b11;
-            d01 = b01 - across * c;
+            e00 = l[q + TAU] + across * s;
+            e11 = l[q + ALL] - across * s;
+            e01 = across * c;
+            both = e01 * d01;
+            perB = 1 / (l[q + FULL] - perB * (e00 * d00 - both + (e11 * d11 - both) - 1));
+            d00 = e00 - b00;
+            d11 = e11 - b11;
+            d01 = b01 - e01;
             f0 = square * c + y0;
             f1 = square * s + y1;
-            per = 1 / (d00 * d11 - d01 * d01);
-            b00 = d11 * per;
-            b11 = d00 * per;
-            b01 = d01 * per;
+            b00 = d11 * perB;
+            b11 = d00 * perB;
+            b01 = d01 * perB;
             y0 = b00 * f0 - b01 * f1;
             y1 = b11 * f1 - b01 * f0;
             l[q + P00] = b00;
@@ -229,13 +257,10 @@ final class HungChain implements Serializable {
             double s = l[o + SIN];
             double across = l[o + IOTA] * s;
             double square = l[o + TURNING] * l[o + TURNING] * l[o + SWING];
-            double d00 = l[o + TAU] + across * s;
-            double d11 = l[o + ALL] - across * s;
-            double d01 = -across * c;
-            double per = 1 / (d00 * d11 - d01 * d01);
-            l[o + P00] = d11 * per;
-            l[o + P01] = d01 * per;
-            l[o + P11] = d00 * per;
+            double per = 1 / l[o + FULL];
+            l[o + P00] = (l[o + ALL] - across * s) * per;
+            l[o + P01] = -across * c * per;
+            l[o + P11] = (l[o + TAU] + across * s) * per;
             l[o + Z0] = square * (l[o + P00] * c - l[o + P01] * s);
             l[o + Z1] = square * (l[o + P11] * s - l[o + P01] * c);
             o -= STRIDE;
@@ -266,18 +291,19 @@ final class HungChain implements Serializable {
      */
     private void accelerate(int stage, double c) {
         double[] l = link;
+        double way = SineTable.parts(c);
         double x0 = middle0;
         double x1 = middle1;
         double y0 = x0;
         double y1 = x1;
         boolean isLong = links > FADING;
-        accelerate(middle, x0, x1, stage, c);
+        accelerate(middle, x0, x1, stage, c, way);
         int q = middle + STRIDE;
         for (int o = middle - STRIDE; o >= 0; o -= STRIDE, q += STRIDE) {
             double w0 = l[o + Z0] - l[o + P01] * x1 + l[o + P00] * x0;
             x1 = l[o + Z1] - l[o + P01] * x0 + l[o + P11] * x1;
             x0 = w0;
-            accelerate(o, x0, x1, stage, c);
+            accelerate(o, x0, x1, stage, c, way);
             w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
             y1 = l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1;
             y0 = w0;
@@ -285,21 +311,21 @@ final class HungChain implements Serializable {
                 y0 = Math.abs(y0) < nothing ? 0 : y0;
                 y1 = Math.abs(y1) < nothing ? 0 : y1;
             }
-            accelerate(q, y0, y1, stage, c);
+            accelerate(q, y0, y1, stage, c, way);
         }
         if (q < l.length) {
             double w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
-            accelerate(q, w0, l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1, stage, c);
+            accelerate(q, w0, l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1, stage, c, way);
         }
     }
 
-    private void accelerate(int o, double g0, double g1, int stage, double c) {
+    private void accelerate(int o, double g0, double g1, int stage, double c, double way) {
         double[] l = link;
         double alpha = l[o + LEVER] * (l[o + COS] * g1 - l[o + SIN] * g0);
-        double turned = l[o + BASE] + c * l[o + TURNING];
+        double turned = l[o + BASE] + way * l[o + TURNING];
         l[o + ALPHA + stage] = alpha;
         l[o + TURNING] = l[o + OMEGA] + c * alpha;
-        SineTable.direct(turned, l[o + QUARTERS], l, o + COS); // (45), (46)
+        SineTable.directParts(turned, l[o + QUARTERS], l, o + COS); // (45), (46)
     }
 
     /** The same at the last stage, and the links at the end of the step, (13). */
