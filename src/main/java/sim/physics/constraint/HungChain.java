@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.internal.SineTable;
 import sim.physics.motion.State;
 
@@ -72,35 +73,41 @@ final class HungChain implements Serializable {
     /** σ L / J. */
     static final int LEVER = 16;
 
-    /** Angular accelerations of the first three stages. */
+    /** Angular accelerations of the stages. */
     private static final int ALPHA = 17;
 
-    /** The state at the start and at the end of a step. */
-    private static final int ANGLE = 20;
-
-    private static final int X = 21;
-    private static final int Y = 22;
-    private static final int U = 23;
-    private static final int V = 24;
+    private static final int LAST = ALPHA + 3;
 
     /** L, of either sign; from the near pin to the centre of mass, along n; mass and moment of inertia. */
-    static final int LENGTH = 25;
+    static final int LENGTH = 21;
 
-    static final int REACH = 26;
-    static final int MASS = 27;
-    static final int INERTIA = 28;
+    static final int REACH = 22;
+    static final int MASS = 23;
+    static final int INERTIA = 24;
+
+    /** Angle at the start and at the end of a step. */
+    private static final int ANGLE = 28;
 
     /** What the turn from the axis of the link to n is beyond quarter turns, with cosine and sine. */
-    static final int REST = 29;
+    static final int REST = 25;
 
-    static final int REST_COS = 30;
-    static final int REST_SIN = 31;
+    static final int REST_COS = 26;
+    static final int REST_SIN = 27;
 
     private final PinTree tree;
     private final int links;
 
     /** By link. */
     private final double[] link;
+
+    /** By link, as blocks of the state vectors: the state at the end of the last step, if {@code isAtEnd}. */
+    private final double[] endX;
+
+    private final double[] endV;
+    private boolean isAtEnd;
+
+    /** Whether the blocks lie in the state vectors as they do here. */
+    private final boolean isRow;
 
     /** Where the link in the middle lies among them, and its unknown. */
     private final int middle;
@@ -111,8 +118,6 @@ final class HungChain implements Serializable {
     /** σ of the first link. */
     private final double first;
 
-    private double roughness;
-
     /** Unknowns below this are none. */
     private double nothing;
 
@@ -122,7 +127,13 @@ final class HungChain implements Serializable {
         link = new double[STRIDE * links];
         middle = STRIDE * ((links - 1) / 2);
         first = HungMasses.first(tree);
-        forget(); // a state of zeros is no end of a step
+        endX = new double[State.BLOCK * links];
+        endV = new double[State.BLOCK * links];
+        boolean row = true;
+        for (int k = 0; k < links; k++) {
+            row &= tree.block[k] == tree.block[0] + State.BLOCK * k;
+        }
+        isRow = row;
     }
 
     /**
@@ -135,12 +146,14 @@ final class HungChain implements Serializable {
         return chain != null && HungMasses.weigh(chain.link, tree) ? chain : null;
     }
 
-    /** Turns n to where the angle has it. */
-    private void point(int o) {
+    /** Turns n to where an angle has it at the end of a step, and takes note of it. */
+    private void point(int o, double angle) {
         double[] l = link;
-        l[o + BASE] = SineTable.parts(l[o + ANGLE] + l[o + REST]);
-        SineTable.direct(l[o + ANGLE], l[o + QUARTERS], l, o + COS);
-        if (l[o + REST] != 0) {
+        double rest = l[o + REST];
+        l[o + ANGLE] = angle;
+        l[o + BASE] = SineTable.parts(angle + rest);
+        SineTable.direct(angle, l[o + QUARTERS], l, o + COS);
+        if (rest != 0) {
             double c = l[o + COS];
             double s = l[o + SIN];
             l[o + COS] = l[o + REST_COS] * c - l[o + REST_SIN] * s;
@@ -148,8 +161,16 @@ final class HungChain implements Serializable {
         }
     }
 
-    /** A step, (13); returns its roughness, see {@link PinTree#roughness}. */
-    double step(double gx, double gy, double h) {
+    /** The same within a step, where places are not asked for: as at its stages. */
+    private void pointOnTheWay(int o, double angle) {
+        double base = SineTable.parts(angle + link[o + REST]);
+        link[o + ANGLE] = angle;
+        link[o + BASE] = base;
+        SineTable.directParts(base, link[o + QUARTERS], link, o + COS);
+    }
+
+    /** A step, (13), or a part of one that is not its last; returns its roughness, see {@link PinTree#roughness}. */
+    double step(double gx, double gy, double h, boolean isLast) {
         nothing = NOTHING * first * (Math.abs(gx) + Math.abs(gy));
         eliminate(gx, gy);
         accelerate(0, 0.5 * h);
@@ -158,8 +179,8 @@ final class HungChain implements Serializable {
         eliminate(gx, gy);
         accelerate(2, h);
         eliminate(gx, gy);
-        finish(h);
-        return roughness;
+        accelerate();
+        return finish(h, isLast);
     }
 
     /**
@@ -203,8 +224,7 @@ final class HungChain implements Serializable {
             double e00 = l[o + TAU] + across * s;
             double e11 = l[o + ALL] - across * s;
             double e01 = across * c;
-            double both = e01 * c01;
-            perA = 1 / (l[o + FULL] - perA * (e00 * c00 - both + (e11 * c11 - both) - 1));
+            perA = 1 / (l[o + FULL] - perA * (e00 * c00 + e11 * c11 - (2 * e01 * c01 + 1)));
             c00 = e00 - a00;
             c11 = e11 - a11;
             c01 = a01 - e01;
@@ -227,8 +247,7 @@ final class HungChain implements Serializable {
             e00 = l[q + TAU] + across * s;
             e11 = l[q + ALL] - across * s;
             e01 = across * c;
-            both = e01 * d01;
-            perB = 1 / (l[q + FULL] - perB * (e00 * d00 - both + (e11 * d11 - both) - 1));
+            perB = 1 / (l[q + FULL] - perB * (e00 * d00 + e11 * d11 - (2 * e01 * d01 + 1)));
             d00 = e00 - b00;
             d11 = e11 - b11;
             d01 = b01 - e01;
@@ -328,22 +347,21 @@ final class HungChain implements Serializable {
         SineTable.directParts(turned, l[o + QUARTERS], l, o + COS); // (45), (46)
     }
 
-    /** The same at the last stage, and the links at the end of the step, (13). */
-    private void finish(double h) {
+    /** The angular accelerations at the last stage. */
+    private void accelerate() {
         double[] l = link;
         double x0 = middle0;
         double x1 = middle1;
         double y0 = x0;
         double y1 = x1;
         boolean isLong = links > FADING;
-        roughness = 0;
-        finish(middle, x0, x1, h);
+        accelerate(middle, x0, x1);
         int q = middle + STRIDE;
         for (int o = middle - STRIDE; o >= 0; o -= STRIDE, q += STRIDE) {
             double w0 = l[o + Z0] - l[o + P01] * x1 + l[o + P00] * x0;
             x1 = l[o + Z1] - l[o + P01] * x0 + l[o + P11] * x1;
             x0 = w0;
-            finish(o, x0, x1, h);
+            accelerate(o, x0, x1);
             w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
             y1 = l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1;
             y0 = w0;
@@ -351,55 +369,76 @@ final class HungChain implements Serializable {
                 y0 = Math.abs(y0) < nothing ? 0 : y0;
                 y1 = Math.abs(y1) < nothing ? 0 : y1;
             }
-            finish(q, y0, y1, h);
+            accelerate(q, y0, y1);
         }
         if (q < l.length) {
             double w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
-            finish(q, w0, l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1, h);
+            accelerate(q, w0, l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1);
         }
     }
 
-    private void finish(int o, double g0, double g1, double h) {
+    private void accelerate(int o, double g0, double g1) {
+        link[o + LAST] = link[o + LEVER] * (link[o + COS] * g1 - link[o + SIN] * g0);
+    }
+
+    /** The links at the end of the step, (13). */
+    private double finish(double h, boolean isLast) {
         double[] l = link;
-        double last = l[o + LEVER] * (l[o + COS] * g1 - l[o + SIN] * g0);
-        double before = l[o + OMEGA];
-        double one = l[o + ALPHA];
-        double two = l[o + ALPHA + 1];
-        double three = l[o + ALPHA + 2];
-        double sum = two + three;
-        double rough = Math.abs(one - sum + last) + Math.abs(two - three);
-        if (!(rough <= roughness && Math.abs(h * before) <= HALF_TURN)) { // seldom; a maximum would make each wait for the last
-            roughness = rough >= 0 && Math.abs(h * before) <= HALF_TURN ? rough : Double.POSITIVE_INFINITY; // NaN stays
-        }
         double sixth = h / 6;
-        l[o + ANGLE] = l[o + ANGLE] + h * (before + sixth * (one + sum));
-        l[o + OMEGA] = before + sixth * (one + 2 * sum + last);
-        l[o + TURNING] = l[o + OMEGA];
-        point(o);
+        double fastest = HALF_TURN / Math.abs(h);
+        double roughest = 0;
+        for (int o = 0; o < l.length; o += STRIDE) {
+            double before = l[o + OMEGA];
+            double one = l[o + ALPHA];
+            double two = l[o + ALPHA + 1];
+            double three = l[o + ALPHA + 2];
+            double last = l[o + LAST];
+            double inner = two + three;
+            double rough = Math.abs(one - inner + last) + Math.abs(two - three);
+            if (!(rough <= roughest && Math.abs(before) <= fastest)) { // seldom; a maximum would make each wait for the last
+                roughest = rough >= 0 && Math.abs(before) <= fastest ? rough : Double.POSITIVE_INFINITY; // NaN stays
+            }
+            double sum = one + inner;
+            double after = before + sixth * (sum + (inner + last));
+            double angle = l[o + ANGLE] + h * (before + sixth * sum);
+            l[o + OMEGA] = after;
+            l[o + TURNING] = after;
+            if (isLast) {
+                point(o, angle);
+            } else {
+                pointOnTheWay(o, angle);
+            }
+        }
+        return roughest;
     }
 
     /** Where the angles say that the links are, and how fast they move at the end of a step; (42), (43). */
     void place() {
         double[] l = link;
+        double[] x = endX;
+        double[] v = endV;
         double px = tree.places.hangsAtX();
         double py = tree.places.hangsAtY();
         double pu = 0;
         double pv = 0;
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
+        for (int b = 0, o = 0; o < l.length; b += State.BLOCK, o += STRIDE) {
             double c = l[o + COS];
             double s = l[o + SIN];
             double turn = l[o + OMEGA];
             double near = l[o + REACH];
             double far = l[o + LENGTH];
-            l[o + X] = px + near * c;
-            l[o + Y] = py + near * s;
-            l[o + U] = pu - turn * (near * s);
-            l[o + V] = pv + turn * (near * c);
+            x[b] = px + near * c;
+            x[b + 1] = py + near * s;
+            x[b + 2] = l[o + ANGLE];
+            v[b] = pu - turn * (near * s);
+            v[b + 1] = pv + turn * (near * c);
+            v[b + 2] = turn;
             px += far * c;
             py += far * s;
             pu -= turn * (far * s);
             pv += turn * (far * c);
         }
+        isAtEnd = true;
     }
 
     /**
@@ -412,28 +451,31 @@ final class HungChain implements Serializable {
      */
     boolean restoreEnergy(State state, double gx, double gy) {
         double[] l = link;
+        double[] x = endX;
+        double[] v = endV;
         double[] x0 = state.x();
         double[] v0 = state.v();
         double kinetic = 0;
         double growth = 0;
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
+        for (int k = 0, o = 0, e = 0; k < links; k++, o += STRIDE, e += State.BLOCK) {
             int b = tree.block[k];
             double m = l[o + MASS];
-            double turn = l[o + OMEGA];
-            kinetic += m * (l[o + U] * l[o + U] + l[o + V] * l[o + V]) + l[o + INERTIA] * turn * turn;
-            growth += m * ((l[o + U] - v0[b]) * (l[o + U] + v0[b]) + (l[o + V] - v0[b + 1]) * (l[o + V] + v0[b + 1]))
+            double turn = v[e + 2];
+            kinetic += m * (v[e] * v[e] + v[e + 1] * v[e + 1]) + l[o + INERTIA] * turn * turn;
+            growth += m * ((v[e] - v0[b]) * (v[e] + v0[b]) + (v[e + 1] - v0[b + 1]) * (v[e + 1] + v0[b + 1]))
                     + l[o + INERTIA] * (turn - v0[b + 2]) * (turn + v0[b + 2])
-                    - 2 * m * (gx * (l[o + X] - x0[b]) + gy * (l[o + Y] - x0[b + 1]));
+                    - 2 * m * (gx * (x[e] - x0[b]) + gy * (x[e + 1] - x0[b + 1]));
         }
         if (!(Math.abs(growth) <= WRONG * kinetic)) {
             return false;
         }
         double scale = Math.sqrt(1 - growth / kinetic);
-        for (int o = 0; kinetic > 0 && o < l.length; o += STRIDE) {
-            l[o + U] *= scale;
-            l[o + V] *= scale;
-            l[o + OMEGA] *= scale;
-            l[o + TURNING] *= scale;
+        for (int o = 0, e = 0; kinetic > 0 && o < l.length; o += STRIDE, e += State.BLOCK) {
+            v[e] *= scale;
+            v[e + 1] *= scale;
+            v[e + 2] *= scale;
+            l[o + OMEGA] = v[e + 2];
+            l[o + TURNING] = v[e + 2];
         }
         return true;
     }
@@ -441,32 +483,33 @@ final class HungChain implements Serializable {
     /** Takes a state over. */
     void begin(State state) {
         double[] l = link;
-        double[] from = state.x();
-        double[] rates = state.v();
+        double[] x = state.x();
+        double[] v = state.v();
         for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
             int b = tree.block[k];
-            l[o + X] = from[b];
-            l[o + Y] = from[b + 1];
-            l[o + ANGLE] = from[b + 2];
-            l[o + U] = rates[b];
-            l[o + V] = rates[b + 1];
-            l[o + OMEGA] = rates[b + 2];
-            l[o + TURNING] = l[o + OMEGA];
-            point(o);
+            System.arraycopy(x, b, endX, State.BLOCK * k, State.BLOCK);
+            System.arraycopy(v, b, endV, State.BLOCK * k, State.BLOCK);
+            l[o + OMEGA] = v[b + 2];
+            l[o + TURNING] = v[b + 2];
+            point(o, x[b + 2]);
         }
+        isAtEnd = true;
     }
 
     /** Whether a state is, to the bit, that of the end of the last step. */
     boolean isAt(State state) {
-        double[] l = link;
-        double[] other = state.x();
-        double[] rates = state.v();
+        return isAtEnd && isAt(endX, state.x()) && isAt(endV, state.v());
+    }
+
+    private boolean isAt(double[] end, double[] now) {
+        int b = tree.block[0];
+        if (isRow) {
+            return Arrays.equals(end, 0, end.length, now, b, b + end.length);
+        }
         long different = 0;
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
-            int b = tree.block[k];
-            different |= bits(l[o + X]) ^ bits(other[b]) | bits(l[o + U]) ^ bits(rates[b]);
-            different |= bits(l[o + Y]) ^ bits(other[b + 1]) | bits(l[o + V]) ^ bits(rates[b + 1]);
-            different |= bits(l[o + ANGLE]) ^ bits(other[b + 2]) | bits(l[o + OMEGA]) ^ bits(rates[b + 2]);
+        for (int k = 0, e = 0; k < links; k++, e += State.BLOCK) {
+            b = tree.block[k];
+            different |= bits(end[e]) ^ bits(now[b]) | bits(end[e + 1]) ^ bits(now[b + 1]) | bits(end[e + 2]) ^ bits(now[b + 2]);
         }
         return different == 0;
     }
@@ -477,22 +520,25 @@ final class HungChain implements Serializable {
 
     /** Lets the next state be one that is not where the last step ended. */
     void forget() {
-        link[X] = Double.NaN;
+        isAtEnd = false;
     }
 
     /** Writes where the links are into the state vectors. */
     void scatter(State state) {
-        double[] l = link;
-        double[] to = state.x();
-        double[] rates = state.v();
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
+        scatter(endX, state.x());
+        scatter(endV, state.v());
+    }
+
+    private void scatter(double[] end, double[] to) {
+        if (isRow) {
+            System.arraycopy(end, 0, to, tree.block[0], end.length);
+            return;
+        }
+        for (int k = 0, e = 0; k < links; k++, e += State.BLOCK) {
             int b = tree.block[k];
-            to[b] = l[o + X];
-            to[b + 1] = l[o + Y];
-            to[b + 2] = l[o + ANGLE];
-            rates[b] = l[o + U];
-            rates[b + 1] = l[o + V];
-            rates[b + 2] = l[o + OMEGA];
+            to[b] = end[e];
+            to[b + 1] = end[e + 1];
+            to[b + 2] = end[e + 2];
         }
     }
 }

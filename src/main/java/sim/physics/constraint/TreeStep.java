@@ -228,7 +228,7 @@ final class TreeStep implements Serializable {
             tree.places.locate();
         }
         for (int k = 0; k < parts; k++) {
-            if (!isSmooth(part, step(gx, gy, part), most)) {
+            if (!isSmooth(part, step(gx, gy, part, k == parts - 1), most)) {
                 return false;
             }
         }
@@ -244,9 +244,9 @@ final class TreeStep implements Serializable {
     }
 
     /** RK4, (13), under a uniform field; returns how rough it was. */
-    private double step(double gx, double gy, double h) {
+    private double step(double gx, double gy, double h, boolean isLast) {
         if (hung != null) {
-            return hung.step(gx, gy, h);
+            return hung.step(gx, gy, h, isLast);
         }
         tree.eliminate(gx, gy);
         tree.accelerate(0, 0.5 * h);
