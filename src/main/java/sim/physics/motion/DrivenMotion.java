@@ -237,7 +237,7 @@ final class DrivenMotion implements Serializable {
         if (!isFresh || !tied.leap(motion, group, motion.time(0), h, path)) {
             return false;
         }
-        trajectories.lead(group, 1 / h, state);
+        GroupPaths.lead(trajectories, group, 1 / h, state);
         for (int k = 0; k < group.size; k++) {
             int body = group.values[k];
             endAt[body] = h;

@@ -60,15 +60,7 @@ final class PathError implements Serializable {
 
     /** The fourth power of the angle by which the fastest body turns. */
     double fourthTurn(IntList group, double length) {
-        double[] m = trajectories.data();
-        double most = 0;
-        for (int k = 0; k < group.size; k++) {
-            double omega = Math.abs(m[Trajectories.STRIDE * group.values[k] + Trajectories.OMEGA]);
-            if (!(omega <= most)) { // seldom; a maximum would make each wait for the last
-                most = omega;
-            }
-        }
-        double turn = length * most;
+        double turn = length * GroupPaths.fastestTurn(trajectories, group);
         return turn * turn * turn * turn;
     }
 }
