@@ -3,7 +3,6 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import sim.physics.internal.SineTable;
 import sim.physics.motion.State;
 
@@ -27,9 +26,6 @@ import sim.physics.motion.State;
 final class HungChain implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** What the energy may be off by after a step, relative to the kinetic energy; a step that is off by more was too long. */
-    private static final double WRONG = 0.05;
-
     /** What a field does to links far away fades from link to link; below this part of it numbers would soon be denormal. */
     private static final double NOTHING = 0x1p-200;
 
@@ -43,10 +39,10 @@ final class HungChain implements Serializable {
     static final int STRIDE = 32;
 
     /** At a stage: n and the angular velocity. */
-    private static final int COS = 0;
+    static final int COS = 0;
 
-    private static final int SIN = 1;
-    private static final int TURNING = 2;
+    static final int SIN = 1;
+    static final int TURNING = 2;
 
     /** σ L; the diagonal blocks, τ I + ι n⊥ n⊥ᵀ, as τ, τ + ι and ι; and their determinant. */
     static final int SWING = 3;
@@ -67,7 +63,7 @@ final class HungChain implements Serializable {
     /** Angle of n, in parts of the table, but for quarter turns; angular velocity; both at the start; and those quarter turns. */
     private static final int BASE = 13;
 
-    private static final int OMEGA = 14;
+    static final int OMEGA = 14;
     static final int QUARTERS = 15;
 
     /** σ L / J. */
@@ -86,7 +82,7 @@ final class HungChain implements Serializable {
     static final int INERTIA = 24;
 
     /** Angle at the start and at the end of a step. */
-    private static final int ANGLE = 28;
+    static final int ANGLE = 28;
 
     /** What the turn from the axis of the link to n is beyond quarter turns, with cosine and sine. */
     static final int REST = 25;
@@ -100,14 +96,8 @@ final class HungChain implements Serializable {
     /** By link. */
     private final double[] link;
 
-    /** By link, as blocks of the state vectors: the state at the end of the last step, if {@code isAtEnd}. */
-    private final double[] endX;
-
-    private final double[] endV;
-    private boolean isAtEnd;
-
-    /** Whether the blocks lie in the state vectors as they do here. */
-    private final boolean isRow;
+    /** Where they are at the end of a step. */
+    final HungEnds ends;
 
     /** Where the link in the middle lies among them, and its unknown. */
     private final int middle;
@@ -127,13 +117,7 @@ final class HungChain implements Serializable {
         link = new double[STRIDE * links];
         middle = STRIDE * ((links - 1) / 2);
         first = HungMasses.first(tree);
-        endX = new double[State.BLOCK * links];
-        endV = new double[State.BLOCK * links];
-        boolean row = true;
-        for (int k = 0; k < links; k++) {
-            row &= tree.block[k] == tree.block[0] + State.BLOCK * k;
-        }
-        isRow = row;
+        ends = new HungEnds(tree, link);
     }
 
     /**
@@ -412,133 +396,16 @@ final class HungChain implements Serializable {
         return roughest;
     }
 
-    /** Where the angles say that the links are, and how fast they move at the end of a step; (42), (43). */
-    void place() {
-        double[] l = link;
-        double[] x = endX;
-        double[] v = endV;
-        double px = tree.places.hangsAtX();
-        double py = tree.places.hangsAtY();
-        double pu = 0;
-        double pv = 0;
-        for (int b = 0, o = 0; o < l.length; b += State.BLOCK, o += STRIDE) {
-            double c = l[o + COS];
-            double s = l[o + SIN];
-            double turn = l[o + OMEGA];
-            double near = l[o + REACH];
-            double far = l[o + LENGTH];
-            x[b] = px + near * c;
-            x[b + 1] = py + near * s;
-            x[b + 2] = l[o + ANGLE];
-            v[b] = pu - turn * (near * s);
-            v[b + 1] = pv + turn * (near * c);
-            v[b + 2] = turn;
-            px += far * c;
-            py += far * s;
-            pu -= turn * (far * s);
-            pv += turn * (far * c);
-        }
-        isAtEnd = true;
-    }
-
-    /**
-     * Gives the chain the energy of the start of a step back, as {@link TreeEnergy} does.
-     *
-     * @param state at the start, while the links are at the end
-     * @param gx the field
-     * @param gy the field
-     * @return false if it is off by too much; then nothing is changed
-     */
-    boolean restoreEnergy(State state, double gx, double gy) {
-        double[] l = link;
-        double[] x = endX;
-        double[] v = endV;
-        double[] x0 = state.x();
-        double[] v0 = state.v();
-        double kinetic = 0;
-        double growth = 0;
-        for (int k = 0, o = 0, e = 0; k < links; k++, o += STRIDE, e += State.BLOCK) {
-            int b = tree.block[k];
-            double m = l[o + MASS];
-            double turn = v[e + 2];
-            kinetic += m * (v[e] * v[e] + v[e + 1] * v[e + 1]) + l[o + INERTIA] * turn * turn;
-            growth += m * ((v[e] - v0[b]) * (v[e] + v0[b]) + (v[e + 1] - v0[b + 1]) * (v[e + 1] + v0[b + 1]))
-                    + l[o + INERTIA] * (turn - v0[b + 2]) * (turn + v0[b + 2])
-                    - 2 * m * (gx * (x[e] - x0[b]) + gy * (x[e + 1] - x0[b + 1]));
-        }
-        if (!(Math.abs(growth) <= WRONG * kinetic)) {
-            return false;
-        }
-        double scale = Math.sqrt(1 - growth / kinetic);
-        for (int o = 0, e = 0; kinetic > 0 && o < l.length; o += STRIDE, e += State.BLOCK) {
-            v[e] *= scale;
-            v[e + 1] *= scale;
-            v[e + 2] *= scale;
-            l[o + OMEGA] = v[e + 2];
-            l[o + TURNING] = v[e + 2];
-        }
-        return true;
-    }
-
     /** Takes a state over. */
     void begin(State state) {
-        double[] l = link;
         double[] x = state.x();
         double[] v = state.v();
         for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
             int b = tree.block[k];
-            System.arraycopy(x, b, endX, State.BLOCK * k, State.BLOCK);
-            System.arraycopy(v, b, endV, State.BLOCK * k, State.BLOCK);
-            l[o + OMEGA] = v[b + 2];
-            l[o + TURNING] = v[b + 2];
+            link[o + OMEGA] = v[b + 2];
+            link[o + TURNING] = v[b + 2];
             point(o, x[b + 2]);
         }
-        isAtEnd = true;
-    }
-
-    /** Whether a state is, to the bit, that of the end of the last step. */
-    boolean isAt(State state) {
-        return isAtEnd && isAt(endX, state.x()) && isAt(endV, state.v());
-    }
-
-    private boolean isAt(double[] end, double[] now) {
-        int b = tree.block[0];
-        if (isRow) {
-            return Arrays.equals(end, 0, end.length, now, b, b + end.length);
-        }
-        long different = 0;
-        for (int k = 0, e = 0; k < links; k++, e += State.BLOCK) {
-            b = tree.block[k];
-            different |= bits(end[e]) ^ bits(now[b]) | bits(end[e + 1]) ^ bits(now[b + 1]) | bits(end[e + 2]) ^ bits(now[b + 2]);
-        }
-        return different == 0;
-    }
-
-    private static long bits(double value) {
-        return Double.doubleToRawLongBits(value);
-    }
-
-    /** Lets the next state be one that is not where the last step ended. */
-    void forget() {
-        isAtEnd = false;
-    }
-
-    /** Writes where the links are into the state vectors. */
-    void scatter(State state) {
-        scatter(endX, state.x());
-        scatter(endV, state.v());
-    }
-
-    private void scatter(double[] end, double[] to) {
-        if (isRow) {
-            System.arraycopy(end, 0, to, tree.block[0], end.length);
-            return;
-        }
-        for (int k = 0, e = 0; k < links; k++, e += State.BLOCK) {
-            int b = tree.block[k];
-            to[b] = end[e];
-            to[b + 1] = end[e + 1];
-            to[b + 2] = end[e + 2];
-        }
+        ends.take(state);
     }
 }

@@ -92,7 +92,7 @@ final class TreeStep implements Serializable {
         if (hung == null) {
             tree.places.scatter(state, PinTree.ANGLE, PinTree.OMEGA);
         } else {
-            hung.scatter(state);
+            hung.ends.scatter(state);
         }
         island.redundantRows = 0;
         if (isUnforced) {
@@ -111,7 +111,7 @@ final class TreeStep implements Serializable {
         island.invariants.restore(state, true);
         if (chain == null && !gather(state)) {
             tree.begin();
-        } else if (chain != null && !chain.isAt(state)) {
+        } else if (chain != null && !chain.ends.isAt(state)) {
             chain.begin(state);
         }
     }
@@ -165,7 +165,7 @@ final class TreeStep implements Serializable {
     }
 
     private boolean hang(State state) {
-        boolean isThere = hung.isAt(state);
+        boolean isThere = hung.ends.isAt(state);
         if (!isThere && follow(state)) {
             hung.begin(state);
             isThere = true;
@@ -204,7 +204,7 @@ final class TreeStep implements Serializable {
     private void forget(HungChain chain) {
         tree.forget();
         if (chain != null) {
-            chain.forget();
+            chain.ends.forget();
         }
     }
 
@@ -218,7 +218,7 @@ final class TreeStep implements Serializable {
     private boolean keepsEnergy(State state, double gx, double gy) {
         return tree.isFree
                 || worst < WATCHED
-                || (hung == null ? energy.restore(state, gx, gy) : hung.restoreEnergy(state, gx, gy))
+                || (hung == null ? energy.restore(state, gx, gy) : hung.ends.restoreEnergy(state, gx, gy))
                 || parts == MOST_PARTS;
     }
 
@@ -235,7 +235,7 @@ final class TreeStep implements Serializable {
             }
         }
         if (hung != null) {
-            hung.place();
+            hung.ends.place();
             return true;
         }
         tree.places.place();

@@ -23,7 +23,7 @@ public final class SineTable {
     /** From here on those products are not exact. */
     private static final double LARGE = 2e4;
 
-    /** Of the series in such parts: sine d (A − d² (B − d² C)), versine d² (D − d² E). */
+    /** Of the series in 512ths of a turn: sine d (A − d² (B − d² C)), versine d² (D − d² E). */
     private static final double A = PART_1 + PART_2;
 
     private static final double B = A * A * A / 6;
@@ -131,25 +131,27 @@ public final class SineTable {
         out[at + 1] = s - (s * versine - c * sine);
     }
 
-    /** {@return an angle in parts of a 512th of a turn} */
+    /**
+     * An angle in 512ths of a turn, for {@link #directParts}; a large one but for whole turns.
+     *
+     * @param x rad
+     * @return number of parts
+     */
     public static double parts(double x) {
-        return x * PER_RADIAN;
+        double parts = x * PER_RADIAN;
+        return Math.abs(x) < LARGE ? parts : Math.IEEEremainder(parts, SIZE);
     }
 
     /**
      * {@link #direct} for an angle that is given in {@link #parts}, which leaves no rest to be found with care.
      *
-     * @param x angle in 512ths of a turn
+     * @param x angle in 512ths of a turn, not beyond some millions of turns
      * @param quarters from {@link #quarters}
      * @param out gets the cosine at index {@code at}, then the sine
      * @param at index into {@code out}
      * @throws IndexOutOfBoundsException if {@code out} has no such places
      */
     public static void directParts(double x, double quarters, double[] out, int at) {
-        if (!(Math.abs(x) < LARGE * PER_RADIAN)) {
-            directFar(x / PER_RADIAN, quarters, out, at);
-            return;
-        }
         double shifted = x + quarters;
         double d = x - (shifted - quarters);
         int entry = (int) Double.doubleToRawLongBits(shifted) & SIZE - 1;

@@ -88,14 +88,21 @@ final class GroupPaths {
     static double fastestTurn(Trajectories paths, IntList group) {
         double[] m = paths.data();
         double most = 0;
-        boolean isRow = group.isRow();
-        for (int k = 0, o = Trajectories.STRIDE * group.values[0]; k < group.size; k++, o += Trajectories.STRIDE) {
-            int at = isRow ? o : Trajectories.STRIDE * group.values[k];
-            double omega = Math.abs(m[at + Trajectories.OMEGA]);
-            if (!(omega <= most)) { // seldom; a maximum would make each wait for the last
-                most = omega;
+        if (group.isRow()) {
+            int end = Trajectories.STRIDE * (group.values[0] + group.size);
+            for (int o = Trajectories.STRIDE * group.values[0]; o < end; o += Trajectories.STRIDE) {
+                most = larger(m[o + Trajectories.OMEGA], most);
             }
+            return most;
+        }
+        for (int body = 0; body < group.size; body++) {
+            most = larger(m[Trajectories.STRIDE * group.values[body] + Trajectories.OMEGA], most);
         }
         return most;
+    }
+
+    /** The new one is seldom larger, or no number; a maximum would make each wait for the last. */
+    private static double larger(double omega, double most) {
+        return Math.abs(omega) <= most ? most : Math.abs(omega);
     }
 }
