@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.motion;
 
+import java.util.Arrays;
 import sim.physics.internal.IntList;
 
 /** Anchors and paths of all bodies of a group; where their blocks lie side by side, the loops need not look them up. */
@@ -53,24 +54,30 @@ final class GroupPaths {
      * @param group indices
      * @param per one over the time from the anchor to then
      * @param state the vectors
+     * @return the largest angular velocity at an anchor
      */
-    static void lead(Trajectories paths, IntList group, double per, State state) {
+    static double lead(Trajectories paths, IntList group, double per, State state) {
         double[] x = state.x();
         double[] v = state.v();
         double[] m = paths.data();
         double[] k = paths.unfold();
+        double fastest = 0;
         if (group.isRow()) {
             int end = Trajectories.STRIDE * (group.values[0] + group.size);
             int b = State.BLOCK * group.values[0];
             for (int o = Trajectories.STRIDE * group.values[0]; o < end; o += Trajectories.STRIDE) {
                 lead(m, k, o, x, v, b, per);
+                fastest = larger(m[o + Trajectories.OMEGA], fastest);
                 b += State.BLOCK;
             }
-            return;
+            return fastest;
         }
         for (int body = 0; body < group.size; body++) {
-            lead(m, k, Trajectories.STRIDE * group.values[body], x, v, State.BLOCK * group.values[body], per);
+            int o = Trajectories.STRIDE * group.values[body];
+            lead(m, k, o, x, v, State.BLOCK * group.values[body], per);
+            fastest = larger(m[o + Trajectories.OMEGA], fastest);
         }
+        return fastest;
     }
 
     private static void lead(double[] m, double[] k, int o, double[] x, double[] v, int b, double per) {
@@ -84,25 +91,29 @@ final class GroupPaths {
         }
     }
 
-    /** The largest angular velocity of bodies at their anchors. */
-    static double fastestTurn(Trajectories paths, IntList group) {
-        double[] m = paths.data();
-        double most = 0;
-        if (group.isRow()) {
-            int end = Trajectories.STRIDE * (group.values[0] + group.size);
-            for (int o = Trajectories.STRIDE * group.values[0]; o < end; o += Trajectories.STRIDE) {
-                most = larger(m[o + Trajectories.OMEGA], most);
-            }
-            return most;
-        }
-        for (int body = 0; body < group.size; body++) {
-            most = larger(m[Trajectories.STRIDE * group.values[body] + Trajectories.OMEGA], most);
-        }
-        return most;
-    }
-
     /** The new one is seldom larger, or no number; a maximum would make each wait for the last. */
     private static double larger(double omega, double most) {
         return Math.abs(omega) <= most ? most : Math.abs(omega);
+    }
+
+    /** The largest angular velocity of bodies at their anchors. */
+    static double fastestTurn(Trajectories paths, IntList group) {
+        double[] m = paths.data();
+        double fastest = 0;
+        for (int body = 0; body < group.size; body++) {
+            fastest = larger(m[Trajectories.STRIDE * group.values[body] + Trajectories.OMEGA], fastest);
+        }
+        return fastest;
+    }
+
+    /** Gives all bodies of a group a value. */
+    static void set(double[] values, IntList group, double value) {
+        if (group.isRow()) {
+            Arrays.fill(values, group.values[0], group.values[0] + group.size, value);
+            return;
+        }
+        for (int k = 0; k < group.size; k++) {
+            values[group.values[k]] = value;
+        }
     }
 }

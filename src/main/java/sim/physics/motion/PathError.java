@@ -53,14 +53,9 @@ final class PathError implements Serializable {
         return most * length * length / (32 * near);
     }
 
-    /** The same by how far bodies turn, where nothing is known of accelerations. */
+    /** The same by how far the fastest body turns, where nothing is known of accelerations. */
     private double ofTurn(IntList group, double length, double near) {
-        return fourthTurn(group, length) / (384 * near);
-    }
-
-    /** The fourth power of the angle by which the fastest body turns. */
-    double fourthTurn(IntList group, double length) {
         double turn = length * GroupPaths.fastestTurn(trajectories, group);
-        return turn * turn * turn * turn;
+        return turn * turn * turn * turn / (384 * near);
     }
 }
