@@ -156,13 +156,13 @@ final class HungChain implements Serializable {
     /** A step, (13), or a part of one that is not its last; returns its roughness, see {@link PinTree#roughness}. */
     double step(double gx, double gy, double h, boolean isLast) {
         nothing = NOTHING * first * (Math.abs(gx) + Math.abs(gy));
-        eliminate(gx, gy);
+        eliminate(first * gx, first * gy);
         accelerate(0, 0.5 * h);
-        eliminate(gx, gy);
+        eliminate(first * gx, first * gy);
         accelerate(1, 0.5 * h);
-        eliminate(gx, gy);
+        eliminate(first * gx, first * gy);
         accelerate(2, h);
-        eliminate(gx, gy);
+        eliminate(first * gx, first * gy);
         accelerate();
         return finish(h, isLast);
     }
@@ -177,81 +177,76 @@ final class HungChain implements Serializable {
      *
      * <p>so that each division waits for little more than the one before it.
      */
-    private void eliminate(double gx, double gy) {
+    private void eliminate(double x0, double x1) {
         double[] l = link;
-        double a00 = 0; // what the link before it leaves in a block, without the sign beside the diagonal, and in its right side
+        double a00 = 0; // what the link before it leaves in a block, but for the sign beside its diagonal, as x in a right side
         double a01 = 0;
         double a11 = 0;
-        double x0 = first * gx;
-        double x1 = first * gy;
-        double c00 = 0; // its block, and 1/δ
+        double c00 = 0; // its own block, and 1/δ
         double c01 = 0;
         double c11 = 0;
         double perA = 0;
-        int q = eliminateOdd();
-        int odd = q + STRIDE;
+        int odd = eliminateOdd();
         boolean isOdd = odd < l.length;
-        double b00 = isOdd ? l[odd + P00] : 0; // the same from the tip
+        double y0 = isOdd ? l[odd + Z0] : 0; // the same from the tip
+        double y1 = isOdd ? l[odd + Z1] : 0;
+        double b00 = isOdd ? l[odd + P00] : 0;
         double b01 = isOdd ? l[odd + P01] : 0;
         double b11 = isOdd ? l[odd + P11] : 0;
-        double y0 = isOdd ? l[odd + Z0] : 0;
-        double y1 = isOdd ? l[odd + Z1] : 0;
         double perB = isOdd ? 1 / l[odd + FULL] : 0;
         double d00 = isOdd ? b11 * l[odd + FULL] : 0;
         double d01 = isOdd ? b01 * l[odd + FULL] : 0;
         double d11 = isOdd ? b00 * l[odd + FULL] : 0;
-        for (int o = 0; o < middle; o += STRIDE, q -= STRIDE) {
-            double c = l[o + COS];
+        for (int o = 0, q = odd - STRIDE; o < middle; o += STRIDE, q -= STRIDE) {
             double s = l[o + SIN];
             double across = l[o + IOTA] * s;
             double square = l[o + TURNING] * l[o + TURNING] * l[o + SWING];
             double e00 = l[o + TAU] + across * s;
             double e11 = l[o + ALL] - across * s;
-            double e01 = across * c;
+            double e01 = across * l[o + COS];
+            double f0 = square * l[o + COS] + x0;
+            double f1 = square * s + x1;
             perA = 1 / (l[o + FULL] - perA * (e00 * c00 + e11 * c11 - (2 * e01 * c01 + 1)));
             c00 = e00 - a00;
             c11 = e11 - a11;
             c01 = a01 - e01;
-            double f0 = square * c + x0;
-            double f1 = square * s + x1;
             a00 = c11 * perA;
             a11 = c00 * perA;
             a01 = c01 * perA;
             x0 = a00 * f0 - a01 * f1;
             x1 = a11 * f1 - a01 * f0;
-            l[o + P00] = a00;
-            l[o + P01] = a01;
-            l[o + P11] = a11;
-            l[o + Z0] = x0;
-            l[o + Z1] = x1;
-            c = l[q + COS];
+            keep(o, a00, a01, a11, x0, x1);
             s = l[q + SIN];
             across = l[q + IOTA] * s;
             square = l[q + TURNING] * l[q + TURNING] * l[q + SWING];
             e00 = l[q + TAU] + across * s;
             e11 = l[q + ALL] - across * s;
-            e01 = across * c;
+            e01 = across * l[q + COS];
+            f0 = square * l[q + COS] + y0;
+            f1 = square * s + y1;
             perB = 1 / (l[q + FULL] - perB * (e00 * d00 + e11 * d11 - (2 * e01 * d01 + 1)));
             d00 = e00 - b00;
             d11 = e11 - b11;
             d01 = b01 - e01;
-            f0 = square * c + y0;
-            f1 = square * s + y1;
             b00 = d11 * perB;
             b11 = d00 * perB;
             b01 = d01 * perB;
             y0 = b00 * f0 - b01 * f1;
             y1 = b11 * f1 - b01 * f0;
-            l[q + P00] = b00;
-            l[q + P01] = b01;
-            l[q + P11] = b11;
-            l[q + Z0] = y0;
-            l[q + Z1] = y1;
+            keep(q, b00, b01, b11, y0, y1);
         }
         meet(a00 + b00, a01 + b01, a11 + b11, x0 + y0, x1 + y1);
     }
 
-    /** The last link goes first if there are not as many before the middle as behind; returns the last one that is left. */
+    private void keep(int o, double p00, double p01, double p11, double z0, double z1) {
+        link[o + P00] = p00;
+        link[o + P01] = p01;
+        link[o + P11] = p11;
+        link[o + Z0] = z0;
+        link[o + Z1] = z1;
+    }
+
+    /** The last link goes first if there are not as many before the middle as behind; returns the one behind the last that is left. */
     private int eliminateOdd() {
         double[] l = link;
         int o = l.length - STRIDE;
@@ -266,9 +261,9 @@ final class HungChain implements Serializable {
             l[o + P11] = (l[o + TAU] + across * s) * per;
             l[o + Z0] = square * (l[o + P00] * c - l[o + P01] * s);
             l[o + Z1] = square * (l[o + P11] * s - l[o + P01] * c);
-            o -= STRIDE;
+            return o;
         }
-        return o;
+        return l.length;
     }
 
     /** Solves for the link in the middle, given what both sides leave there. */

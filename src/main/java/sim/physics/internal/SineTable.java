@@ -132,20 +132,19 @@ public final class SineTable {
     }
 
     /**
-     * An angle in 512ths of a turn, for {@link #directParts}; a large one but for whole turns.
+     * An angle in 512ths of a turn, for {@link #directParts}.
      *
      * @param x rad
      * @return number of parts
      */
     public static double parts(double x) {
-        double parts = x * PER_RADIAN;
-        return Math.abs(x) < LARGE ? parts : Math.IEEEremainder(parts, SIZE);
+        return x * PER_RADIAN;
     }
 
     /**
      * {@link #direct} for an angle that is given in {@link #parts}, which leaves no rest to be found with care.
      *
-     * @param x angle in 512ths of a turn, not beyond some millions of turns
+     * @param x angle in 512ths of a turn
      * @param quarters from {@link #quarters}
      * @param out gets the cosine at index {@code at}, then the sine
      * @param at index into {@code out}
