@@ -208,6 +208,7 @@ public final class PhysicsEngine implements Steppable {
                     enter(); // it may depend on where the others before it go
                     follow(body, Entry.BODY);
                 }
+                k += Math.max(1, driven.common(k, motion.companions(body))) - 1; // the others of its group are mostly next
             }
         } finally {
             enter(); // also if a group cannot go on

@@ -238,11 +238,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
      */
     public void lookAtGathered(IntList others) {
         gathers = false;
-        for (int k = 0; k < others.size; k++) {
-            if (!notes.has(others.values[k], BodyNotes.IDLE)) {
-                gathered.add(others.values[k]);
-            }
-        }
+        notes.addWithout(BodyNotes.IDLE, others, gathered);
         if (gathered.size > 0) {
             lookAround(gathered, 0);
         }
@@ -369,9 +365,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
      * @param tau offset in the present step
      */
     public void setPathEnd(IntList bodies, double tau) {
-        for (int k = 0; k < bodies.size; k++) {
-            pathEnds.setHoldsUntil(bodies.values[k], tau);
-        }
+        pathEnds.setHoldsUntil(bodies, tau);
     }
 
     /**

@@ -4,6 +4,7 @@ package sim.physics.collision;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 
 /** When the paths of bodies end before the step does; empty while none does and no integrator drives a body. */
 final class PathEnds implements Serializable {
@@ -51,6 +52,18 @@ final class PathEnds implements Serializable {
             Arrays.fill(holdsUntil, old, holdsUntil.length, Double.POSITIVE_INFINITY);
         }
         holdsUntil[body] = tau;
+    }
+
+    /** The same for bodies in ascending order. */
+    void setHoldsUntil(IntList bodies, double tau) {
+        if (bodies.isRow()) {
+            setHoldsUntil(bodies.values[bodies.size - 1], tau); // makes room for all
+            Arrays.fill(holdsUntil, bodies.values[0], bodies.values[bodies.size - 1], tau);
+            return;
+        }
+        for (int k = 0; k < bodies.size; k++) {
+            setHoldsUntil(bodies.values[k], tau);
+        }
     }
 
     /** Forgets all of a body. */

@@ -26,9 +26,6 @@ import sim.physics.motion.State;
 final class HungChain implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** What the energy may be off by after a step, relative to the kinetic energy; a step that is off by more was too long. */
-    private static final double WRONG = 0.05;
-
     /** What a field does to links far away fades from link to link; below this part of it numbers would soon be denormal. */
     private static final double NOTHING = 0x1p-200;
 
@@ -42,18 +39,18 @@ final class HungChain implements Serializable {
     static final int STRIDE = 32;
 
     /** At a stage: n and the angular velocity. */
-    private static final int COS = 0;
+    static final int COS = 0;
 
-    private static final int SIN = 1;
-    private static final int TURNING = 2;
+    static final int SIN = 1;
+    static final int TURNING = 2;
 
-    /** σ L; the diagonal blocks, τ I + ι n⊥ n⊥ᵀ, as τ, τ + ι and ι; and σ L / J. */
+    /** σ L; the diagonal blocks, τ I + ι n⊥ n⊥ᵀ, as τ, τ + ι and ι; and their determinant. */
     static final int SWING = 3;
 
     static final int TAU = 4;
     static final int ALL = 5;
     static final int IOTA = 6;
-    static final int LEVER = 7;
+    static final int FULL = 7;
 
     /** Inverses of the eliminated blocks, without the sign beside the diagonal, and those times the right-hand sides. */
     private static final int P00 = 8;
@@ -63,41 +60,44 @@ final class HungChain implements Serializable {
     private static final int Z0 = 11;
     private static final int Z1 = 12;
 
-    /** Angle of n, but for quarter turns, and angular velocity at the start of a step; and those quarter turns. */
+    /** Angle of n, in parts of the table, but for quarter turns; angular velocity; both at the start; and those quarter turns. */
     private static final int BASE = 13;
 
-    private static final int OMEGA = 14;
+    static final int OMEGA = 14;
     static final int QUARTERS = 15;
 
-    /** Angular accelerations of the first three stages. */
-    private static final int ALPHA = 16;
+    /** σ L / J. */
+    static final int LEVER = 16;
 
-    /** The state at the start and at the end of a step. */
-    private static final int ANGLE = 19;
+    /** Angular accelerations of the stages. */
+    private static final int ALPHA = 17;
 
-    private static final int X = 20;
-    private static final int Y = 21;
-    private static final int U = 22;
-    private static final int V = 23;
+    private static final int LAST = ALPHA + 3;
 
     /** L, of either sign; from the near pin to the centre of mass, along n; mass and moment of inertia. */
-    static final int LENGTH = 24;
+    static final int LENGTH = 21;
 
-    static final int REACH = 25;
-    static final int MASS = 26;
-    static final int INERTIA = 27;
+    static final int REACH = 22;
+    static final int MASS = 23;
+    static final int INERTIA = 24;
+
+    /** Angle at the start and at the end of a step. */
+    static final int ANGLE = 28;
 
     /** What the turn from the axis of the link to n is beyond quarter turns, with cosine and sine. */
-    static final int REST = 28;
+    static final int REST = 25;
 
-    static final int REST_COS = 29;
-    static final int REST_SIN = 30;
+    static final int REST_COS = 26;
+    static final int REST_SIN = 27;
 
     private final PinTree tree;
     private final int links;
 
     /** By link. */
     private final double[] link;
+
+    /** Where they are at the end of a step. */
+    final HungEnds ends;
 
     /** Where the link in the middle lies among them, and its unknown. */
     private final int middle;
@@ -108,8 +108,6 @@ final class HungChain implements Serializable {
     /** σ of the first link. */
     private final double first;
 
-    private double roughness;
-
     /** Unknowns below this are none. */
     private double nothing;
 
@@ -119,7 +117,7 @@ final class HungChain implements Serializable {
         link = new double[STRIDE * links];
         middle = STRIDE * ((links - 1) / 2);
         first = HungMasses.first(tree);
-        forget(); // a state of zeros is no end of a step
+        ends = new HungEnds(tree, link);
     }
 
     /**
@@ -132,12 +130,14 @@ final class HungChain implements Serializable {
         return chain != null && HungMasses.weigh(chain.link, tree) ? chain : null;
     }
 
-    /** Turns n to where the angle has it. */
-    private void point(int o) {
+    /** Turns n to where an angle has it at the end of a step, and takes note of it. */
+    private void point(int o, double angle) {
         double[] l = link;
-        l[o + BASE] = l[o + ANGLE] + l[o + REST];
-        SineTable.direct(l[o + ANGLE], l[o + QUARTERS], l, o + COS);
-        if (l[o + REST] != 0) {
+        double rest = l[o + REST];
+        l[o + ANGLE] = angle;
+        l[o + BASE] = SineTable.parts(angle + rest);
+        SineTable.direct(angle, l[o + QUARTERS], l, o + COS);
+        if (rest != 0) {
             double c = l[o + COS];
             double s = l[o + SIN];
             l[o + COS] = l[o + REST_COS] * c - l[o + REST_SIN] * s;
@@ -145,82 +145,108 @@ final class HungChain implements Serializable {
         }
     }
 
-    /** A step, (13); returns its roughness, see {@link PinTree#roughness}. */
-    double step(double gx, double gy, double h) {
-        nothing = NOTHING * first * (Math.abs(gx) + Math.abs(gy));
-        eliminate(gx, gy);
-        accelerate(0, 0.5 * h);
-        eliminate(gx, gy);
-        accelerate(1, 0.5 * h);
-        eliminate(gx, gy);
-        accelerate(2, h);
-        eliminate(gx, gy);
-        finish(h);
-        return roughness;
+    /** The same within a step, where places are not asked for: as at its stages. */
+    private void pointOnTheWay(int o, double angle) {
+        double base = SineTable.parts(angle + link[o + REST]);
+        link[o + ANGLE] = angle;
+        link[o + BASE] = base;
+        SineTable.directParts(base, link[o + QUARTERS], link, o + COS);
     }
 
-    /** Eliminates the links from both ends, and solves for the one in the middle. */
-    private void eliminate(double gx, double gy) {
+    /** A step, (13), or a part of one that is not its last; returns its roughness, see {@link PinTree#roughness}. */
+    double step(double gx, double gy, double h, boolean isLast) {
+        nothing = NOTHING * first * (Math.abs(gx) + Math.abs(gy));
+        eliminate(first * gx, first * gy);
+        accelerate(0, 0.5 * h);
+        eliminate(first * gx, first * gy);
+        accelerate(1, 0.5 * h);
+        eliminate(first * gx, first * gy);
+        accelerate(2, h);
+        eliminate(first * gx, first * gy);
+        accelerate();
+        return finish(h, isLast);
+    }
+
+    /**
+     * Eliminates the links from both ends, and solves for the one in the middle. With E a block as it is without its
+     * neighbours, D′ the one eliminated before it, and δ for determinants, D = E − D′⁻¹ has
+     *
+     * <pre>
+     *   δ = δ_E − (E₀₀ D′₀₀ + E₁₁ D′₁₁ + 2 E₀₁ D′₀₁ − 1) / δ′
+     * </pre>
+     *
+     * <p>so that each division waits for little more than the one before it.
+     */
+    private void eliminate(double x0, double x1) {
         double[] l = link;
-        double a00 = 0; // what the link before it leaves in a block, without the sign beside the diagonal, and in its right side
+        double a00 = 0; // what the link before it leaves in a block, but for the sign beside its diagonal, as x in a right side
         double a01 = 0;
         double a11 = 0;
-        double x0 = first * gx;
-        double x1 = first * gy;
-        int q = eliminateOdd();
-        int odd = q + STRIDE;
+        double c00 = 0; // its own block, and 1/δ
+        double c01 = 0;
+        double c11 = 0;
+        double perA = 0;
+        int odd = eliminateOdd();
         boolean isOdd = odd < l.length;
-        double b00 = isOdd ? l[odd + P00] : 0; // the same from the tip
+        double y0 = isOdd ? l[odd + Z0] : 0; // the same from the tip
+        double y1 = isOdd ? l[odd + Z1] : 0;
+        double b00 = isOdd ? l[odd + P00] : 0;
         double b01 = isOdd ? l[odd + P01] : 0;
         double b11 = isOdd ? l[odd + P11] : 0;
-        double y0 = isOdd ? l[odd + Z0] : 0;
-        double y1 = isOdd ? l[odd + Z1] : 0;
-        for (int o = 0; o < middle; o += STRIDE, q -= STRIDE) {
-            double c = l[o + COS];
+        double perB = isOdd ? 1 / l[odd + FULL] : 0;
+        double d00 = isOdd ? b11 * l[odd + FULL] : 0;
+        double d01 = isOdd ? b01 * l[odd + FULL] : 0;
+        double d11 = isOdd ? b00 * l[odd + FULL] : 0;
+        for (int o = 0, q = odd - STRIDE; o < middle; o += STRIDE, q -= STRIDE) {
             double s = l[o + SIN];
             double across = l[o + IOTA] * s;
             double square = l[o + TURNING] * l[o + TURNING] * l[o + SWING];
-            double d00 = l[o + TAU] + across * s - a00;
-            double d11 = l[o + ALL] - across * s - a11;
-            double d01 = a01 - across * c;
-            double f0 = square * c + x0;
+            double e00 = l[o + TAU] + across * s;
+            double e11 = l[o + ALL] - across * s;
+            double e01 = across * l[o + COS];
+            double f0 = square * l[o + COS] + x0;
             double f1 = square * s + x1;
-            double per = 1 / (d00 * d11 - d01 * d01);
-            a00 = d11 * per;
-            a11 = d00 * per;
-            a01 = d01 * per;
+            perA = 1 / (l[o + FULL] - perA * (e00 * c00 + e11 * c11 - (2 * e01 * c01 + 1)));
+            c00 = e00 - a00;
+            c11 = e11 - a11;
+            c01 = a01 - e01;
+            a00 = c11 * perA;
+            a11 = c00 * perA;
+            a01 = c01 * perA;
             x0 = a00 * f0 - a01 * f1;
             x1 = a11 * f1 - a01 * f0;
-            l[o + P00] = a00;
-            l[o + P01] = a01;
-            l[o + P11] = a11;
-            l[o + Z0] = x0;
-            l[o + Z1] = x1;
-            c = l[q + COS];
+            keep(o, a00, a01, a11, x0, x1);
             s = l[q + SIN];
             across = l[q + IOTA] * s;
             square = l[q + TURNING] * l[q + TURNING] * l[q + SWING];
-            d00 = l[q + TAU] + across * s - b00;
-            d11 = l[q + ALL] - across * s - b11;
-            d01 = b01 - across * c;
-            f0 = square * c + y0;
+            e00 = l[q + TAU] + across * s;
+            e11 = l[q + ALL] - across * s;
+            e01 = across * l[q + COS];
+            f0 = square * l[q + COS] + y0;
             f1 = square * s + y1;
-            per = 1 / (d00 * d11 - d01 * d01);
-            b00 = d11 * per;
-            b11 = d00 * per;
-            b01 = d01 * per;
+            perB = 1 / (l[q + FULL] - perB * (e00 * d00 + e11 * d11 - (2 * e01 * d01 + 1)));
+            d00 = e00 - b00;
+            d11 = e11 - b11;
+            d01 = b01 - e01;
+            b00 = d11 * perB;
+            b11 = d00 * perB;
+            b01 = d01 * perB;
             y0 = b00 * f0 - b01 * f1;
             y1 = b11 * f1 - b01 * f0;
-            l[q + P00] = b00;
-            l[q + P01] = b01;
-            l[q + P11] = b11;
-            l[q + Z0] = y0;
-            l[q + Z1] = y1;
+            keep(q, b00, b01, b11, y0, y1);
         }
         meet(a00 + b00, a01 + b01, a11 + b11, x0 + y0, x1 + y1);
     }
 
-    /** The last link goes first if there are not as many before the middle as behind; returns the last one that is left. */
+    private void keep(int o, double p00, double p01, double p11, double z0, double z1) {
+        link[o + P00] = p00;
+        link[o + P01] = p01;
+        link[o + P11] = p11;
+        link[o + Z0] = z0;
+        link[o + Z1] = z1;
+    }
+
+    /** The last link goes first if there are not as many before the middle as behind; returns the one behind the last that is left. */
     private int eliminateOdd() {
         double[] l = link;
         int o = l.length - STRIDE;
@@ -229,18 +255,15 @@ final class HungChain implements Serializable {
             double s = l[o + SIN];
             double across = l[o + IOTA] * s;
             double square = l[o + TURNING] * l[o + TURNING] * l[o + SWING];
-            double d00 = l[o + TAU] + across * s;
-            double d11 = l[o + ALL] - across * s;
-            double d01 = -across * c;
-            double per = 1 / (d00 * d11 - d01 * d01);
-            l[o + P00] = d11 * per;
-            l[o + P01] = d01 * per;
-            l[o + P11] = d00 * per;
+            double per = 1 / l[o + FULL];
+            l[o + P00] = (l[o + ALL] - across * s) * per;
+            l[o + P01] = -across * c * per;
+            l[o + P11] = (l[o + TAU] + across * s) * per;
             l[o + Z0] = square * (l[o + P00] * c - l[o + P01] * s);
             l[o + Z1] = square * (l[o + P11] * s - l[o + P01] * c);
-            o -= STRIDE;
+            return o;
         }
-        return o;
+        return l.length;
     }
 
     /** Solves for the link in the middle, given what both sides leave there. */
@@ -266,18 +289,19 @@ final class HungChain implements Serializable {
      */
     private void accelerate(int stage, double c) {
         double[] l = link;
+        double way = SineTable.parts(c);
         double x0 = middle0;
         double x1 = middle1;
         double y0 = x0;
         double y1 = x1;
         boolean isLong = links > FADING;
-        accelerate(middle, x0, x1, stage, c);
+        accelerate(middle, x0, x1, stage, c, way);
         int q = middle + STRIDE;
         for (int o = middle - STRIDE; o >= 0; o -= STRIDE, q += STRIDE) {
             double w0 = l[o + Z0] - l[o + P01] * x1 + l[o + P00] * x0;
             x1 = l[o + Z1] - l[o + P01] * x0 + l[o + P11] * x1;
             x0 = w0;
-            accelerate(o, x0, x1, stage, c);
+            accelerate(o, x0, x1, stage, c, way);
             w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
             y1 = l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1;
             y0 = w0;
@@ -285,39 +309,38 @@ final class HungChain implements Serializable {
                 y0 = Math.abs(y0) < nothing ? 0 : y0;
                 y1 = Math.abs(y1) < nothing ? 0 : y1;
             }
-            accelerate(q, y0, y1, stage, c);
+            accelerate(q, y0, y1, stage, c, way);
         }
         if (q < l.length) {
             double w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
-            accelerate(q, w0, l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1, stage, c);
+            accelerate(q, w0, l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1, stage, c, way);
         }
     }
 
-    private void accelerate(int o, double g0, double g1, int stage, double c) {
+    private void accelerate(int o, double g0, double g1, int stage, double c, double way) {
         double[] l = link;
         double alpha = l[o + LEVER] * (l[o + COS] * g1 - l[o + SIN] * g0);
-        double turned = l[o + BASE] + c * l[o + TURNING];
+        double turned = l[o + BASE] + way * l[o + TURNING];
         l[o + ALPHA + stage] = alpha;
         l[o + TURNING] = l[o + OMEGA] + c * alpha;
-        SineTable.direct(turned, l[o + QUARTERS], l, o + COS); // (45), (46)
+        SineTable.directParts(turned, l[o + QUARTERS], l, o + COS); // (45), (46)
     }
 
-    /** The same at the last stage, and the links at the end of the step, (13). */
-    private void finish(double h) {
+    /** The angular accelerations at the last stage. */
+    private void accelerate() {
         double[] l = link;
         double x0 = middle0;
         double x1 = middle1;
         double y0 = x0;
         double y1 = x1;
         boolean isLong = links > FADING;
-        roughness = 0;
-        finish(middle, x0, x1, h);
+        accelerate(middle, x0, x1);
         int q = middle + STRIDE;
         for (int o = middle - STRIDE; o >= 0; o -= STRIDE, q += STRIDE) {
             double w0 = l[o + Z0] - l[o + P01] * x1 + l[o + P00] * x0;
             x1 = l[o + Z1] - l[o + P01] * x0 + l[o + P11] * x1;
             x0 = w0;
-            finish(o, x0, x1, h);
+            accelerate(o, x0, x1);
             w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
             y1 = l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1;
             y0 = w0;
@@ -325,148 +348,59 @@ final class HungChain implements Serializable {
                 y0 = Math.abs(y0) < nothing ? 0 : y0;
                 y1 = Math.abs(y1) < nothing ? 0 : y1;
             }
-            finish(q, y0, y1, h);
+            accelerate(q, y0, y1);
         }
         if (q < l.length) {
             double w0 = l[q + Z0] - l[q + P01] * y1 + l[q + P00] * y0;
-            finish(q, w0, l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1, h);
+            accelerate(q, w0, l[q + Z1] - l[q + P01] * y0 + l[q + P11] * y1);
         }
     }
 
-    private void finish(int o, double g0, double g1, double h) {
+    private void accelerate(int o, double g0, double g1) {
+        link[o + LAST] = link[o + LEVER] * (link[o + COS] * g1 - link[o + SIN] * g0);
+    }
+
+    /** The links at the end of the step, (13). */
+    private double finish(double h, boolean isLast) {
         double[] l = link;
-        double last = l[o + LEVER] * (l[o + COS] * g1 - l[o + SIN] * g0);
-        double before = l[o + OMEGA];
-        double one = l[o + ALPHA];
-        double two = l[o + ALPHA + 1];
-        double three = l[o + ALPHA + 2];
-        double sum = two + three;
-        double rough = Math.abs(one - sum + last) + Math.abs(two - three);
-        if (!(rough <= roughness && Math.abs(h * before) <= HALF_TURN)) { // seldom; a maximum would make each wait for the last
-            roughness = rough >= 0 && Math.abs(h * before) <= HALF_TURN ? rough : Double.POSITIVE_INFINITY; // NaN stays
-        }
         double sixth = h / 6;
-        l[o + ANGLE] = l[o + ANGLE] + h * (before + sixth * (one + sum));
-        l[o + OMEGA] = before + sixth * (one + 2 * sum + last);
-        l[o + TURNING] = l[o + OMEGA];
-        point(o);
-    }
-
-    /** Where the angles say that the links are, and how fast they move at the end of a step; (42), (43). */
-    void place() {
-        double[] l = link;
-        double px = tree.places.hangsAtX();
-        double py = tree.places.hangsAtY();
-        double pu = 0;
-        double pv = 0;
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
-            double c = l[o + COS];
-            double s = l[o + SIN];
-            double turn = l[o + OMEGA];
-            double near = l[o + REACH];
-            double far = l[o + LENGTH];
-            l[o + X] = px + near * c;
-            l[o + Y] = py + near * s;
-            l[o + U] = pu - turn * (near * s);
-            l[o + V] = pv + turn * (near * c);
-            px += far * c;
-            py += far * s;
-            pu -= turn * (far * s);
-            pv += turn * (far * c);
+        double fastest = HALF_TURN / Math.abs(h);
+        double roughest = 0;
+        for (int o = 0; o < l.length; o += STRIDE) {
+            double before = l[o + OMEGA];
+            double one = l[o + ALPHA];
+            double two = l[o + ALPHA + 1];
+            double three = l[o + ALPHA + 2];
+            double last = l[o + LAST];
+            double inner = two + three;
+            double rough = Math.abs(one - inner + last) + Math.abs(two - three);
+            if (!(rough <= roughest && Math.abs(before) <= fastest)) { // seldom; a maximum would make each wait for the last
+                roughest = rough >= 0 && Math.abs(before) <= fastest ? rough : Double.POSITIVE_INFINITY; // NaN stays
+            }
+            double sum = one + inner;
+            double after = before + sixth * (sum + (inner + last));
+            double angle = l[o + ANGLE] + h * (before + sixth * sum);
+            l[o + OMEGA] = after;
+            l[o + TURNING] = after;
+            if (isLast) {
+                point(o, angle);
+            } else {
+                pointOnTheWay(o, angle);
+            }
         }
-    }
-
-    /**
-     * Gives the chain the energy of the start of a step back, as {@link TreeEnergy} does.
-     *
-     * @param state at the start, while the links are at the end
-     * @param gx the field
-     * @param gy the field
-     * @return false if it is off by too much; then nothing is changed
-     */
-    boolean restoreEnergy(State state, double gx, double gy) {
-        double[] l = link;
-        double[] x0 = state.x();
-        double[] v0 = state.v();
-        double kinetic = 0;
-        double growth = 0;
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
-            int b = tree.block[k];
-            double m = l[o + MASS];
-            double turn = l[o + OMEGA];
-            kinetic += m * (l[o + U] * l[o + U] + l[o + V] * l[o + V]) + l[o + INERTIA] * turn * turn;
-            growth += m * ((l[o + U] - v0[b]) * (l[o + U] + v0[b]) + (l[o + V] - v0[b + 1]) * (l[o + V] + v0[b + 1]))
-                    + l[o + INERTIA] * (turn - v0[b + 2]) * (turn + v0[b + 2])
-                    - 2 * m * (gx * (l[o + X] - x0[b]) + gy * (l[o + Y] - x0[b + 1]));
-        }
-        if (!(Math.abs(growth) <= WRONG * kinetic)) {
-            return false;
-        }
-        double scale = Math.sqrt(1 - growth / kinetic);
-        for (int o = 0; kinetic > 0 && o < l.length; o += STRIDE) {
-            l[o + U] *= scale;
-            l[o + V] *= scale;
-            l[o + OMEGA] *= scale;
-            l[o + TURNING] *= scale;
-        }
-        return true;
+        return roughest;
     }
 
     /** Takes a state over. */
     void begin(State state) {
-        double[] l = link;
-        double[] from = state.x();
-        double[] rates = state.v();
+        double[] x = state.x();
+        double[] v = state.v();
         for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
             int b = tree.block[k];
-            l[o + X] = from[b];
-            l[o + Y] = from[b + 1];
-            l[o + ANGLE] = from[b + 2];
-            l[o + U] = rates[b];
-            l[o + V] = rates[b + 1];
-            l[o + OMEGA] = rates[b + 2];
-            l[o + TURNING] = l[o + OMEGA];
-            point(o);
+            link[o + OMEGA] = v[b + 2];
+            link[o + TURNING] = v[b + 2];
+            point(o, x[b + 2]);
         }
-    }
-
-    /** Whether a state is, to the bit, that of the end of the last step. */
-    boolean isAt(State state) {
-        double[] l = link;
-        double[] other = state.x();
-        double[] rates = state.v();
-        long different = 0;
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
-            int b = tree.block[k];
-            different |= bits(l[o + X]) ^ bits(other[b]) | bits(l[o + U]) ^ bits(rates[b]);
-            different |= bits(l[o + Y]) ^ bits(other[b + 1]) | bits(l[o + V]) ^ bits(rates[b + 1]);
-            different |= bits(l[o + ANGLE]) ^ bits(other[b + 2]) | bits(l[o + OMEGA]) ^ bits(rates[b + 2]);
-        }
-        return different == 0;
-    }
-
-    private static long bits(double value) {
-        return Double.doubleToRawLongBits(value);
-    }
-
-    /** Lets the next state be one that is not where the last step ended. */
-    void forget() {
-        link[X] = Double.NaN;
-    }
-
-    /** Writes where the links are into the state vectors. */
-    void scatter(State state) {
-        double[] l = link;
-        double[] to = state.x();
-        double[] rates = state.v();
-        for (int k = 0, o = 0; k < links; k++, o += STRIDE) {
-            int b = tree.block[k];
-            to[b] = l[o + X];
-            to[b + 1] = l[o + Y];
-            to[b + 2] = l[o + ANGLE];
-            rates[b] = l[o + U];
-            rates[b + 1] = l[o + V];
-            rates[b + 2] = l[o + OMEGA];
-        }
+        ends.take(state);
     }
 }

@@ -62,6 +62,7 @@ final class HungMasses {
             l[o + HungChain.TAU] = sigma * sigma * (before + 1 / mu);
             l[o + HungChain.IOTA] = sigma * length * length * per;
             l[o + HungChain.ALL] = l[o + HungChain.TAU] + l[o + HungChain.IOTA];
+            l[o + HungChain.FULL] = l[o + HungChain.TAU] * l[o + HungChain.ALL];
             l[o + HungChain.SWING] = sigma * length;
             l[o + HungChain.LEVER] = length * per;
             before = 1 / mu;

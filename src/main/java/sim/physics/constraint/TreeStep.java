@@ -15,7 +15,7 @@ final class TreeStep implements Serializable {
 
     /**
      * What the stages may disagree about, in rad: h² times the {@link PinTree#roughness}. A step that is rougher is made again in
-     * halves: where there is nothing to close, a step that is too long would not be seen otherwise, and could gain energy.
+     * more parts: where there is nothing to close, a step that is too long would not be seen otherwise, and could gain energy.
      */
     private static final double ROUGH = 0.0125;
 
@@ -30,8 +30,6 @@ final class TreeStep implements Serializable {
 
     private static final double SLIP = 1e-11;
 
-    /** What half the step does to that, which is of fourth order, and a little less. */
-    private static final double FINER = 1.0 / 24;
 
     private static final int MOST_PARTS = 64;
 
@@ -83,7 +81,7 @@ final class TreeStep implements Serializable {
         boolean isUnforced = gx == 0 && gy == 0;
         double most = tree.isFree && !isUnforced ? ROUGH : ROUGH_IF_KNOWN;
         while (!isDone(gx, gy, h, most) || !isUnforced && !keepsEnergy(state, gx, gy)) {
-            if (!divide(state, hung)) {
+            if (!divide(state, hung, most)) {
                 return false;
             }
         }
@@ -94,7 +92,7 @@ final class TreeStep implements Serializable {
         if (hung == null) {
             tree.places.scatter(state, PinTree.ANGLE, PinTree.OMEGA);
         } else {
-            hung.scatter(state);
+            hung.ends.scatter(state);
         }
         island.redundantRows = 0;
         if (isUnforced) {
@@ -113,7 +111,7 @@ final class TreeStep implements Serializable {
         island.invariants.restore(state, true);
         if (chain == null && !gather(state)) {
             tree.begin();
-        } else if (chain != null && !chain.isAt(state)) {
+        } else if (chain != null && !chain.ends.isAt(state)) {
             chain.begin(state);
         }
     }
@@ -139,7 +137,7 @@ final class TreeStep implements Serializable {
         loaded.keep(state);
         while (!isDone(state, loads, a, t, h)) {
             loaded.restore(state);
-            if (!divide(state, null)) {
+            if (!divide(state, null, ROUGH)) {
                 return false;
             }
         }
@@ -167,7 +165,7 @@ final class TreeStep implements Serializable {
     }
 
     private boolean hang(State state) {
-        boolean isThere = hung.isAt(state);
+        boolean isThere = hung.ends.isAt(state);
         if (!isThere && follow(state)) {
             hung.begin(state);
             isThere = true;
@@ -186,10 +184,12 @@ final class TreeStep implements Serializable {
         return true;
     }
 
-    /** Begins again, with parts half as long; false if they are short enough as they are. */
-    private boolean divide(State state, HungChain chain) {
+    /** Begins again, with shorter parts, as what is rough is of fourth order; false if they are short enough as they are. */
+    private boolean divide(State state, HungChain chain, double most) {
         boolean isPossible = parts < MOST_PARTS;
-        parts = isPossible ? 2 * parts : 1;
+        double needed = worst > most ? parts * Math.sqrt(Math.sqrt(worst / most)) : MOST_PARTS;
+        int more = (int) Math.min(Math.max(parts + 1, Math.ceil(needed)), Math.min(2 * parts, MOST_PARTS));
+        parts = isPossible ? more : 1;
         if (!isPossible) {
             forget(chain);
         } else if (chain == null) {
@@ -204,19 +204,21 @@ final class TreeStep implements Serializable {
     private void forget(HungChain chain) {
         tree.forget();
         if (chain != null) {
-            chain.forget();
+            chain.ends.forget();
         }
     }
 
+    /** Lets the next step be made in one part less, if this one would hardly have been too rough then. */
     private void unite(double most) {
-        parts = worst < FINER * most ? Math.max(1, parts / 2) : parts;
+        double longer = parts / (parts - 1.0);
+        parts = worst * longer * longer * (longer * longer) * longer < most ? Math.max(1, parts - 1) : parts;
     }
 
     /** Gives a held tree that falls the energy back that it had at the start; false if the step was wrong. */
     private boolean keepsEnergy(State state, double gx, double gy) {
         return tree.isFree
                 || worst < WATCHED
-                || (hung == null ? energy.restore(state, gx, gy) : hung.restoreEnergy(state, gx, gy))
+                || (hung == null ? energy.restore(state, gx, gy) : hung.ends.restoreEnergy(state, gx, gy))
                 || parts == MOST_PARTS;
     }
 
@@ -228,12 +230,12 @@ final class TreeStep implements Serializable {
             tree.places.locate();
         }
         for (int k = 0; k < parts; k++) {
-            if (!isSmooth(part, step(gx, gy, part), most)) {
+            if (!isSmooth(part, step(gx, gy, part, k == parts - 1), most)) {
                 return false;
             }
         }
         if (hung != null) {
-            hung.place();
+            hung.ends.place();
             return true;
         }
         tree.places.place();
@@ -244,9 +246,9 @@ final class TreeStep implements Serializable {
     }
 
     /** RK4, (13), under a uniform field; returns how rough it was. */
-    private double step(double gx, double gy, double h) {
+    private double step(double gx, double gy, double h, boolean isLast) {
         if (hung != null) {
-            return hung.step(gx, gy, h);
+            return hung.step(gx, gy, h, isLast);
         }
         tree.eliminate(gx, gy);
         tree.accelerate(0, 0.5 * h);

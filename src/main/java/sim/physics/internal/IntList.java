@@ -45,6 +45,31 @@ public final class IntList implements Serializable {
         return this;
     }
 
+    /**
+     * Whether the values of a list in ascending order follow one another without a gap, so that loops need not look them up.
+     *
+     * @return true for one value, false for none
+     */
+    public boolean isRow() {
+        return size > 0 && values[size - 1] - values[0] == size - 1;
+    }
+
+    /**
+     * How many values of another list this one goes on with.
+     *
+     * @param from index of the first
+     * @param other its values are looked for from its first on
+     * @return number of values that are the same
+     */
+    public int common(int from, IntList other) {
+        int most = Math.min(size - from, other.size);
+        int k = 0;
+        while (k < most && values[from + k] == other.values[k]) {
+            k++;
+        }
+        return k;
+    }
+
     /** Removes all values and keeps the array. */
     public void clear() {
         size = 0;

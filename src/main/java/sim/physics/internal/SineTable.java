@@ -6,22 +6,30 @@ package sim.physics.internal;
  * Sine and cosine of one angle from a table and short series, for kernels that need many: the same bits on every machine, a
  * third of the time of {@link Trig#sinCos}, and an error of at most 2⁻⁵¹ of the radius instead of a last place.
  *
- * <p>The angle is that of the nearest of 256 directions and a rest of at most π/256, which the table's directions are
+ * <p>The angle is that of the nearest of 512 directions and a rest of at most π/512, which the table's directions are
  * turned by.
  */
 public final class SineTable {
     /** Directions of the table. */
-    private static final int SIZE = 256;
+    private static final int SIZE = 512;
 
-    private static final double PER_RADIAN = 0x1.45f306dc9c883p5; // 256 / 2π
+    private static final double PER_RADIAN = 0x1.45f306dc9c883p6; // 512 / 2π
 
-    /** 2π/256 in two parts; the first one has 33 bits, so that its products with a number of directions are exact. */
-    private static final double PART_1 = 0x1.921fb544p-6;
+    /** 2π/512 in two parts; the first one has 31 bits, so that its products with a number of directions are exact. */
+    private static final double PART_1 = 0x1.921fb544p-7;
 
-    private static final double PART_2 = 0x1.0b4611a626331p-40;
+    private static final double PART_2 = 0x1.0b4611a626331p-41;
 
     /** From here on those products are not exact. */
     private static final double LARGE = 2e4;
+
+    /** Of the series in 512ths of a turn: sine d (A − d² (B − d² C)), versine d² (D − d² E). */
+    private static final double A = PART_1 + PART_2;
+
+    private static final double B = A * A * A / 6;
+    private static final double C = B * A * A / 20;
+    private static final double D = A * A / 2;
+    private static final double E = D * A * A / 12;
 
     /** Adding and taking it away rounds to a whole number; what is added to it shows in its last bits. */
     private static final double ROUND = 0x1.8p52;
@@ -76,8 +84,8 @@ public final class SineTable {
         double s = TABLE[2 * entry + 1];
         double d = x - count * PART_1 - count * PART_2;
         double z = d * d;
-        double sine = d - d * z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040)));
-        double versine = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720)));
+        double sine = d - d * z * (1.0 / 6 - z * (1.0 / 120));
+        double versine = z * (0.5 - z * (1.0 / 24));
         double cos = c - (c * versine + s * sine);
         double sin = s - (s * versine - c * sine);
         out[at] = cos;
@@ -117,8 +125,40 @@ public final class SineTable {
         double s = TABLE[2 * entry + 1];
         double d = x - count * PART_1 - count * PART_2;
         double z = d * d;
-        double sine = d - d * z * (1.0 / 6 - z * (1.0 / 120 - z * (1.0 / 5040)));
-        double versine = z * (0.5 - z * (1.0 / 24 - z * (1.0 / 720)));
+        double sine = d - d * z * (1.0 / 6 - z * (1.0 / 120));
+        double versine = z * (0.5 - z * (1.0 / 24));
+        out[at] = c - (c * versine + s * sine);
+        out[at + 1] = s - (s * versine - c * sine);
+    }
+
+    /**
+     * An angle in 512ths of a turn, for {@link #directParts}.
+     *
+     * @param x rad
+     * @return number of parts
+     */
+    public static double parts(double x) {
+        return x * PER_RADIAN;
+    }
+
+    /**
+     * {@link #direct} for an angle that is given in {@link #parts}, which leaves no rest to be found with care.
+     *
+     * @param x angle in 512ths of a turn
+     * @param quarters from {@link #quarters}
+     * @param out gets the cosine at index {@code at}, then the sine
+     * @param at index into {@code out}
+     * @throws IndexOutOfBoundsException if {@code out} has no such places
+     */
+    public static void directParts(double x, double quarters, double[] out, int at) {
+        double shifted = x + quarters;
+        double d = x - (shifted - quarters);
+        int entry = (int) Double.doubleToRawLongBits(shifted) & SIZE - 1;
+        double c = TABLE[2 * entry];
+        double s = TABLE[2 * entry + 1];
+        double z = d * d;
+        double sine = d * (A - z * (B - z * C));
+        double versine = z * (D - z * E);
         out[at] = c - (c * versine + s * sine);
         out[at + 1] = s - (s * versine - c * sine);
     }

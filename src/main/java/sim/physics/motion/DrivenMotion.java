@@ -237,13 +237,10 @@ final class DrivenMotion implements Serializable {
         if (!isFresh || !tied.leap(motion, group, motion.time(0), h, path)) {
             return false;
         }
-        trajectories.lead(group, 1 / h, state);
-        for (int k = 0; k < group.size; k++) {
-            int body = group.values[k];
-            endAt[body] = h;
-            pace[body] = h;
-        }
-        isCoarse = path.knowsFirst ? pathError.of(group, trajectories.bends(), Trajectories.STRIDE, h, near(group)) > 1 : turnsCoarsely(group, h);
+        double fastest = GroupPaths.lead(trajectories, group, 1 / h, state);
+        GroupPaths.set(endAt, group, h);
+        GroupPaths.set(pace, group, h);
+        isCoarse = path.knowsFirst ? pathError.of(group, trajectories.bends(), Trajectories.STRIDE, h, near(group)) > 1 : turnsCoarsely(group, h * fastest);
         return !isCoarse || !areNear(group, neighbours);
     }
 
@@ -290,9 +287,9 @@ final class DrivenMotion implements Serializable {
         return pathError.of(group, length, near(group));
     }
 
-    /** Whether the paths are too far from the motion by how far bodies turn. */
-    private boolean turnsCoarsely(IntList group, double length) {
-        double fourth = pathError.fourthTurn(group, length);
+    /** Whether the paths are too far from the motion by how far the fastest body turns. */
+    private boolean turnsCoarsely(IntList group, double turn) {
+        double fourth = turn * turn * turn * turn;
         return fourth > 384 * FINE && fourth / (384 * near(group)) > 1;
     }
 

@@ -386,9 +386,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     /** Anchors driven bodies at the start of a step where the last one left them. */
     public void anchorDriven() {
-        for (int k = 0; k < driven.size; k++) {
-            trajectories.anchor(driven.values[k], 0, state);
-        }
+        GroupPaths.anchor(trajectories, driven, state);
     }
 
     /**

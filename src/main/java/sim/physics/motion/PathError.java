@@ -53,22 +53,9 @@ final class PathError implements Serializable {
         return most * length * length / (32 * near);
     }
 
-    /** The same by how far bodies turn, where nothing is known of accelerations. */
+    /** The same by how far the fastest body turns, where nothing is known of accelerations. */
     private double ofTurn(IntList group, double length, double near) {
-        return fourthTurn(group, length) / (384 * near);
-    }
-
-    /** The fourth power of the angle by which the fastest body turns. */
-    double fourthTurn(IntList group, double length) {
-        double[] m = trajectories.data();
-        double most = 0;
-        for (int k = 0; k < group.size; k++) {
-            double omega = Math.abs(m[Trajectories.STRIDE * group.values[k] + Trajectories.OMEGA]);
-            if (!(omega <= most)) { // seldom; a maximum would make each wait for the last
-                most = omega;
-            }
-        }
-        double turn = length * most;
-        return turn * turn * turn * turn;
+        double turn = length * GroupPaths.fastestTurn(trajectories, group);
+        return turn * turn * turn * turn / (384 * near);
     }
 }

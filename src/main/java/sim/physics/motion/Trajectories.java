@@ -272,33 +272,6 @@ public final class Trajectories implements Serializable {
     }
 
     /**
-     * Lets bodies' paths be the cubics from their anchors to where the state vectors have them, as {@link Path} does.
-     *
-     * @param group indices
-     * @param per one over the time from the anchor to then
-     * @param state the vectors
-     */
-    void lead(IntList group, double per, State state) {
-        double[] x = state.x();
-        double[] v = state.v();
-        double[] m = data;
-        double[] k = unfold();
-        double square = per * per;
-        for (int body = 0; body < group.size; body++) {
-            int o = group.values[body] * STRIDE;
-            int b = group.values[body] * State.BLOCK;
-            for (int c = 0; c < State.BLOCK; c++) {
-                double start = m[o + VX + c];
-                double end = v[b + c];
-                double bend = start + end - 2 * per * (x[b + c] - m[o + c]);
-                bend = Math.abs(bend) <= Path.ROUNDING * (Math.abs(start) + Math.abs(end)) ? 0 : bend;
-                k[o + AX + c] = per * (0.5 * (end - start) - 1.5 * bend);
-                k[o + JX + c] = square * bend;
-            }
-        }
-    }
-
-    /**
      * Sets the constant accelerations of a body from its anchor on.
      *
      * @param body index, brought to the present instant before

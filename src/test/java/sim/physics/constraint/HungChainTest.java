@@ -119,6 +119,61 @@ class HungChainTest {
         assertThat(angles[0]).containsExactly(angles[1]);
     }
 
+    /** Blocks side by side are taken at once; with others between them, and in the other order, one by one. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 5, 8})
+    void goTheSameWayWhereverTheirBlocksLie(int links) {
+        List<double[]> places = new ArrayList<>();
+        for (int order = 0; order < 3; order++) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(1 / 60.0);
+            engine.add(new Gravity(0, -9.81));
+            Body[] chain = new Body[links];
+            for (int k = 0; k < links; k++) {
+                int link = order == 1 ? links - 1 - k : k;
+                chain[link] = engine.add(new Body(new Rectangle(1, 0.02)).at(link + 0.5, 0));
+                chain[link].setCollisionGroup(1, 0);
+                if (order == 2) {
+                    engine.add(new Body(new Rectangle(1, 1)).at(k, 100));
+                }
+            }
+            for (int k = 0; k < links; k++) {
+                engine.add(k == 0 ? new PinJoint(chain[k], 0, 0) : new PinJoint(chain[k - 1], chain[k], k, 0));
+            }
+            for (int k = 0; k < 300; k++) {
+                engine.step();
+            }
+            double[] all = new double[4 * links];
+            for (int k = 0; k < links; k++) {
+                all[4 * k] = chain[k].getX();
+                all[4 * k + 1] = chain[k].getY();
+                all[4 * k + 2] = chain[k].getAngle();
+                all[4 * k + 3] = chain[k].getAngularVelocity();
+            }
+            places.add(all);
+        }
+        assertThat(places.get(1)).containsExactly(places.get(0));
+        assertThat(places.get(2)).containsExactly(places.get(0));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e3, 3e4, 1e6})
+    void aPendulumThatHasTurnedOftenSwingsAsOneThatHasNot(double turns) {
+        double[][] turning = new double[2][40];
+        for (int which = 0; which < 2; which++) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(1 / 64.0);
+            engine.add(new Gravity(0, -9.81));
+            Body rod = engine.add(new Body(new Rectangle(2, 0.25)).at(1, 0, which * Math.rint(turns) * 2 * Math.PI));
+            engine.add(new PinJoint(rod, 0, 0));
+            for (int k = 0; k < 40; k++) {
+                engine.step();
+                turning[which][k] = rod.getAngularVelocity();
+            }
+        }
+        assertThat(turning[1]).containsExactly(turning[0], within(1e-14 * turns));
+    }
+
     /** What the root of a chain laid along an axis feels fades from link to link. */
     @Test
     void nothingFadesIntoDenormalNumbers() {

@@ -57,10 +57,33 @@ class SineTableTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(doubles = {0.01, 4, 300, 1.9e4, 1e6})
+    void partsOfATurnAddTheRoundingOfTheAngle(double range) {
+        SplittableRandom random = new SplittableRandom(6);
+        double[] out = new double[2];
+        for (int k = 0; k < 100_000; k++) {
+            double x = range * (2 * random.nextDouble() - 1);
+            int quarters = random.nextInt(4);
+            SineTable.directParts(SineTable.parts(x), SineTable.quarters(quarters), out, 0);
+            double cos = StrictMath.cos(x);
+            double sin = StrictMath.sin(x);
+            double[] right = quarters % 2 == 0 ? new double[] {cos, sin} : new double[] {-sin, cos};
+            double sign = quarters < 2 ? 1 : -1;
+            assertThat(out[0]).isCloseTo(sign * right[0], within(0x1p-51 + 0x1p-52 * Math.abs(x)));
+            assertThat(out[1]).isCloseTo(sign * right[1], within(0x1p-51 + 0x1p-52 * Math.abs(x)));
+        }
+    }
+
     @Test
     void areNothingForNoAngle() {
         assertThat(of(Double.NaN)).containsOnly(Double.NaN);
         assertThat(of(Double.POSITIVE_INFINITY)).containsOnly(Double.NaN);
         assertThat(of(0)).containsExactly(1, 0);
+        double[] out = new double[2];
+        SineTable.directParts(SineTable.parts(Double.NaN), SineTable.quarters(0), out, 0);
+        assertThat(out).containsOnly(Double.NaN);
+        SineTable.directParts(SineTable.parts(Double.NEGATIVE_INFINITY), SineTable.quarters(1), out, 0);
+        assertThat(out).containsOnly(Double.NaN);
     }
 }

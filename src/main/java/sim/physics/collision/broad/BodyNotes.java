@@ -5,6 +5,7 @@ package sim.physics.collision.broad;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.Growth;
+import sim.physics.internal.IntList;
 
 /** What collision detection notes of each body, a byte per body. */
 public final class BodyNotes implements Serializable {
@@ -46,6 +47,23 @@ public final class BodyNotes implements Serializable {
      */
     public boolean has(int body, int what) {
         return (notes[body] & what) != 0;
+    }
+
+    /**
+     * Adds those of some bodies to a list of which something is not noted.
+     *
+     * @param what one of the constants
+     * @param bodies indices
+     * @param list grows
+     */
+    public void addWithout(int what, IntList bodies, IntList list) {
+        byte[] all = notes;
+        for (int k = 0; k < bodies.size; k++) {
+            int body = bodies.values[k];
+            if ((all[body] & what) == 0) {
+                list.add(body);
+            }
+        }
     }
 
     /**
