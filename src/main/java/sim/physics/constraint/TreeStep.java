@@ -134,7 +134,7 @@ final class TreeStep implements Serializable {
             return false;
         }
         if (loaded == null) {
-            loaded = new TreeLoads(tree);
+            loaded = TreeLoads.of(tree);
         }
         loaded.keep(state);
         while (!isDone(state, loads, a, t, h)) {
@@ -161,6 +161,9 @@ final class TreeStep implements Serializable {
         if (!isWeighed) {
             tree.weigh(state.w().values());
             hung = HungChain.of(tree);
+            if (loaded != null) {
+                loaded.weigh();
+            }
             isWeighed = true;
         }
         return true;
