@@ -39,11 +39,6 @@ class TreeLoads implements Serializable {
         first = new double[State.BLOCK * tree.links];
     }
 
-    /** The quickest way for a tree whose masses are known. */
-    static TreeLoads of(PinTree tree) {
-        return HubLoads.isHub(tree) ? new HubLoads(tree) : new TreeLoads(tree);
-    }
-
     /** The masses have changed. */
     void weigh() {
         // they are asked for at each stage
