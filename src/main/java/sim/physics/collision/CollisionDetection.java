@@ -45,7 +45,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     private final BodyNotes notes;
     private double pathEnd;
 
-    private final PairMarks marks = new PairMarks(pairs);
+    private final PairMarks marks;
     private final IntList together = new IntList();
 
     /** Bodies whose pairs are looked at together, while the step begins. */
@@ -69,6 +69,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         Boxes boxes = enclosures.boxes();
         notes = boxes.notes();
         NarrowPhase narrowPhase = new NarrowPhase(pairs, trajectories, enclosures.shapes(), boxes);
+        marks = new PairMarks(pairs, new Clearances(pairs, trajectories, narrowPhase));
         this.search = new PairSearch(pairs, trajectories, marks, narrowPhase);
         this.watch = new Watch(this, pairs, marks, search, queue, enclosures.order());
         this.companions = new Companions(trajectories, boxes, pairs, marks, narrowPhase);
@@ -158,6 +159,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         h = length;
         queue.clear();
         watch.begin(number, length);
+        marks.clearances().begin();
     }
 
     /** Looks at the bodies that leave their boxes in the step that has begun, and at the pairs that may touch in it. */
@@ -186,6 +188,9 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
      * @param except a pair that need not be looked at, or −1
      */
     public void moved(int body, double tau, boolean teleported, int except) {
+        if (teleported) {
+            marks.clearances().forgetAll(body);
+        }
         enclosures.moved(body, tau, teleported, step, h);
         watch.clearList();
         if (notes.has(body, BodyNotes.IDLE)) {

@@ -138,8 +138,9 @@ final class Enclosures implements Serializable {
      * @param h its length
      */
     void moved(int body, double tau, boolean teleported, long step, double h) {
-        if (!teleported && trajectories.isDriven(body) && room.holds(body, tau, detection.end(body))) {
-            agenda.schedule(body, Agenda.NEVER); // it is looked at again in the next step anyway
+        boolean isPassing = trajectories.isDriven(body) || state.isPushed(body); // another path follows in the next step
+        if (!teleported && isPassing && room.holds(body, tau, detection.end(body))) {
+            agenda.schedule(body, Agenda.NEVER);
         } else if (!boxes.isFixed(body) || teleported) {
             long date = teleported ? step : room.leavingDate(body, tau, step, h);
             if (date <= step) {

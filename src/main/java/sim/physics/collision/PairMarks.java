@@ -26,12 +26,21 @@ public final class PairMarks implements Serializable {
     /** Pairs that stick; empty while none ever did. */
     private boolean[] sticky = {};
 
-    PairMarks(Pairs pairs) {
+    private final Clearances clearances;
+
+    PairMarks(Pairs pairs, Clearances clearances) {
         this.pairs = pairs;
+        this.clearances = clearances;
+    }
+
+    /** How far pairs are apart at least. */
+    Clearances clearances() {
+        return clearances;
     }
 
     void begin(int pair, boolean isIgnored) {
         pairs.setMarks(pair, isIgnored ? IGNORED : 0);
+        clearances.forget(pair);
         if (pair < depth.length) {
             depth[pair] = 0;
         }

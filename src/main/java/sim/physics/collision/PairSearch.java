@@ -60,6 +60,10 @@ final class PairSearch implements Serializable {
         if (marks.isUnseen(pair)) {
             return 0;
         }
+        if (narrowPhase.isContinuous() && marks.clearances().isKept(pair)) {
+            found = LATER;
+            return trajectories.h();
+        }
         return look(pair, tau, narrowPhase.boundingCircles(pair, tau), end);
     }
 
@@ -92,6 +96,9 @@ final class PairSearch implements Serializable {
         double t = depth > 0
                 ? narrowPhase.firstContact(pair, tau, start, end, depth)
                 : narrowPhase.firstContact(pair, tau, start, end);
+        if (!trajectories.areStraight()) {
+            marks.clearances().note(pair, depth > 0 ? Double.NaN : narrowPhase.clearance());
+        }
         found = LATER;
         if (narrowPhase.isApart()) {
             return t;

@@ -43,6 +43,11 @@ public abstract class ConstraintSolver implements Serializable {
         return false;
     }
 
+    /** Whether islands in which there is nothing to solve may go their own way, whatever their masses are. */
+    boolean isDirect() {
+        return false;
+    }
+
     /**
      * Both at once.
      *

@@ -42,6 +42,11 @@ public final class DirectSolver extends ConstraintSolver {
     }
 
     @Override
+    boolean isDirect() {
+        return true;
+    }
+
+    @Override
     boolean isPlain(Island island, double[] w) {
         return !island.isRedundant && !(island.spread(w) > SPREAD);
     }

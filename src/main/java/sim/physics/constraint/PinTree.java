@@ -483,4 +483,14 @@ final class PinTree implements Serializable {
     double roughness() {
         return roughness;
     }
+
+    /** Sets it, after a step that was made elsewhere. */
+    void setRoughness(double roughness) {
+        this.roughness = roughness;
+    }
+
+    /** Whether a link may turn by an angle at once; not by NaN. */
+    static boolean follows(double turn) {
+        return Math.abs(turn) <= HALF_TURN;
+    }
 }

@@ -51,7 +51,25 @@ final class TreeLayout {
             }
         }
         boolean isTree = held <= 1 && island.nodes == island.bodies.size - 1 + held;
-        return isTree ? new TreeLayout(island, arms).follow(root, held == 0) : null;
+        return isTree ? new TreeLayout(island, arms).follow(held == 0 ? hub(island, arms) : root, held == 0) : null;
+    }
+
+    /** The body to which all others of a free tree are pinned at their own centres of mass; 0 if there is none. */
+    private static int hub(Island island, double[] arms) {
+        for (int p = 0, hub = island.a[0], other = island.b[0]; ; p++) {
+            if (p == island.nodes) {
+                return hub;
+            }
+            boolean isFirst = island.a[p] == hub;
+            int side = 2 * (isFirst ? 2 * p + 1 : 2 * p);
+            if (!isFirst && island.b[p] != hub || arms[side] != 0 || arms[side + 1] != 0) {
+                if (hub == other) {
+                    return 0;
+                }
+                hub = other; // the first pin has two bodies
+                p = -1;
+            }
+        }
     }
 
     /** Parents before children, and right before one of them. */

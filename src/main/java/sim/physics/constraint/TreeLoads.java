@@ -12,31 +12,36 @@ import sim.physics.motion.State;
  * look at, and what acts on each of them takes part in the elimination. The centre of mass of a free tree follows the sum of the
  * forces by the same method.
  */
-final class TreeLoads implements Serializable {
+class TreeLoads implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    private static final int STAGES = 4;
+    static final int STAGES = 4;
     private static final int VALUES = 2 * State.BLOCK;
 
-    private static final double[] NODE = {0, 0.5, 0.5, 1};
+    static final double[] NODE = {0, 0.5, 0.5, 1};
 
-    private final PinTree tree;
+    final PinTree tree;
 
     /** The state at the start of a step, by link. */
     private final double[] start;
 
     /** Accelerations of the links there, with what the pins do, by link. */
-    private final double[] first;
+    final double[] first;
 
     /** Accelerations of the centre of mass at the stages. */
-    private final double[] fallX = new double[STAGES];
+    final double[] fallX = new double[STAGES];
 
-    private final double[] fallY = new double[STAGES];
+    final double[] fallY = new double[STAGES];
 
     TreeLoads(PinTree tree) {
         this.tree = tree;
         start = new double[VALUES * tree.links];
         first = new double[State.BLOCK * tree.links];
+    }
+
+    /** The masses have changed. */
+    void weigh() {
+        // they are asked for at each stage
     }
 
     /** Keeps the state at the start of a step. */

@@ -37,6 +37,7 @@ final class TreeStep implements Serializable {
     private final PinTree tree;
     private final double[] open = new double[2];
     private boolean isWeighed;
+    private boolean isHub;
 
     /** The same tree if it is a chain that hangs in the world; null if it is not. */
     private HungChain hung;
@@ -128,11 +129,11 @@ final class TreeStep implements Serializable {
      * @return false if the general code must make this step
      */
     boolean advance(State state, ConstraintSolver solver, Loads loads, double[] a, double t, double h) {
-        if (!begin(state, solver)) {
+        if (!(isHub(state, solver) ? follow(state) : begin(state, solver))) {
             return false;
         }
         if (loaded == null) {
-            loaded = new TreeLoads(tree);
+            loaded = isHub ? new HubLoads(tree) : new TreeLoads(tree);
         }
         loaded.keep(state);
         while (!isDone(state, loads, a, t, h)) {
@@ -156,12 +157,30 @@ final class TreeStep implements Serializable {
         if (!solver.isPlain(island, state.w().values())) {
             return false;
         }
-        if (!isWeighed) {
-            tree.weigh(state.w().values());
-            hung = HungChain.of(tree);
-            isWeighed = true;
-        }
+        weigh(state);
         return true;
+    }
+
+    /** Whether the tree is a hub, in which nothing is solved for under loads, however light what it carries is. */
+    private boolean isHub(State state, ConstraintSolver solver) {
+        if (solver.isDirect()) {
+            weigh(state);
+        }
+        return solver.isDirect() && isHub;
+    }
+
+    private void weigh(State state) {
+        if (isWeighed) {
+            return;
+        }
+        tree.weigh(state.w().values());
+        hung = HungChain.of(tree);
+        isHub = HubLoads.isHub(tree);
+        loaded = loaded instanceof HubLoads == isHub ? loaded : null;
+        if (loaded != null) {
+            loaded.weigh();
+        }
+        isWeighed = true;
     }
 
     private boolean hang(State state) {

@@ -280,7 +280,7 @@ final class DrivenMotion implements Serializable {
         if (surface != null && limit > 0) {
             return sliding.advance(state.body(group.values[0]), surface, group, t, limit, isPressed(group));
         }
-        return motion.getIntegrator().advance(motion, state, group, t, limit, path);
+        return RungeKutta4.stays(motion, state, group, t, path) ? limit : motion.getIntegrator().advance(motion, state, group, t, limit, path);
     }
 
     private double pathError(IntList group, double length) {

@@ -224,7 +224,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     /**
      * Lets the forces that were applied for the step before act no longer.
      *
-     * @param changed takes the bodies whose course changes
+     * @param changed takes the bodies whose course changes, but for those that are about to be admitted
      */
     public void endApplied(IntList changed) {
         for (int k = 0; k < pushed.size; k++) {
@@ -232,7 +232,9 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
             if (state.body(body) != null && !trajectories.isDriven(body)) {
                 trajectories.bring(body, 0);
                 course(body);
-                changed.add(body);
+                if (!state.isTouched(body)) {
+                    changed.add(body);
+                }
             }
         }
         pushed.clear();

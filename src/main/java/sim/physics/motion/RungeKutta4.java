@@ -43,6 +43,28 @@ public final class RungeKutta4 implements Integrator {
         return h;
     }
 
+    /**
+     * Whether a step of this method would leave a body where it is, since it is at rest under forces that depend on its state
+     * alone and add up to nothing. Then its path is known; if not, the next step need not ask for the forces where it begins.
+     */
+    static boolean stays(Motion motion, State state, IntList group, double t, Path path) {
+        double[] v = state.v();
+        int b = State.BLOCK * group.values[0];
+        boolean isStill = v[b] == 0 && v[b + 1] == 0 && v[b + 2] == 0 && group.size == 1;
+        if (!isStill || !(motion.getIntegrator() instanceof RungeKutta4) || !motion.generators.areAutonomous(state, group)) {
+            return false;
+        }
+        path.ensure(State.BLOCK * state.size());
+        motion.acceleration(group, t, path.stage);
+        path.takeFirst(group);
+        path.isAtStart = !(path.first[b] == 0 && path.first[b + 1] == 0 && path.first[b + 2] == 0);
+        for (int k = 0; k < State.BLOCK && !path.isAtStart; k++) {
+            path.straight(b + k);
+            v[b + k] = 0; // not −0
+        }
+        return !path.isAtStart;
+    }
+
     /** The same for one who makes the path himself. */
     void advanceWithoutPath(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path) {
         path.ensure(State.BLOCK * state.size());

@@ -32,6 +32,7 @@ public final class NarrowPhase implements Serializable {
     private double flushLimit;
     private boolean touching;
     private boolean apart;
+    private double clearance;
     private boolean continuous = true;
 
     /**
@@ -105,6 +106,7 @@ public final class NarrowPhase implements Serializable {
         int i = pairs.first(pair);
         int j = pairs.second(pair);
         apart = false;
+        clearance = Double.NaN;
         if (!continuous) {
             wake();
             pose.load(i, j);
@@ -125,6 +127,7 @@ public final class NarrowPhase implements Serializable {
             found = timeOfImpact.search(found, end, pairs.code(pair));
             pairs.setCode(pair, timeOfImpact.code);
             touching = timeOfImpact.touching;
+            clearance = touching ? Double.NaN : features.gap;
         }
         boolean mayGraze = touching && !separatingLine.clean && !(isCircle(i) | isCircle(j));
         return mayGraze ? beyondGrazes(pair, found, end) : found;
@@ -189,6 +192,15 @@ public final class NarrowPhase implements Serializable {
      */
     public boolean isContinuous() {
         return continuous;
+    }
+
+    /**
+     * How far a pair is apart where the last call of {@link #firstContact} looked last.
+     *
+     * @return length, or NaN if that is not known
+     */
+    public double clearance() {
+        return clearance;
     }
 
     /**
@@ -286,7 +298,13 @@ public final class NarrowPhase implements Serializable {
         return circles.meetAll(body, pairs, tau);
     }
 
-    private boolean isCircle(int body) {
+    /**
+     * Whether a body is a circle.
+     *
+     * @param body index
+     * @return false for polygons
+     */
+    public boolean isCircle(int body) {
         return shapes.isCircle(body);
     }
 
