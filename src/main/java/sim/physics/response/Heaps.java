@@ -4,6 +4,7 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import sim.physics.collision.CollisionDetection;
+import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
@@ -44,6 +45,9 @@ public final class Heaps implements Serializable {
 
     private static final int NONE = -1;
 
+    /** Part of what forces give a body in a step that the speed is at which it is not on its way to or from the ground. */
+    private static final double STANDING = 1e-5;
+
     private final State state;
     private final Trajectories trajectories;
     private final Motion motion;
@@ -57,6 +61,10 @@ public final class Heaps implements Serializable {
     private final IntList dirty = new IntList();
 
     private final IntList changed = new IntList();
+
+    private final double[] fall = new double[State.BLOCK];
+    private final Impact point = new Impact();
+    private transient Manifold manifold;
 
     Heaps(
             State state,
@@ -224,8 +232,45 @@ public final class Heaps implements Serializable {
                 }
             }
             response.resting().forget(body);
+            addGround(body);
         }
         mark(body);
+    }
+
+    /**
+     * Lets last what a body stood on until just now, when it was struck from aside: a heap that gives the body all of its
+     * weight for the rest of the step, and nothing that bears it, would throw it against the ground.
+     */
+    private void addGround(int body) {
+        motion.fall(body, fall, 0);
+        double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
+        if (pull == 0 || trajectories.isDriven(body)) {
+            return;
+        }
+        double tau = trajectories.offset(body);
+        for (int k = 0; k < detection.pairs().countOf(body); k++) {
+            int pair = detection.pairs().of(body, k);
+            boolean isGround = state.body(detection.pairs().other(pair, body)).isFixed();
+            if (isGround && !detection.marks().isUnseen(pair) && !lasts(pair) && standsOn(pair, body, tau, pull)) {
+                add(pair);
+            }
+        }
+    }
+
+    private boolean standsOn(int pair, int body, double tau, double pull) {
+        if (detection.marks().isIgnored(pair) || !detection.narrowPhase().touches(pair, tau)) {
+            return false;
+        }
+        manifold = manifold == null ? new Manifold() : manifold;
+        detection.narrowPhase().contact(pair, tau, manifold);
+        boolean yes = true;
+        for (int k = 0; k < manifold.count; k++) {
+            response.load(manifold, pair, k, point);
+            double pressed = fall[0] * point.nx + fall[1] * point.ny;
+            yes &= (detection.pairs().first(pair) == body ? pressed : -pressed) > 0
+                    && Math.abs(point.normalVelocity()) < STANDING * pull * trajectories.h();
+        }
+        return yes;
     }
 
     private void mark(int body) {
