@@ -378,7 +378,7 @@ public final class CollisionResponse implements Serializable {
 
     private void load(int a, int b, int point) {
         loader.load(manifold, a, b, point, impact);
-        impact.restitution = impact.sticky ? 0 : impact.restitution;
+        impact.restitution = impact.sticky ? 0 : impact.restitution * heaps.ownShare(a, b, impact);
     }
 
     /** Loads one point of a pair that rests or lies on one another: what sticks is held by friction without bounds. */

@@ -194,6 +194,19 @@ public final class Heaps implements Serializable {
         return heap.scales().size(a, b);
     }
 
+    /**
+     * The part of an approach that bounces: without what bodies of heaps have got for the time that is left, which would
+     * else be given back to them as a bounce.
+     */
+    double ownShare(int a, int b, Impact c) {
+        double approach = -c.normalVelocity();
+        if (isEmpty() || !(approach > 0)) {
+            return 1;
+        }
+        double toCome = by.toCome(a, trajectories, c.rAx, c.rAy, c.nx, c.ny) - by.toCome(b, trajectories, c.rBx, c.rBy, c.nx, c.ny);
+        return toCome > 0 ? Math.max(0, 1 - toCome / approach) : 1;
+    }
+
     /** Lets a pair last. */
     void add(int pair) {
         heap.begin(pair);
