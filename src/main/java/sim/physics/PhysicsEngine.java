@@ -440,7 +440,7 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Removes a body, and the constraints that it has part in; within a step, when the collision that is being handled is
+     * Removes a body, and the constraints and springs that it has part in; within a step, when the collision that is being handled is
      * over.
      *
      * @param body a body of this engine

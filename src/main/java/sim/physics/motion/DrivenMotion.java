@@ -140,7 +140,7 @@ final class DrivenMotion implements Serializable {
             length = stride(group, tau, length * PathError.root(error));
             error = pathError(group, length);
         }
-        double fine = Math.max(length * PathError.root(error), shortest);
+        double fine = Math.max(length * PathError.root(error), error > 1 ? shortest : 0);
         boolean isCut = isKnown && length < known && error <= 1; // the path says nothing against longer ones
         fineLength[first] = isCut ? Math.max(known, fine) : fine;
         isCoarse = error > 1;

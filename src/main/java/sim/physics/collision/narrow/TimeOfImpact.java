@@ -26,6 +26,9 @@ final class TimeOfImpact {
     /** The same after which progress is forced, whatever it makes of that. */
     private static final int MOST_CLOSE = 100 * PATIENCE;
 
+    /** Steps of the search after which a body that turns many times on its way is looked at as its bounding circle first. */
+    private static final int FAST = 30;
+
     /** The gap of such steps, and that penetration, relative to the smaller body. */
     private static final double CLOSE = 1e-6;
 
@@ -102,7 +105,7 @@ final class TimeOfImpact {
         int stuck = 0;
         double size = Math.min(pose.a.core + pose.a.rounding(), pose.b.core + pose.b.rounding());
         int close = 0; // steps that were far from it were long, and get on by themselves
-        while (true) {
+        for (int k = 0; ; k++) {
             pose.moveTo(tau);
             pose.turn();
             evaluations++;
@@ -115,6 +118,7 @@ final class TimeOfImpact {
             if (touching) {
                 return tau;
             }
+            s = k > FAST ? Math.max(s, asCircle()) : s;
             double forced = close > MOST_CLOSE ? end * Tolerances.FORCED_PROGRESS : 0;
             double next = tau + Math.max(s, forced);
             if (!(next < end)) {
@@ -129,6 +133,27 @@ final class TimeOfImpact {
             }
             tau = next;
         }
+    }
+
+    /**
+     * The time that surely passes before the circle around a body meets the line of the closest edge of another one, if that
+     * edge does not turn; 0 if it does, or they have met.
+     */
+    private double asCircle() {
+        boolean isEdgeOfB = (features.featureB & 1) != 0;
+        Pose.Placed owner = isEdgeOfB ? pose.b : pose.a;
+        Pose.Placed other = isEdgeOfB ? pose.a : pose.b;
+        int feature = isEdgeOfB ? features.featureB : features.featureA;
+        if ((feature & 1) == 0 || owner.maxOmega != 0 || owner.maxAlpha != 0) {
+            return 0;
+        }
+        int side = isEdgeOfB ? -1 : 1;
+        double ex = owner.normalX(feature >> 1);
+        double ey = owner.normalY(feature >> 1);
+        double height = (other.cx - owner.vx[feature >> 1]) * ex + (other.cy - owner.vy[feature >> 1]) * ey;
+        double gap = height - other.core - pose.rounding;
+        double pull = pose.accelerationIsConstant ? -side * (pose.ax * ex + pose.ay * ey) : pose.maxAcceleration;
+        return gap > 0 ? root(gap, side * (pose.ux * ex + pose.uy * ey), Math.max(0, pull)) : 0;
     }
 
     /**
