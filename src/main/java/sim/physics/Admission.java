@@ -259,7 +259,7 @@ final class Admission implements Presence, Serializable {
         }
         for (int k = 0; k < leaving.size(); k++) {
             bringCompanions(leaving.get(k).index(), tau);
-            for (Body end : motion.springEnds(leaving.get(k), false)) {
+            for (Body end : motion.groups().springEnds(leaving.get(k), false)) {
                 if (end.state() == state && end != leaving.get(k)) {
                     bringCompanions(end.index(), tau);
                     bring(end.index(), tau);
@@ -318,7 +318,7 @@ final class Admission implements Presence, Serializable {
 
     /** Removes the springs of a body that leaves; those at their other ends start anew without, from where the vectors say. */
     private void cutSprings(Body body) {
-        for (Body end : motion.springEnds(body, true)) {
+        for (Body end : motion.groups().springEnds(body, true)) {
             if (end.state() == state && end != body) {
                 state.touch(end.index());
             }

@@ -248,4 +248,15 @@ public final class Groups implements Serializable {
         int second = find(b);
         parent[Math.max(first, second)] = Math.min(first, second);
     }
+
+    /**
+     * The bodies at the ends of a body's springs.
+     *
+     * @param body in this engine still
+     * @param leaves whether the springs go with it
+     * @return also the body
+     */
+    public List<Body> springEnds(Body body, boolean leaves) {
+        return generators.springEnds(body, leaves);
+    }
 }

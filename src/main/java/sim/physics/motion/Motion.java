@@ -165,17 +165,6 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     /**
-     * The bodies at the ends of a body's springs.
-     *
-     * @param body in this engine still
-     * @param leaves whether the springs are to be removed
-     * @return also the body itself
-     */
-    public List<Body> springEnds(Body body, boolean leaves) {
-        return generators.springEnds(body, leaves);
-    }
-
-    /**
      * Sets the simulated time of the start of the step.
      *
      * @param startOfStep time
