@@ -120,8 +120,11 @@ final class Admission implements Presence, Serializable {
         if (constraints != null) {
             tellConstraints();
         }
-        if (tau > 0 && (constraints != null || motion.groups().mayCouple())) {
+        if (tau > 0 && (constraints != null || motion.groups().mayCouple() || !leaving.isEmpty())) {
             bringOthers(tau);
+        }
+        for (int k = 0; k < leaving.size(); k++) {
+            cutSprings(leaving.get(k));
         }
         if (constraints != null) {
             regroup(tau);
@@ -256,6 +259,12 @@ final class Admission implements Presence, Serializable {
         }
         for (int k = 0; k < leaving.size(); k++) {
             bringCompanions(leaving.get(k).index(), tau);
+            for (Body end : motion.groups().springEnds(leaving.get(k), false)) {
+                if (end.state() == state && end != leaving.get(k)) {
+                    bringCompanions(end.index(), tau);
+                    bring(end.index(), tau);
+                }
+            }
         }
         exchangeWritten(writtenBodies, true);
     }
@@ -304,6 +313,15 @@ final class Admission implements Presence, Serializable {
             int b = n * state.touched(k);
             System.arraycopy(back ? written : x, back ? at : b, back ? x : written, back ? b : at, n);
             System.arraycopy(back ? written : v, back ? at + n : b, back ? v : written, back ? b : at + n, n);
+        }
+    }
+
+    /** Removes the springs of a body that leaves; those at their other ends start anew without, from where the vectors say. */
+    private void cutSprings(Body body) {
+        for (Body end : motion.groups().springEnds(body, true)) {
+            if (end.state() == state && end != body) {
+                state.touch(end.index());
+            }
         }
     }
 
@@ -406,6 +424,7 @@ final class Admission implements Presence, Serializable {
 
     /** Removes a body, with its constraints if that has not been done yet. */
     void drop(Body body) {
+        cutSprings(body);
         if (constraints != null) {
             untie(body);
             if (constraints.isChanged()) {

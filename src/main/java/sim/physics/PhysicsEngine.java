@@ -107,13 +107,20 @@ public final class PhysicsEngine implements Steppable {
     private long epochStep;
     private double now;
 
+    /** Offset in the step of what is being handled. */
+    private double instant;
+
     /** Makes an empty engine with the time step 1 and the integrator RK4. */
     public PhysicsEngine() {
         trajectories.begin(0, timeStep);
         detection.begin(0, timeStep);
     }
 
-    /** Advances the bodies by one time step. A time step of 0 changes nothing. */
+    /**
+     * Advances the bodies by one time step. A time step of 0 changes nothing. If a listener or another part of an author's
+     * throws an exception, the step ends with it: the bodies stay where they are at that instant, the step is not counted, and
+     * the next one goes on from there.
+     */
     public void step() {
         if (stepping) {
             throw new IllegalStateException("the engine was asked to step within its own step");
@@ -122,7 +129,9 @@ public final class PhysicsEngine implements Steppable {
             return;
         }
         stepping = true;
+        boolean isOver = false;
         try {
+            instant = 0;
             begin();
             drive();
             detection.look();
@@ -136,13 +145,29 @@ public final class PhysicsEngine implements Steppable {
                 }
             }
             finish();
+            isOver = true;
         } finally {
             if (asksAuthors) {
                 state.setPresence(null);
             }
+            if (!isOver) {
+                breakOff();
+            }
             stepping = false;
         }
         response.lasting().tell();
+    }
+
+    /** Code of authors has thrown: all bodies stay where they are at that instant, and the next step goes on from there. */
+    private void breakOff() {
+        for (Body body : bodies()) {
+            int index = body.index();
+            if (detection.knows(index) && !state.isTouched(index)) {
+                trajectories.publish(index, instant, state);
+            }
+            state.touch(index);
+        }
+        state.placedAll();
     }
 
     /** Begins the step; bodies that were added or set since the last one start from where they were put. */
@@ -276,6 +301,7 @@ public final class PhysicsEngine implements Steppable {
     /** Collision response, (16)–(24), at the next impact; then the bodies concerned go on. */
     private void respond() {
         double tau = detection.nextTime();
+        instant = tau;
         IntList touching = detection.nextImpacts();
         int pair = touching.size == 1 ? touching.values[0] : -1;
         if (pair >= 0 && !asksAuthors && bounce(pair, tau)) {
@@ -374,6 +400,7 @@ public final class PhysicsEngine implements Steppable {
     /** The path of a body has ended before the step: it has come to rest, or goes on from there. */
     private void goOn(int body) {
         double tau = detection.pathEnd();
+        instant = tau;
         if (response.resting().rests(body)) {
             response.resting().again(body);
             settle(tau);
@@ -441,7 +468,7 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Removes a body, and the constraints that it has part in; within a step, when the collision that is being handled is
+     * Removes a body, and the constraints and springs that it has part in; within a step, when the collision that is being handled is
      * over.
      *
      * @param body a body of this engine

@@ -52,8 +52,13 @@ public final class PairMarks implements Serializable {
         }
     }
 
-    /** Whether a pair is not to be looked at. */
-    boolean isUnseen(int pair) {
+    /**
+     * Whether a pair cannot collide, or has its own means while it rests.
+     *
+     * @param pair its number
+     * @return true if no impact of it is looked for
+     */
+    public boolean isUnseen(int pair) {
         return pairs.marks(pair) != 0;
     }
 

@@ -140,7 +140,9 @@ final class DrivenMotion implements Serializable {
             length = stride(group, tau, length * PathError.root(error));
             error = pathError(group, length);
         }
-        fineLength[first] = length * PathError.root(error);
+        double fine = Math.max(length * PathError.root(error), error > 1 ? shortest : 0);
+        boolean isCut = isKnown && length < known && error <= 1; // the path says nothing against longer ones
+        fineLength[first] = isCut ? Math.max(known, fine) : fine;
         isCoarse = error > 1;
         double step = chooses ? Math.min(trajectories.h(), Math.max(length, path.next[first])) : trajectories.h();
         for (int k = 0; k < group.size; k++) {

@@ -160,6 +160,24 @@ final class Generators implements Serializable {
         return true;
     }
 
+    /** The bodies at the ends of a body's springs, which are removed if it leaves. */
+    List<Body> springEnds(Body body, boolean leaves) {
+        List<Entry> named = driving.isEmpty() ? null : naming(body);
+        if (named == null) {
+            return List.of();
+        }
+        List<Body> ends = new ArrayList<>();
+        for (Entry entry : new ArrayList<>(named)) {
+            if (entry.generator instanceof Spring) {
+                ends.addAll(entry.bodies);
+                if (leaves) {
+                    remove(entry.generator);
+                }
+            }
+        }
+        return ends;
+    }
+
     /** The only bodies that a generator acts on, as it said when it was added; null if it is asked, or is not there. */
     List<Body> bodies(ForceGenerator generator) {
         for (int k = driving.size() - 1; k >= 0; k--) {

@@ -234,4 +234,15 @@ public final class Groups implements Serializable {
             isTiedNext[group.values[k]] = tied;
         }
     }
+
+    /**
+     * The bodies at the ends of a body's springs.
+     *
+     * @param body in this engine still
+     * @param leaves whether the springs go with it
+     * @return also the body
+     */
+    public List<Body> springEnds(Body body, boolean leaves) {
+        return generators.springEnds(body, leaves);
+    }
 }

@@ -15,7 +15,7 @@ import sim.physics.internal.Trig;
  * </pre>
  *
  * <p>It gives no force where both points are the same. Movable bodies that springs connect, directly or through others, are
- * integrated together.
+ * integrated together. A spring leaves an engine with the first of its bodies that is removed from it, as a joint does.
  */
 public final class Spring implements ForceGenerator {
     private static final long serialVersionUID = 1L;

@@ -3,6 +3,7 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.internal.IntList;
 
 /**
@@ -30,6 +31,11 @@ final class SwitchedMotion implements Serializable {
     /** Changes of what acts at the start of a path; with more the forces are at their bounds by rounding only. */
     private static final int MOST_CHANGES = 100;
 
+    /** Parts of a step that are too short to matter, of which a group may make so many; from then on they grow. */
+    private static final double TINY = 0x1p-20;
+
+    private static final int MOST_TINY = 200;
+
     private final Trajectories trajectories;
     private final State state;
     private final Ties ties;
@@ -40,6 +46,11 @@ final class SwitchedMotion implements Serializable {
     private double[] decided = {};
 
     private double[] kept = {};
+
+    /** By first body of a group: the step in which it made tiny parts last, and how many. */
+    private double[] tinyIn = {};
+
+    private int[] tiny = {};
 
     SwitchedMotion(State state, Trajectories trajectories, Ties ties, TiedMotion tied) {
         this.state = state;
@@ -54,6 +65,35 @@ final class SwitchedMotion implements Serializable {
 
     /** Advances a group from an offset until a motor reaches its speed or a joint its stop; returns how long. */
     double advance(Motion motion, IntList group, double t, double tau, double limit, Path path) {
+        double length = advanceUntilSwitch(motion, group, t, tau, limit, path);
+        double least = tau > 0 ? Math.min(leastLength(group.values[0], length), limit) : 0;
+        if (!(length < least)) {
+            return length;
+        }
+        tied.again(group);
+        tied.advance(motion, group, t, least, path);
+        return least;
+    }
+
+    /**
+     * How long a stride must be that was to be of some length. Where motors and stops contradict one another, each switches
+     * the other at once, and so on for ever.
+     */
+    private double leastLength(int first, double length) {
+        double shortest = TINY * trajectories.h();
+        if (length >= shortest) {
+            return 0;
+        }
+        if (first >= tiny.length) {
+            tiny = Arrays.copyOf(tiny, state.size());
+            tinyIn = Arrays.copyOf(tinyIn, state.size());
+        }
+        tiny[first] = tinyIn[first] == trajectories.step() ? tiny[first] + 1 : 1;
+        tinyIn[first] = trajectories.step();
+        return Math.max(0, tiny[first] - MOST_TINY) * shortest;
+    }
+
+    private double advanceUntilSwitch(Motion motion, IntList group, double t, double tau, double limit, Path path) {
         if (ties.decide(group, trajectories.h())) {
             for (int k = 0; k < group.size; k++) {
                 trajectories.anchor(group.values[k], tau, state);

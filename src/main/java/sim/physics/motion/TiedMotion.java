@@ -206,7 +206,7 @@ final class TiedMotion implements Serializable {
             if (ties.project(group)) {
                 return done;
             }
-            boolean isLast = halvings == MOST_HALVINGS;
+            boolean isLast = halvings == MOST_HALVINGS || Math.abs(done) <= trajectories.h() / MOST_PARTS; // or it went on for ever
             if (isLast && ties.force(group)) {
                 return done;
             }

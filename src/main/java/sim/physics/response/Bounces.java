@@ -32,13 +32,15 @@ final class Bounces implements Serializable {
     private final Trajectories trajectories;
     private final Motion motion;
 
-    /** The step of the impact that is attended to: its length and number. */
+    /** The length of the step of the impact that is attended to, and its offset in the engine's. */
     private double h;
 
     private double now;
 
-    /** The step in which a pair was counted last; the other values hold for that step. */
+    /** The step of the engine in which the count of a pair began, and the offset in it; the other values hold from then on. */
     private double[] countedIn = {};
+
+    private double[] countedFrom = {};
 
     private int[] counts = {};
 
@@ -63,10 +65,13 @@ final class Bounces implements Serializable {
         this.motion = motion;
     }
 
-    /** Takes note of two bodies and an instant; impacts are counted by the step, or by those that the integrator chooses. */
+    /**
+     * Takes note of two bodies and an instant; impacts are counted by the step, or for as long as one that the integrator
+     * chooses. That may be another one after each impact, so it bounds no fixed spans.
+     */
     void attend(int a, int b, double tau) {
         h = Math.min(motion.pace(a), motion.pace(b));
-        now = h < trajectories.h() ? trajectories.step() + Math.floor(tau / h) * (h / trajectories.h()) : trajectories.step();
+        now = tau;
     }
 
     /** Counts an impact of a pair. */
@@ -125,6 +130,7 @@ final class Bounces implements Serializable {
         if (pair >= counts.length) {
             int length = Math.max(2 * counts.length, pair + 1);
             countedIn = Arrays.copyOf(countedIn, length);
+            countedFrom = Arrays.copyOf(countedFrom, length);
             counts = Arrays.copyOf(counts, length);
             missed = Arrays.copyOf(missed, length);
             rests = Arrays.copyOf(rests, length);
@@ -133,8 +139,10 @@ final class Bounces implements Serializable {
             lastTau = Arrays.copyOf(lastTau, length);
             lost = Arrays.copyOf(lost, length);
         }
-        if (countedIn[pair] != now) {
-            countedIn[pair] = now;
+        boolean isOver = h < trajectories.h() && !(now - countedFrom[pair] < h);
+        if (countedIn[pair] != trajectories.step() || isOver) {
+            countedIn[pair] = trajectories.step();
+            countedFrom[pair] = now;
             counts[pair] = 0;
             missed[pair] = 0;
             rests[pair] = 0;

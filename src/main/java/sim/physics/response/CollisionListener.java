@@ -9,7 +9,7 @@ import java.io.Serializable;
  * lambdas, whose serialized form depends on the compiler.
  *
  * <p>In a call a listener may add and remove bodies, and set positions, velocities and filters; that takes effect at
- * the instant of the collision, when the call is over.
+ * the instant of the collision, when the call is over. An exception that it throws ends the step at that instant.
  */
 public interface CollisionListener extends Serializable {
     /** What is done about a collision. */

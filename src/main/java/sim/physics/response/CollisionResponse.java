@@ -387,6 +387,7 @@ public final class CollisionResponse implements Serializable {
     private void load(int a, int b, int point) {
         loader.load(manifold, a, b, point, impact);
         impact.restitution = impact.sticky ? 0 : impact.restitution;
+        impact.exclude(heaps.toCome(a, impact.nx, impact.ny, impact.leverA) - heaps.toCome(b, impact.nx, impact.ny, impact.leverB));
     }
 
     private void store(int a, int b) {

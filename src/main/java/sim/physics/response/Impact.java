@@ -171,7 +171,19 @@ public final class Impact implements Serializable {
         point.friction = friction;
         point.omegaA = omegaA;
         point.omegaB = omegaB;
+        point.opening = normalVelocity();
         point.slip = tangentVelocity();
+    }
+
+    /**
+     * Lets a part of the approach not bounce: what bodies of heaps have got for the time that is left would else be given
+     * back to them as a bounce.
+     */
+    void exclude(double toCome) {
+        double approach = -normalVelocity();
+        if (toCome > 0 && approach > 0) {
+            restitution *= Math.max(0, 1 - toCome / approach);
+        }
     }
 
     void copy(Impact from) {

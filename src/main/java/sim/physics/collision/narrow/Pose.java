@@ -130,6 +130,9 @@ final class Pose {
     private int oa;
     private int ob;
 
+    /** Part of the step within which a path has its own bounds. */
+    private static final double SHORT = 1.0 / 64;
+
     /** The instant at which the bodies were placed; NaN for none. */
     private double placedAt = Double.NaN;
 
@@ -212,8 +215,9 @@ final class Pose {
     }
 
     private void loadBends() {
-        bound(a, oa);
-        bound(b, ob);
+        double h = trajectories.h();
+        bound(a, oa, h);
+        bound(b, ob, h);
         ax = 2 * (bends[(ob & bendMask) + Trajectories.AX] - bends[(oa & bendMask) + Trajectories.AX]);
         ay = 2 * (bends[(ob & bendMask) + Trajectories.AY] - bends[(oa & bendMask) + Trajectories.AY]);
         double jerk = Math.abs(bends[(oa & bendMask) + Trajectories.JX]) + Math.abs(bends[(oa & bendMask) + Trajectories.JY])
@@ -223,8 +227,42 @@ final class Pose {
         spinIsQuadratic = bends[(oa & bendMask) + Trajectories.JTHETA] == 0 && bends[(ob & bendMask) + Trajectories.JTHETA] == 0;
         maxAcceleration = ax == 0 && ay == 0 ? 0 : Math.sqrt(ax * ax + ay * ay);
         if (!accelerationIsConstant) {
-            maxAcceleration += 6 * jerk * trajectories.h();
+            maxAcceleration += 6 * jerk * h;
         }
+    }
+
+    /**
+     * Takes note that only instants up to one count. The paths of bodies that are struck again and again, or that joints cannot
+     * follow, are short and bend sharply: over the whole step their speeds would be bounded by next to nothing.
+     *
+     * @return until when the bounds hold
+     */
+    double until(double end) {
+        if (linear) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double h = trajectories.h();
+        double restA = rest(oa, end);
+        double restB = rest(ob, end);
+        if (!(restA < SHORT * h || restB < SHORT * h)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        bound(a, oa, restA);
+        bound(b, ob, restB);
+        if (!accelerationIsConstant) {
+            maxAcceleration = Math.sqrt(ax * ax + ay * ay) + 6 * (jerk(oa) * restA + jerk(ob) * restB);
+        }
+        return end;
+    }
+
+    /** How long a path is followed, if that is known to be shorter than the step. */
+    private double rest(int o, double end) {
+        boolean isOfThisStep = m[o + Trajectories.STEP] == trajectories.step();
+        return isOfThisStep ? Math.min(end - m[o + Trajectories.OFFSET], trajectories.h()) : trajectories.h();
+    }
+
+    private double jerk(int o) {
+        return Math.abs(bends[(o & bendMask) + Trajectories.JX]) + Math.abs(bends[(o & bendMask) + Trajectories.JY]);
     }
 
     /** Whether both bodies move and spin uniformly. */
@@ -246,8 +284,7 @@ final class Pose {
                 && bends[(o & bendMask) + Trajectories.JTHETA] == 0;
     }
 
-    private void bound(Placed body, int o) {
-        double h = trajectories.h();
+    private void bound(Placed body, int o, double h) {
         double alpha = Math.abs(bends[(o & bendMask) + Trajectories.ATHETA]);
         double jerk = Math.abs(bends[(o & bendMask) + Trajectories.JTHETA]);
         body.maxOmega = Math.abs(m[o + Trajectories.OMEGA]);

@@ -20,8 +20,19 @@ import sim.physics.internal.Tolerances;
  * apart.
  */
 final class TimeOfImpact {
-    /** Steps of the search after which progress is forced. */
+    /** Steps of the search with surfaces that nearly touch after which a little penetration is let be. */
     private static final int PATIENCE = 200;
+
+    /** The same after which progress is forced, whatever it makes of that. */
+    private static final int MOST_CLOSE = 100 * PATIENCE;
+
+    /** Steps of the search after which a body that turns many times on its way is looked at as its bounding circle first. */
+    private static final int FAST = 30;
+
+    /** The gap of such steps, and that penetration, relative to the smaller body. */
+    private static final double CLOSE = 1e-6;
+
+    private static final double LEEWAY = 1e-10;
 
     /** How far ahead of the simple bound the finer one looks. */
     private static final double AHEAD = 3;
@@ -58,6 +69,9 @@ final class TimeOfImpact {
 
     private double slowness;
 
+    /** Penetration that does not matter because the search has got stuck, length. */
+    private double leeway;
+
     /** Speed, relative to the tolerance of gaps, that matters nowhere up to the end of the search. */
     private double standstill;
 
@@ -87,7 +101,10 @@ final class TimeOfImpact {
         code = cached;
         touching = false;
         standstill = NO_WAY / (end - start);
+        double known = pose.until(end);
         int stuck = 0;
+        double size = Math.min(pose.a.core + pose.a.rounding(), pose.b.core + pose.b.rounding());
+        int close = 0; // steps that were far from it were long, and get on by themselves
         for (int k = 0; ; k++) {
             pose.moveTo(tau);
             pose.turn();
@@ -95,14 +112,17 @@ final class TimeOfImpact {
             code = features.find(code);
             tolerance = Tolerances.GAP * pose.extent;
             horizon = end - tau;
+            close += features.gap < CLOSE * size ? 1 : 0;
+            leeway = close > PATIENCE ? LEEWAY * size : 0;
             advance();
             if (touching) {
                 return tau;
             }
-            double forced = k > PATIENCE ? end * Tolerances.FORCED_PROGRESS : 0;
+            s = k > FAST ? Math.max(s, asCircle()) : s;
+            double forced = close > MOST_CLOSE ? end * Tolerances.FORCED_PROGRESS : 0;
             double next = tau + Math.max(s, forced);
             if (!(next < end)) {
-                return next;
+                return Math.min(next, known);
             }
             if (next == tau) {
                 if (stuck == NUDGES) {
@@ -113,6 +133,27 @@ final class TimeOfImpact {
             }
             tau = next;
         }
+    }
+
+    /**
+     * The time that surely passes before the circle around a body meets the line of the closest edge of another one, if that
+     * edge does not turn; 0 if it does, or they have met.
+     */
+    private double asCircle() {
+        boolean isEdgeOfB = (features.featureB & 1) != 0;
+        Pose.Placed owner = isEdgeOfB ? pose.b : pose.a;
+        Pose.Placed other = isEdgeOfB ? pose.a : pose.b;
+        int feature = isEdgeOfB ? features.featureB : features.featureA;
+        if ((feature & 1) == 0 || owner.maxOmega != 0 || owner.maxAlpha != 0) {
+            return 0;
+        }
+        int side = isEdgeOfB ? -1 : 1;
+        double ex = owner.normalX(feature >> 1);
+        double ey = owner.normalY(feature >> 1);
+        double height = (other.cx - owner.vx[feature >> 1]) * ex + (other.cy - owner.vy[feature >> 1]) * ey;
+        double gap = height - other.core - pose.rounding;
+        double pull = pose.accelerationIsConstant ? -side * (pose.ax * ex + pose.ay * ey) : pose.maxAcceleration;
+        return gap > 0 ? root(gap, side * (pose.ux * ex + pose.uy * ey), Math.max(0, pull)) : 0;
     }
 
     /**
@@ -372,6 +413,7 @@ final class TimeOfImpact {
             }
             g = Math.max(0, g) + tolerance; // touching and sliding: let it go as far as can do no harm
         }
+        g = Math.max(g, leeway);
         if (g + s * (rate - 0.5 * s * bound) >= 0 && s < INFINITE) {
             return; // the bound is concave: it is not negative before s
         }

@@ -41,6 +41,9 @@ public final class ContactPoint implements Serializable {
     /** Angular velocity of B. */
     public double omegaB;
 
+    /** Velocity of B's point relative to A's along the normal, negative where they come closer. */
+    public double opening;
+
     /** Velocity of B's point relative to A's along the tangent. */
     public double slip;
 

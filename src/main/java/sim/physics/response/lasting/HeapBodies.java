@@ -5,6 +5,7 @@ package sim.physics.response.lasting;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.IntList;
+import sim.physics.motion.Trajectories;
 
 /** What {@link Heaps} knows of bodies, by their indices. */
 final class HeapBodies implements Serializable {
@@ -153,6 +154,17 @@ final class HeapBodies implements Serializable {
         for (int c = 0; c < 3 && paidUntil[body] > tau; c++) {
             v[o + c] -= part * paid[3 * body + c];
         }
+    }
+
+    /** The velocity of a point along a normal that a body which is not driven has been given for the time that is left. */
+    double toCome(int body, Trajectories trajectories, double nx, double ny, double lever) {
+        double tau = trajectories.offset(body);
+        if (!has(body) || !(paidUntil[body] > tau) || trajectories.isDriven(body)) {
+            return 0;
+        }
+        double part = (paidUntil[body] - tau) / (paidUntil[body] - paidFrom[body]);
+        int o = 3 * body;
+        return part * (paid[o] * nx + paid[o + 1] * ny + paid[o + 2] * lever);
     }
 
     /**

@@ -4,6 +4,7 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import sim.physics.collision.CollisionDetection;
+import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
@@ -44,10 +45,14 @@ public final class Heaps implements Serializable {
 
     private static final int NONE = -1;
 
+    /** Part of what forces give a body in a step that the speed is at which it is not on its way to or from the ground. */
+    private static final double STANDING = 1e-5;
+
     private final State state;
     private final Trajectories trajectories;
     private final Motion motion;
     private final CollisionDetection detection;
+    private final ContactPoints points;
     private final RestingContacts resting;
     private final HeapBodies by = new HeapBodies();
     private final Heap heap;
@@ -57,6 +62,10 @@ public final class Heaps implements Serializable {
     private final IntList dirty = new IntList();
 
     private final IntList changed = new IntList();
+
+    private final double[] fall = new double[State.BLOCK];
+    private final ContactPoint point = new ContactPoint();
+    private transient Manifold manifold;
 
     /**
      * Makes the heaps of an engine, none at first.
@@ -81,6 +90,7 @@ public final class Heaps implements Serializable {
         this.trajectories = trajectories;
         this.motion = motion;
         this.detection = detection;
+        this.points = points;
         this.resting = resting;
         this.heap = new Heap(state, trajectories, motion, detection, points, by, ledger);
     }
@@ -230,6 +240,19 @@ public final class Heaps implements Serializable {
     }
 
     /**
+     * The velocity of a point that a body of a heap has got for the time that is left, which forces are to take from it again.
+     *
+     * @param body index
+     * @param nx the direction asked for, of length 1
+     * @param ny its other component
+     * @param lever of an impulse along it on the body
+     * @return along the direction
+     */
+    public double toCome(int body, double nx, double ny, double lever) {
+        return isEmpty() ? 0 : by.toCome(body, trajectories, nx, ny, lever);
+    }
+
+    /**
      * Lets a pair last.
      *
      * @param pair number of the pair
@@ -275,8 +298,45 @@ public final class Heaps implements Serializable {
                 }
             }
             resting.forget(body);
+            addGround(body);
         }
         mark(body);
+    }
+
+    /**
+     * Lets last what a body stood on until just now, when it was struck from aside: a heap that gives the body all of its
+     * weight for the rest of the step, and nothing that bears it, would throw it against the ground.
+     */
+    private void addGround(int body) {
+        motion.fall(body, fall, 0);
+        double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
+        if (pull == 0 || trajectories.isDriven(body)) {
+            return;
+        }
+        double tau = trajectories.offset(body);
+        for (int k = 0; k < detection.pairs().countOf(body); k++) {
+            int pair = detection.pairs().of(body, k);
+            boolean isGround = state.body(detection.pairs().other(pair, body)).isFixed();
+            if (isGround && !detection.marks().isUnseen(pair) && !lasts(pair) && standsOn(pair, body, tau, pull)) {
+                add(pair);
+            }
+        }
+    }
+
+    private boolean standsOn(int pair, int body, double tau, double pull) {
+        if (detection.marks().isIgnored(pair) || !detection.narrowPhase().touches(pair, tau)) {
+            return false;
+        }
+        manifold = manifold == null ? new Manifold() : manifold;
+        detection.narrowPhase().contact(pair, tau, manifold);
+        boolean yes = true;
+        for (int k = 0; k < manifold.count; k++) {
+            points.load(manifold, pair, k, point);
+            double pressed = fall[0] * point.nx + fall[1] * point.ny;
+            yes &= (detection.pairs().first(pair) == body ? pressed : -pressed) > 0
+                    && Math.abs(point.opening) < STANDING * pull * trajectories.h();
+        }
+        return yes;
     }
 
     private void mark(int body) {
