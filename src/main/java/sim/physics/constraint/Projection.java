@@ -71,7 +71,8 @@ final class Projection implements Serializable {
         List<Constraint> all = new ArrayList<>();
         those.forEach(island -> all.addAll(island.inOrder));
         return new ConstraintException("constraints " + all
-                + " cannot be kept closed, the time step may be much too long for the forces on their bodies", corrections, error);
+                + " cannot be kept closed, the time step may be much too long for the motion of their bodies or the forces on them",
+                corrections, error);
     }
 
     /** Projects positions and velocities, however far that is; throws if there are none. */
