@@ -20,6 +20,9 @@ import sim.physics.shape.Shape;
 public class Body implements Serializable {
     private static final long serialVersionUID = 3L;
 
+    /** Faster ones have energies that are no numbers, and pass through what is in their way. */
+    private static final double FASTEST = 1e150;
+
     private Shape shape;
     private final boolean fixed;
 
@@ -113,7 +116,7 @@ public class Body implements Serializable {
      * @return this
      */
     public final Body moving(double vx, double vy, double omega) {
-        Check.finite("angular velocity", omega);
+        speed("angular velocity", omega);
         setVelocity(vx, vy);
         setAngularVelocity(omega);
         return this;
@@ -226,11 +229,11 @@ public class Body implements Serializable {
      *
      * @param vx length/time
      * @param vy length/time
-     * @throws IllegalArgumentException for NaN or infinity, or if the body is fixed and the velocity is not zero
+     * @throws IllegalArgumentException for NaN or more than 10¹⁵⁰, or if the body is fixed and the velocity is not zero
      */
     public final void setVelocity(double vx, double vy) {
-        Check.finite("vx", vx);
-        Check.finite("vy", vy);
+        speed("vx", vx);
+        speed("vy", vy);
         requireMovable("velocity", vx != 0 || vy != 0);
         state.touch(index);
         state.v()[State.BLOCK * index + State.X] = vx;
@@ -241,13 +244,17 @@ public class Body implements Serializable {
      * Sets the angular velocity.
      *
      * @param omega θ̇, rad/time
-     * @throws IllegalArgumentException for NaN or infinity, or if the body is fixed and the velocity is not zero
+     * @throws IllegalArgumentException for NaN or more than 10¹⁵⁰, or if the body is fixed and the velocity is not zero
      */
     public final void setAngularVelocity(double omega) {
-        Check.finite("angular velocity", omega);
+        speed("angular velocity", omega);
         requireMovable("angular velocity", omega != 0);
         state.touch(index);
         state.v()[State.BLOCK * index + State.THETA] = omega;
+    }
+
+    private static double speed(String name, double value) {
+        return Check.between(name, value, -FASTEST, FASTEST);
     }
 
     /**
@@ -490,7 +497,7 @@ public class Body implements Serializable {
         Check.finite("py", py);
         requireMovable("impulse", true);
         double turn = (px - getX()) * ry - (py - getY()) * rx;
-        double omega = Check.finite("angular velocity", getAngularVelocity() + turn / inertia); // (24)
+        double omega = speed("angular velocity", getAngularVelocity() + turn / inertia); // (24)
         setVelocity(getVelocityX() + rx / mass, getVelocityY() + ry / mass); // (18)
         setAngularVelocity(omega);
     }

@@ -7,7 +7,8 @@ package sim.physics.response.lasting;
  * that a matrix of what they do to one another costs no more than bodies do, and sweeps over it cost little. Sweeps of
  * projected relaxation guess which rows are at a bound; the others are equations, which are solved by elimination, friction
  * that slides following its normal impulse (a Newton method on the natural map of the problem: Alart and Curnier 1991). What
- * turns out to be at another bound is put there, and so on.
+ * turns out to be at another bound is put there. If that is not the end of it, which in larger heaps may run in circles, a path leads there
+ * ({@link MatrixPath}).
  *
  * <p>Where impulses are not unique, the system is made a little heavier on its diagonal, and refined until that has no
  * effect: of all changes that do the same, about the smallest is taken.
@@ -15,11 +16,10 @@ package sim.physics.response.lasting;
 final class HeapMatrix extends HeapRows {
     private static final long serialVersionUID = 1L;
 
-    private static final int ROUNDS = 12;
     private static final int REFINEMENTS = 3;
 
-    /** Rounds after which impulses are good enough that are nearly right. */
-    private static final int LATE = 1;
+    /** Rounds of sweeps and Newton's method where there is no path. */
+    private static final int ROUNDS = 3;
 
     /** How many times larger an error is, at most, of which sweeps make none. */
     private static final double CLOSE = 1000;
@@ -27,7 +27,7 @@ final class HeapMatrix extends HeapRows {
     /** The same of one that is left by the rounding of eliminations. */
     private static final double ROUNDING = 100;
 
-    /** Sweeps of the first round, and of the next ones. */
+    /** Sweeps before the path, and without one. */
     private static final int FEW = 6;
     private static final int SWEEPS = 30;
 
@@ -35,9 +35,6 @@ final class HeapMatrix extends HeapRows {
     private static final int NEWTON_STEPS = 12;
 
     private static final int VAIN = 3;
-
-    /** Changes of bounds for each row. */
-    private static final int PIVOTS = 4;
 
     /** How often the end of a path is made better. */
     private static final int PROXIMAL = 3;
@@ -84,27 +81,18 @@ final class HeapMatrix extends HeapRows {
      */
     boolean solve(HeapSystem s, double exact, double enough, double scale) {
         take(s);
+        double close = Math.max(enough, ROUNDING * exact);
         double least = keep(Double.POSITIVE_INFINITY);
         if (least > exact) {
             least = relax(least <= CLOSE * exact ? FEW : 1, least);
             least = newton(least, exact, 1); // impulses of before may be at the same bounds
         }
         if (least > ROUNDING * exact) {
-            least = follow(least, exact, Math.max(enough, ROUNDING * exact));
+            least = follow(least, exact, close);
         }
-        for (int round = 0; round < ROUNDS && least > Math.max(enough, ROUNDING * exact); round++) {
-            if (round == 0) {
-                restore();
-            }
-            least = relax(round == 0 ? FEW : SWEEPS, least);
-            least = newton(least, exact, VAIN);
-            if (round == 0 && least > ROUNDING * exact) {
-                least = pivot(least, exact);
-            }
-            if (least <= exact || round >= LATE && least <= enough) {
-                break;
-            }
+        for (int round = 0; round < ROUNDS && least > close; round++) {
             restore();
+            least = newton(relax(SWEEPS, least), exact, VAIN);
         }
         give(s);
         return least <= NEARLY * scale;
@@ -217,41 +205,12 @@ final class HeapMatrix extends HeapRows {
         if (!equations.solve(n)) {
             return false;
         }
-        go(1);
-        return true;
-    }
-
-    /** Goes a part of the way to the solution of the equations. */
-    private void go(double share) {
         for (int i = 0; i < rows; i++) {
-            if (unknown[i] >= 0) {
-                impulse[i] += share * equations.solution(unknown[i]);
-            }
+            impulse[i] += unknown[i] >= 0 ? equations.solution(unknown[i]) : 0;
         }
         slide(false);
         evaluate();
-    }
-
-    /**
-     * The method of active sets: goes to the solution of the equations only until a row comes to a bound, which it keeps then,
-     * and lets off its bound the row that misses most, until none does. It ends also where rows ask twice for the same, as
-     * motors of wheels that roll do, and a bound decides which of them gets it.
-     */
-    private double pivot(double least, double exact) {
-        restore();
-        double error = least;
-        for (int i = 0; i < rows; i++) {
-            side[i] = impulse[i] <= lower(i) ? -1 : impulse[i] >= upper(i) ? 1 : 0;
-        }
-        for (int k = PIVOTS * rows; k > 0 && solveFree(); k--) {
-            double share = stop();
-            go(share);
-            error = share == 1 ? keep(error) : error;
-            if (error <= exact || share == 1 && !release(exact)) {
-                break;
-            }
-        }
-        return error;
+        return true;
     }
 
     /** Goes to the end of a path, first of one from the end of the last one; returns the least error so far. */
@@ -269,78 +228,6 @@ final class HeapMatrix extends HeapRows {
             error = keep(error);
         } while (error > exact && left-- > 0 && path.refine(side));
         return error;
-    }
-
-    /** Solves the equations of rows at no bound. */
-    private boolean solveFree() {
-        int n = 0;
-        for (int i = 0; i < rows; i++) {
-            unknown[i] = side[i] == 0 ? n++ : -1;
-            if (bearer[i] < 0 && side[i] != 0) {
-                impulse[i] = side[i] < 0 ? least[i] : most[i];
-            }
-        }
-        slide(false);
-        evaluate();
-        assemble(n);
-        return equations.solve(n);
-    }
-
-    /** How far impulses may go until the first one is at a bound, which is noted. */
-    private double stop() {
-        double share = 1;
-        int first = -1;
-        double way = 0;
-        for (int i = 0; i < rows; i++) {
-            for (int sign = -1; sign <= 1 && unknown[i] >= 0; sign += 2) {
-                double room = sign < 0 ? impulse[i] - lower(i) : upper(i) - impulse[i];
-                double nearer = sign * equations.solution(unknown[i]) - widening(i);
-                if (nearer > 0 && room < share * nearer) {
-                    share = Math.max(0, room / nearer);
-                    first = i;
-                    way = sign;
-                }
-            }
-        }
-        if (first >= 0) {
-            reach(first, way);
-        }
-        return share;
-    }
-
-    /** By how much the bounds of friction get wider on the whole way. */
-    private double widening(int row) {
-        int by = bearer[row];
-        return by < 0 || unknown[by] < 0 ? 0 : friction[row] * equations.solution(unknown[by]);
-    }
-
-    private void reach(int row, double way) {
-        side[row] = way;
-        if (bears(row) && side[row + 1] == 0) {
-            side[row + 1] = 1; // where nothing is borne nothing rubs
-        }
-    }
-
-    private boolean bears(int row) {
-        return row + 1 < rows && bearer[row + 1] == row;
-    }
-
-    /** Lets the row off its bound that misses most; false if all are right. */
-    private boolean release(double exact) {
-        double most = exact;
-        int worst = -1;
-        for (int i = 0; i < rows; i++) {
-            double miss = side[i] == 0 ? 0 : Math.abs(wanted(i) - impulse[i]) * own(i);
-            worst = miss > most ? i : worst;
-            most = Math.max(miss, most);
-        }
-        if (worst >= 0) {
-            side[worst] = 0;
-            if (bears(worst)) {
-                side[worst + 1] = velocity[worst + 1] > 0 ? -1 : 1;
-            }
-        }
-        return worst >= 0;
     }
 
     /** Lets friction that slides follow what bears it. */

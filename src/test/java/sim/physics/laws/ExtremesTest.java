@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.laws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.Checkpoint;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.motion.ViscousFriction;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+
+/** Numbers at the ends of what doubles can hold, and bodies by the million (hard cases G12, G13, G15, G16). */
+class ExtremesTest {
+    private static void run(PhysicsEngine engine, int steps) {
+        for (int k = 0; k < steps; k++) {
+            engine.step();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e100, 1e150, 1e-150, 1e-300, Double.MIN_VALUE})
+    void nothingPassesThroughAWallAtAnySpeed(double speed) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.add(Body.fixed(new Rectangle(1, 100)).at(50, 0));
+        Body disc = engine.add(new Body(new Circle(1)).moving(speed, 0));
+        Body rod = engine.add(new Body(new Rectangle(4, 1)).at(0, 20).moving(speed, 0));
+        run(engine, 3);
+        assertThat(disc.getX()).isLessThan(49);
+        assertThat(rod.getX()).isLessThan(48);
+        assertThat(Math.abs(disc.getVelocityX())).isEqualTo(speed);
+    }
+
+    @Test
+    void speedsWhoseSquaresOverflowAreRefused() {
+        Body body = new Body(new Circle(1));
+        assertThatThrownBy(() -> body.setVelocity(1e200, 0)).hasMessageContaining("vx is 1.0E200");
+        assertThatThrownBy(() -> body.moving(0, 0, -1e200)).hasMessageContaining("angular velocity is -1.0E200");
+        assertThatThrownBy(() -> body.setVelocity(0, Double.NaN)).hasMessageContaining("vy is NaN");
+        body.setMass(1e-100);
+        assertThatThrownBy(() -> body.addImpulseAt(1e100, 0, 0, 0)).isInstanceOf(IllegalArgumentException.class);
+        assertThat(body.getVelocityX()).isZero();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e300, 1e-300})
+    void aMassBesideWhichTheOtherIsNothingKeepsMomentumAndEnergy(double mass) {
+        PhysicsEngine engine = new PhysicsEngine();
+        Body a = engine.add(new Body(new Circle(1)).moving(1, 0));
+        a.setMass(mass);
+        Body b = engine.add(new Body(new Circle(1)).at(5, 0));
+        run(engine, 10);
+        assertThat(a.getVelocityX()).isCloseTo(mass > 1 ? 1 : -1, within(1e-15));
+        assertThat(b.getVelocityX()).isCloseTo(mass > 1 ? 2 : 0, within(1e-15));
+    }
+
+    @Test
+    void dragThatNearlyStopsBodiesLeavesNumbers() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.add(new ViscousFriction(1));
+        Body a = engine.add(new Body(new Circle(1)).moving(1, 0, 1));
+        a.setSurfaceFriction(1);
+        run(engine, 2000); // e^−2000 is below the least number
+        assertThat(a.getX()).isCloseTo(1, within(0.02));
+        assertThat(Math.abs(a.getVelocityX())).isLessThan(1e-300);
+    }
+
+    @Test
+    void aMillionBodiesComeAndGoInTheRoomOfAThousand() {
+        assertThat(replaced(1000)).isLessThan(2 * replaced(10));
+    }
+
+    /** Bytes of an engine whose thousand bodies have been replaced so many times. */
+    private static int replaced(int times) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.add(new Gravity(0, -1));
+        Body[] bodies = new Body[1000];
+        for (int round = 0; round < times; round++) {
+            for (int k = 0; k < bodies.length; k++) {
+                if (bodies[k] != null) {
+                    engine.remove(bodies[k]);
+                }
+                bodies[k] = engine.add(new Body(new Circle(1)).at(3 * (k % 40), 3 * (k / 40)));
+            }
+            engine.step();
+        }
+        assertThat(engine.bodies()).hasSize(1000);
+        return Checkpoint.bytes(engine).length;
+    }
+
+    @Test
+    void anEmptyEngineAndOneOfOneBodyStep() {
+        PhysicsEngine engine = new PhysicsEngine();
+        run(engine, 10);
+        assertThat(engine.getTime()).isEqualTo(10);
+        Body body = engine.add(new Body(new Circle(1)).moving(1, 0));
+        run(engine, 10);
+        assertThat(body.getX()).isEqualTo(10);
+    }
+}
