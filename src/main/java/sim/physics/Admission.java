@@ -102,6 +102,15 @@ final class Admission implements Presence, Serializable {
         return state.touchedCount() > 0 || !leaving.isEmpty() || constraints != null && constraints.isChanged();
     }
 
+    /** Whether nothing is to be let in but forces. */
+    boolean areOnlyPushes() {
+        boolean yes = leaving.isEmpty() && (constraints == null || !constraints.isChanged());
+        for (int k = 0; yes && k < state.touchedCount(); k++) {
+            yes = state.isOnlyPushed(state.touched(k));
+        }
+        return yes;
+    }
+
     /** Removes a body at the next {@link #admit(double)}. */
     void leave(Body body) {
         if (!leaving.contains(body)) {

@@ -225,7 +225,12 @@ public final class PhysicsEngine implements Steppable {
 
     /** Whether driven bodies that collide with nobody may be moved without anybody's looking at their paths. */
     private boolean mayBeLate() {
-        return constraints != null && audit == null && team == null && response.resting().isEmpty() && response.heaps().isEmpty();
+        return constraints != null
+                && audit == null
+                && team == null
+                && !motion.groups().mayCouple()
+                && response.resting().isEmpty()
+                && response.heaps().isEmpty();
     }
 
     /** What is saved is the same whether somebody has looked at all paths or not. */
@@ -475,10 +480,15 @@ public final class PhysicsEngine implements Steppable {
         if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
             setBroadPhase(new CellGrid());
         }
-        if (admission.isNeeded() || motion.groups().mayCouple()) {
+        if (!admission.areOnlyPushes() || motion.groups().mayCouple()) {
             makeLatePaths();
+            motion.late().forget();
         }
-        return admission.admit(tau);
+        IntList admitted = admission.admit(tau);
+        if (motion.groups().mayCouple()) {
+            makeLatePaths(); // forces couple what they did not couple before
+        }
+        return admitted;
     }
 
     /** The same within a step: driven bodies are noted, to follow new paths. */

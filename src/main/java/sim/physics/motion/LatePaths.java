@@ -11,23 +11,35 @@ import sim.physics.internal.IntList;
  * get them before they are saved, too.
  */
 public final class LatePaths {
+    /** How far a late group is in the step: it has got its anchors, has not begun, is on its way, has gone through it. */
+    private static final byte PROMPT = 0;
+
+    private static final byte LATE = 1;
+    private static final byte BEGUN = 2;
+    private static final byte DONE = 3;
+
     private final Motion motion;
     private final State state;
     private final Trajectories trajectories;
 
-    /** First bodies of the groups that are late in this step, in ascending order. */
+    /** First bodies of the groups that may be late, and all bodies of the others that are driven. */
+    private final IntList candidates = new IntList();
+
+    private final IntList others = new IntList();
+
+    /** Whether these are out of date, or have been made of other islands. */
+    private boolean isStale = true;
+
+    private long grouping;
+
+    /** First bodies of the groups that are late in this step. */
     private final IntList late = new IntList();
 
     /** Those that had gone through the step when they got their paths. */
     private final IntList made = new IntList();
 
-    /** How many of the late ones have begun the step, and how many have gone through it. */
-    private int begun;
-
-    private int done;
-
-    /** By body: whether it is the first one of a group that is late. */
-    private boolean[] isLate = {};
+    /** By first body of a group: one of those. */
+    private byte[] progress = {};
 
     /** The first body of the group that was found last to have no quick way; −1 when that has been made use of. */
     private int refused = -1;
@@ -46,12 +58,15 @@ public final class LatePaths {
     /** Begins a step, in which no group is late. */
     void begin() {
         for (int k = 0; k < late.size; k++) {
-            isLate[late.values[k]] = false;
+            progress[late.values[k]] = PROMPT;
         }
         late.clear();
-        begun = 0;
-        done = 0;
         refused = -1;
+    }
+
+    /** Bodies have been written, or are driven from now on, or no longer: other groups may be late. */
+    public void forget() {
+        isStale = true;
     }
 
     /**
@@ -60,31 +75,37 @@ public final class LatePaths {
      * @param neighbours who knows which
      */
     public void anchorOthers(Neighbours neighbours) {
-        ensure();
-        IntList driven = motion.driven();
-        for (int k = 0; k < driven.size; k++) {
-            int first = driven.values[k];
-            IntList group = motion.companions(first);
-            if (group.values[0] != first) {
-                continue; // with the others of its group, as they are not side by side
-            }
-            if (motion.isTiedGroup(group) && neighbours.areAloof(group)) {
-                isLate[first] = true;
-                late.add(first);
-            } else {
-                GroupPaths.anchor(trajectories, group, state.x(), state.v());
-            }
-            k += driven.common(k, group) - 1;
+        if (isStale || grouping != motion.ties.grouping()) {
+            gather(neighbours);
         }
+        for (int k = 0; k < candidates.size; k++) {
+            progress[candidates.values[k]] = LATE;
+            late.add(candidates.values[k]);
+        }
+        GroupPaths.anchor(trajectories, others, state.x(), state.v());
     }
 
-    private void ensure() {
+    private void gather(Neighbours neighbours) {
         int n = state.x().length;
         if (startX.length < n) {
             startX = new double[n];
             startV = new double[n];
-            isLate = Arrays.copyOf(isLate, n / State.BLOCK);
+            progress = Arrays.copyOf(progress, n / State.BLOCK);
         }
+        candidates.clear();
+        others.clear();
+        IntList driven = motion.driven();
+        for (int k = 0; k < driven.size; k++) {
+            IntList group = motion.companions(driven.values[k]);
+            boolean isAloof = motion.isTiedGroup(group) && neighbours.areAloof(group);
+            if (!isAloof) {
+                others.add(driven.values[k]);
+            } else if (group.values[0] == driven.values[k]) {
+                candidates.add(driven.values[k]);
+            }
+        }
+        grouping = motion.ties.grouping();
+        isStale = false;
     }
 
     /**
@@ -94,7 +115,7 @@ public final class LatePaths {
      * @return false if it has its anchors
      */
     public boolean has(int body) {
-        return late.size > 0 && isLate[body];
+        return late.size > 0 && progress[body] == LATE;
     }
 
     /** {@return whether no group is late} */
@@ -105,22 +126,20 @@ public final class LatePaths {
     /**
      * Moves a group through the step, without a path.
      *
-     * @param group late, the next one in order
+     * @param group late
      * @return false if it has no quick way; then it is where it was, and not late any more
      */
     public boolean advance(IntList group) {
+        int first = group.values[0];
         copy(group, state.x(), startX);
         copy(group, state.v(), startV);
-        begun++;
+        progress[first] = BEGUN;
         if (motion.drivenMotion.leapsBlindly(group)) {
-            done++;
+            progress[first] = DONE;
             return true;
         }
-        begun--;
-        System.arraycopy(late.values, begun + 1, late.values, begun, late.size - 1 - begun);
-        late.size--;
-        isLate[group.values[0]] = false;
-        refused = group.values[0];
+        progress[first] = PROMPT;
+        refused = first;
         GroupPaths.anchor(trajectories, group, state.x(), state.v());
         return false;
     }
@@ -141,12 +160,13 @@ public final class LatePaths {
         made.clear();
         for (int k = 0; k < late.size; k++) {
             IntList group = motion.companions(late.values[k]);
-            if (k < begun) {
-                GroupPaths.anchor(trajectories, group, startX, startV);
-            } else {
+            byte how = progress[late.values[k]];
+            if (how == LATE) {
                 GroupPaths.anchor(trajectories, group, state.x(), state.v());
+            } else if (how != PROMPT) {
+                GroupPaths.anchor(trajectories, group, startX, startV);
             }
-            if (k < done) {
+            if (how == DONE) {
                 motion.drivenMotion.lead(group);
                 made.add(late.values[k]);
             }

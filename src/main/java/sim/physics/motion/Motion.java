@@ -269,6 +269,9 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         if (yes) {
             state.f(); // makes room for forces
         }
+        if (yes != was) {
+            late().forget();
+        }
         if (yes && !was) {
             driven.insert(body);
         } else if (was && !yes) {

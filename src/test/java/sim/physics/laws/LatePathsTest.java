@@ -109,11 +109,15 @@ class LatePathsTest {
     private static List<Double> run(Deed deed, boolean isAudited, boolean isRestored) {
         PhysicsEngine engine = scene();
         chain(engine, 0);
+        int pushed = chain(engine, 18).get(2).index();
         Doer doer = new Doer(deed, engine, chain(engine, 9));
         engine.addListener(doer);
         engine.setAudited(isAudited);
         List<Double> all = new ArrayList<>();
         for (int k = 0; k < 240; k++) {
+            if (k % 3 == 1) {
+                engine.bodies().get(pushed).addForce(2, 1);
+            }
             engine.step();
             if (isRestored && k == 120) {
                 Doer copy = Checkpoint.copy(doer);
