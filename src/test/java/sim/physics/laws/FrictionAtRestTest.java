@@ -110,6 +110,26 @@ class FrictionAtRestTest {
         assertThat(disc.getX()).isCloseTo(3 * t - 0.5 * 0.5 * G * t * t + 2 * (3 - t), within(1e-11));
     }
 
+    /** However long the step is and the way in it: nothing changes while the disc slides, and at the end of the edge all does. */
+    @ParameterizedTest
+    @CsvSource({"0.01, 0", "0.1, 0", "0.1, 30", "0.7, 0", "0.7, 30"})
+    void aDiscThatSlidesOverAnEdgeFallsFromThere(double step, double spin) {
+        Body disc = put(new Circle(0.5), 0, 0);
+        engine.setTimeStep(step);
+        disc.setPosition(195, 1.5);
+        disc.setVelocity(3, 0);
+        disc.setAngularVelocity(spin);
+        double atEdge = 5 / 3.0; // where v²/r > g, so that it does not roll over the corner
+        double time = 0;
+        while (time < 4) {
+            engine.step();
+            time = engine.getTime();
+            double fallen = Math.max(0, time - atEdge);
+            assertThat(disc.getX()).isCloseTo(195 + 3 * time, within(1e-9));
+            assertThat(disc.getY()).isCloseTo(1.5 - 0.5 * G * fallen * fallen, within(5e-6));
+        }
+    }
+
     @Test
     void aBoxThatSlidesStopsWhereTheClosedFormSays() {
         Body box = put(new Rectangle(2, 1), 0, 0.5);

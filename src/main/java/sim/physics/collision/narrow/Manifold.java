@@ -42,6 +42,9 @@ public final class Manifold {
 
     private boolean onEdge;
 
+    /** How far a single point is from the nearer end of the edge on which it lies, length; 0 if it lies on none. */
+    public double room;
+
     /** Distance of the surfaces, length; zero but for rounding. */
     public double gap;
 
@@ -61,6 +64,7 @@ public final class Manifold {
         nx = features.nx;
         ny = features.ny;
         gap = features.gap;
+        room = 0;
         onEdge = ((features.featureA | features.featureB) & 1) != 0;
         gaps[0] = gap;
         gaps[1] = gap;
@@ -76,6 +80,7 @@ public final class Manifold {
         ny = normalY;
         gap = distance;
         onEdge = false;
+        room = 0;
         gaps[0] = distance;
         gaps[1] = distance;
         rAx[0] = radiusA * normalX;

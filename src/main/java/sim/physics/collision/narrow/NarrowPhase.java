@@ -386,6 +386,7 @@ public final class NarrowPhase implements Serializable {
         int flush = flushNeighbour(owner, edge, other, vertex);
         double at = along(owner, edge, other, vertex);
         if (flush < 0) {
+            contact.room = Math.min(at, owner.length(edge) - at);
             addSurfacePoint(other.vx[vertex], other.vy[vertex], side(other) * other.rounding(), contact);
             if (other.n > 1 && flushLimit > Tolerances.FLUSH * pose.size) {
                 addNear(owner, edge, other, (vertex + 1) % other.n, contact);

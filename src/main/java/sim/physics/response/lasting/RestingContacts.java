@@ -36,7 +36,7 @@ public final class RestingContacts implements Serializable {
     /** Acceleration that is none, relative to that of the forces. */
     private static final double BORNE = 1e-9;
 
-    /** Way of the points on one another, relative to the smaller body, after which forces are found anew. */
+    /** Way of the points on one another, relative to the smaller body, after which forces are found anew where they may change. */
     private static final double PACE = 0.02;
 
     /** Time after which they are not, relative to the step. */
@@ -49,6 +49,7 @@ public final class RestingContacts implements Serializable {
     private final ContactPoints points;
     private final ContactLedger ledger;
     private final ContactSystem system = new ContactSystem();
+    private final EvenGround ground = new EvenGround();
 
     /** Bodies that rest on something, with their clusters to be solved, and at a standstill; by body. */
     private boolean[] rests = new boolean[8];
@@ -75,6 +76,7 @@ public final class RestingContacts implements Serializable {
     private double size;
     private double worstGap;
     private double pace;
+    private final double[] fall = new double[State.BLOCK];
 
     /**
      * Makes the resting contacts of an engine, none at first.
@@ -224,9 +226,8 @@ public final class RestingContacts implements Serializable {
 
     /** The acceleration that all but the contacts give to a body. */
     private double fall(int body) {
-        double[] a = new double[State.BLOCK];
-        motion.fall(body, a, 0);
-        return Math.sqrt(a[0] * a[0] + a[1] * a[1]);
+        motion.fall(body, fall, 0);
+        return Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
     }
 
     private void release(int pair) {
@@ -330,10 +331,12 @@ public final class RestingContacts implements Serializable {
         }
         system.noteParting(none);
         pace = PACE * size / Math.max(system.noteSliding(none), spin());
+        ground.move(system.u[0], system.u[1]);
         for (int k = 0; k < cluster.size; k++) {
             motion.fall(cluster.values[k], system.u, 3 * k);
         }
         system.press();
+        pace = Math.max(pace, ground.time(system.u[0], system.u[1], size));
         for (int p = 0; p < system.size(); p++) {
             ledger.press(origin.values[p] / 2, origin.values[p] % 2, system.normalForce(p), system.tangentForce(p));
         }
@@ -365,7 +368,6 @@ public final class RestingContacts implements Serializable {
         double next = Math.max(trajectories.h() * SHORTEST, Math.min(pace, system.untilTouch()));
         next = Math.min(next, Math.max(trajectories.h() * STILL, system.untilStop()));
         double stop = still ? Double.POSITIVE_INFINITY : tau + next;
-        double[] fall = new double[State.BLOCK];
         for (int k = 0; k < cluster.size; k++) {
             int body = cluster.values[k];
             place[body] = 0;
@@ -389,10 +391,9 @@ public final class RestingContacts implements Serializable {
 
     /** The largest speed of a rim. */
     private double spin() {
-        double most = Double.MIN_NORMAL;
+        double most = 0;
         for (int k = 0; k < cluster.size; k++) {
-            double radius = trajectories.radius(cluster.values[k]);
-            most = Math.max(most, radius * Math.abs(system.u[3 * k + 2]));
+            most = Math.max(most, trajectories.radius(cluster.values[k]) * Math.abs(system.u[3 * k + 2]));
         }
         return most;
     }
@@ -401,11 +402,9 @@ public final class RestingContacts implements Serializable {
     private double speed() {
         double most = 0;
         for (int k = 0; k < cluster.size; k++) {
-            double radius = trajectories.radius(cluster.values[k]);
-            double way = Math.max(Math.abs(system.u[3 * k]), Math.abs(system.u[3 * k + 1]));
-            most = Math.max(most, Math.max(way, radius * Math.abs(system.u[3 * k + 2])));
+            most = Math.max(most, Math.max(Math.abs(system.u[3 * k]), Math.abs(system.u[3 * k + 1])));
         }
-        return most;
+        return Math.max(most, spin());
     }
 
     /** Moves the bodies so that their gaps are closed. */
@@ -427,6 +426,7 @@ public final class RestingContacts implements Serializable {
         scale = 0;
         worstGap = 0;
         size = Double.POSITIVE_INFINITY;
+        ground.begin(cluster.size);
         double[] w = state.w().values();
         for (int k = 0; k < cluster.size; k++) {
             int body = cluster.values[k];
@@ -477,6 +477,7 @@ public final class RestingContacts implements Serializable {
             return;
         }
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
+        ground.add(manifold, !state.body(a).isFixed());
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
             origin.add(2 * pair + k);
