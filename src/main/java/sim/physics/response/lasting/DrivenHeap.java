@@ -23,6 +23,9 @@ final class DrivenHeap implements Serializable {
 
     private static final double SAME = 1e-9;
 
+    /** The same from which on the next one can be told from the last two. */
+    private static final double SMALL = 1e-3;
+
     /** The same at which the last integration is as good as one under the forces that were found from it. */
     private static final double EQUAL = 1e-11;
 
@@ -149,6 +152,7 @@ final class DrivenHeap implements Serializable {
         Extrapolation extrapolation = extrapolation(heap.values[0]);
         extrapolation.begin(heap, length);
         boolean isSame = false;
+        double before = Double.POSITIVE_INFINITY;
         for (int k = 0; k < PROBES && !isSame; k++) {
             probe(heap, length);
             extrapolation.next(system.w, system.v);
@@ -162,7 +166,9 @@ final class DrivenHeap implements Serializable {
                 kept.goBack();
                 break;
             }
-            isSame = change <= Math.max(SAME * most, system.enough());
+            double next = before <= SMALL * most ? change * (change / before) : change; // if changes go on to shrink at least evenly
+            isSame = change <= Math.max(SAME * most, system.enough()) || next <= SAME * most;
+            before = change;
             isProbed = change <= EQUAL * most;
         }
         if (isProbed) {
