@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
+import sim.physics.constraint.tree.TreeStep;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;

@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import sim.physics.constraint.tree.TreeStep;
 import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -82,8 +83,7 @@ final class PinRows implements Serializable {
 
     /** The steps of the pins if they form a tree, or null. */
     TreeStep tree() {
-        PinTree tree = TreeLayout.find(island, arms);
-        return tree == null ? null : new TreeStep(island, tree);
+        return TreeStep.of(new IslandTree(island), island.a, island.b, arms);
     }
 
     /** The steps of the pins if they form a chain, or null. */

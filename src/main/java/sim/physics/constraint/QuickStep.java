@@ -19,7 +19,7 @@ final class QuickStep {
             return one.skeleton.advance(solver, gx, gy, h);
         }
         return one.tree != null
-                ? one.tree.advance(state, solver, gx, gy, h)
+                ? solver.isPlain(one, state.w().values()) && one.tree.advance(state, gx, gy, h)
                 : one.chain != null && one.chain.advance(state, solver, gx, gy, h);
     }
 
@@ -28,11 +28,18 @@ final class QuickStep {
         if (one != null && one.skeleton != null) {
             return one.skeleton.advance(solver, loads, a, t, h);
         }
-        return one != null && one.tree != null && one.tree.advance(state, solver, loads, a, t, h);
+        return one != null && one.tree != null && advanceTree(one, state, solver, loads, a, t, h);
+    }
+
+    /** The same of an island that is a tree. */
+    static boolean advanceTree(Island one, State state, ConstraintSolver solver, Loads loads, double[] a, double t, double h) {
+        boolean isFit = solver.isDirect() && one.tree.isHub(state) || solver.isPlain(one, state.w().values());
+        return isFit && one.tree.advance(state, loads, a, t, h);
     }
 
     /** Coordinates in which nothing ties the bodies, or null. */
     static TiedCoordinates coordinates(Island one, State state, ConstraintSolver solver) {
-        return one == null || one.tree == null || one.skeleton != null ? null : one.tree.coordinates(state, solver);
+        boolean isTree = one != null && one.tree != null && one.skeleton == null;
+        return isTree ? one.tree.coordinates(state, solver.isPlain(one, state.w().values())) : null;
     }
 }

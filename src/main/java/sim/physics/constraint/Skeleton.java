@@ -82,7 +82,7 @@ final class Skeleton implements Loads, Serializable {
         }
         others = loads;
         try {
-            return island.tree.advance(state, solver, this, a, t, h);
+            return QuickStep.advanceTree(island, state, solver, this, a, t, h);
         } finally {
             others = null;
         }

@@ -28,6 +28,7 @@ class ArchitectureTest {
                 .layer("matrix").definedBy("sim.physics.matrix")
                 .layer("shape").definedBy("sim.physics.shape")
                 .layer("motion").definedBy("sim.physics.motion")
+                .layer("tree").definedBy("sim.physics.constraint.tree")
                 .layer("constraint").definedBy("sim.physics.constraint")
                 .layer("broad").definedBy("sim.physics.collision.broad")
                 .layer("narrow").definedBy("sim.physics.collision.narrow")
@@ -46,10 +47,11 @@ class ArchitectureTest {
                 .whereLayer("broad").mayOnlyBeAccessedByLayers("engine", "response", "lasting", "collision", "narrow")
                 .whereLayer("motion")
                 .mayOnlyBeAccessedByLayers(
-                        "engine", "response", "lasting", "constraint", "collision", "narrow", "mason", "query")
+                        "engine", "response", "lasting", "constraint", "tree", "collision", "narrow", "mason", "query")
                 .whereLayer("query").mayOnlyBeAccessedByLayers("engine")
                 .whereLayer("constraint").mayOnlyBeAccessedByLayers("engine")
-                .whereLayer("matrix").mayOnlyBeAccessedByLayers("motion", "response", "lasting", "constraint")
+                .whereLayer("tree").mayOnlyBeAccessedByLayers("constraint")
+                .whereLayer("matrix").mayOnlyBeAccessedByLayers("motion", "response", "lasting", "constraint", "tree")
                 .check(PRODUCT);
     }
 

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
-package sim.physics.constraint;
+package sim.physics.constraint.tree;
 
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 
 /** Finds out whether the pins of an island form a tree, and lays it out from the root to the tips. */
 final class TreeLayout {
-    private final Island island;
+    private final IntList bodies;
+
+    /** By pin: both bodies. */
+    private final int[] a;
+
+    private final int[] b;
     private final double[] arms;
 
     /** By body: the first of its pins' sides, 2 p or 2 p + 1, or −1; and the next one of the same body. */
@@ -14,13 +20,15 @@ final class TreeLayout {
 
     private final int[] next;
 
-    private TreeLayout(Island island, double[] arms) {
-        this.island = island;
+    private TreeLayout(IntList bodies, int[] a, int[] b, double[] arms) {
+        this.bodies = bodies;
+        this.a = a;
+        this.b = b;
         this.arms = arms;
-        first = new int[island.bodies.size];
-        next = new int[2 * island.nodes];
+        first = new int[bodies.size];
+        next = new int[2 * a.length];
         Arrays.fill(first, -1);
-        for (int side = 2 * island.nodes - 1; side >= 0; side--) {
+        for (int side = 2 * a.length - 1; side >= 0; side--) {
             int body = body(side);
             if (body >= 0) {
                 next[side] = first[body];
@@ -30,39 +38,41 @@ final class TreeLayout {
     }
 
     private int body(int side) {
-        return side % 2 == 0 ? island.a[side / 2] : island.b[side / 2];
+        return side % 2 == 0 ? a[side / 2] : b[side / 2];
     }
 
     /**
      * Lays a tree out. An island hangs together, so its pins form a tree if there are as many as bodies, one of them in the
      * world, or one less.
      *
-     * @param island its constraints are all pins
-     * @param arms by node: the arms of both bodies; places in the world for what does not move
+     * @param bodies of the island
+     * @param a by pin: the place of the one body among those of the island; −1 for what does not move
+     * @param b the other body
+     * @param arms by pin: the arms of both bodies; places in the world for what does not move
      * @return null if there are loops
      */
-    static PinTree find(Island island, double[] arms) {
+    static PinTree find(IntList bodies, int[] a, int[] b, double[] arms) {
         int held = 0;
         int root = 0;
-        for (int p = 0; p < island.nodes; p++) {
-            if (island.a[p] < 0 || island.b[p] < 0) {
+        for (int p = 0; p < a.length; p++) {
+            if (a[p] < 0 || b[p] < 0) {
                 held++;
-                root = Math.max(island.a[p], island.b[p]);
+                root = Math.max(a[p], b[p]);
             }
         }
-        boolean isTree = held <= 1 && island.nodes == island.bodies.size - 1 + held;
-        return isTree ? new TreeLayout(island, arms).follow(held == 0 ? hub(island, arms) : root, held == 0) : null;
+        boolean isTree = held <= 1 && a.length == bodies.size - 1 + held;
+        return isTree ? new TreeLayout(bodies, a, b, arms).follow(held == 0 ? hub(a, b, arms) : root, held == 0) : null;
     }
 
     /** The body to which all others of a free tree are pinned at their own centres of mass; 0 if there is none. */
-    private static int hub(Island island, double[] arms) {
-        for (int p = 0, hub = island.a[0], other = island.b[0]; ; p++) {
-            if (p == island.nodes) {
+    private static int hub(int[] a, int[] b, double[] arms) {
+        for (int p = 0, hub = a[0], other = b[0]; ; p++) {
+            if (p == a.length) {
                 return hub;
             }
-            boolean isFirst = island.a[p] == hub;
+            boolean isFirst = a[p] == hub;
             int side = 2 * (isFirst ? 2 * p + 1 : 2 * p);
-            if (!isFirst && island.b[p] != hub || arms[side] != 0 || arms[side + 1] != 0) {
+            if (!isFirst && b[p] != hub || arms[side] != 0 || arms[side + 1] != 0) {
                 if (hub == other) {
                     return 0;
                 }
@@ -74,7 +84,7 @@ final class TreeLayout {
 
     /** Parents before children, and right before one of them. */
     private PinTree follow(int root, boolean isFree) {
-        int n = island.bodies.size;
+        int n = bodies.size;
         int[] block = new int[n];
         int[] parent = new int[n];
         double[] laid = new double[4 * n];
@@ -88,7 +98,7 @@ final class TreeLayout {
         for (int k = 0; k < n; k++) {
             int body = stack[--size];
             int near = by[body];
-            block[k] = 3 * island.bodies.values[body];
+            block[k] = 3 * bodies.values[body];
             parent[k] = from[body];
             if (near >= 0) {
                 System.arraycopy(arms, 2 * near, laid, 4 * k, 2);

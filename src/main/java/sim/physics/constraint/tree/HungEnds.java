@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
-package sim.physics.constraint;
+package sim.physics.constraint.tree;
 
 import java.io.Serializable;
 import java.util.Arrays;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
-package sim.physics.constraint;
+package sim.physics.constraint.tree;
 
 import java.io.Serializable;
 import java.util.Arrays;
@@ -22,7 +22,7 @@ final class TreeCoordinates implements TiedCoordinates, Serializable {
     /** The largest turn of a link that is followed at once. */
     private static final double HALF_TURN = Math.PI;
 
-    private final Island island;
+    private final TreeHost island;
     private final TreeStep step;
     private final PinTree tree;
 
@@ -32,42 +32,42 @@ final class TreeCoordinates implements TiedCoordinates, Serializable {
     /** What the coordinates are asked for in this step. */
     private transient State state;
 
-    private transient ConstraintSolver solver;
+    private transient boolean isFit;
     private transient Loads loads;
     private transient double[] forced;
     private double gx;
     private double gy;
 
-    TreeCoordinates(Island island, TreeStep step, PinTree tree) {
+    TreeCoordinates(TreeHost island, TreeStep step, PinTree tree) {
         this.island = island;
         this.step = step;
         this.tree = tree;
         slot = new int[tree.links];
         for (int k = 0; k < tree.links; k++) {
             int body = tree.block[k] / State.BLOCK;
-            slot[k] = State.BLOCK * Arrays.binarySearch(island.bodies.values, 0, island.bodies.size, body);
+            slot[k] = State.BLOCK * Arrays.binarySearch(island.bodies().values, 0, island.bodies().size, body);
         }
     }
 
     /** Those of some state vectors. */
-    TreeCoordinates of(State state, ConstraintSolver solver) {
+    TreeCoordinates of(State state, boolean isFit) {
         this.state = state;
-        this.solver = solver;
+        this.isFit = isFit;
         return this;
     }
 
     @Override
     public boolean begin(Loads loads, double gx, double gy, double[] a) {
-        if (!step.begin(state, solver)) {
+        if (!isFit || !step.begin(state)) {
             return false;
         }
         this.loads = loads;
         this.gx = gx;
         this.gy = gy;
         forced = a;
-        island.redundantRows = 0;
+        island.step();
         if (isUnforced()) {
-            island.invariants.begin(state, true);
+            island.keepInvariants(state);
         }
         return true;
     }
@@ -143,7 +143,7 @@ final class TreeCoordinates implements TiedCoordinates, Serializable {
             place(x, v);
             tree.places.scatter(state, PinTree.TURNED, PinTree.TURNING);
             tree.forget();
-            loads.load(island.bodies, t, forced);
+            loads.load(island.bodies(), t, forced);
             tree.eliminate(forced);
         }
         for (int r = 0; r < tree.runCount; r++) {

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
-package sim.physics.constraint;
+package sim.physics.constraint.tree;
 
 import java.io.Serializable;
 import sim.physics.motion.Loads;
 import sim.physics.motion.State;
+import sim.physics.motion.TiedCoordinates;
 
 /**
  * A step of a tree of pins: RK4, (13), on its angles. Its joints close of themselves, so there is no
  * projection. What is out of the ordinary it leaves to the general code: then it has changed nothing.
  */
-final class TreeStep implements Serializable {
+public final class TreeStep implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /**
@@ -30,10 +31,9 @@ final class TreeStep implements Serializable {
 
     private static final double SLIP = 1e-11;
 
-
     private static final int MOST_PARTS = 64;
 
-    private final Island island;
+    private final TreeHost island;
     private final PinTree tree;
     private final double[] open = new double[2];
     private boolean isWeighed;
@@ -55,13 +55,28 @@ final class TreeStep implements Serializable {
     /** Null until a method asks for them that chooses its steps. */
     private TreeCoordinates coordinates;
 
-    TreeStep(Island island, PinTree tree) {
+    private TreeStep(TreeHost island, PinTree tree) {
         this.island = island;
         this.tree = tree;
         energy = new TreeEnergy(tree);
     }
 
-    void forgetMasses() {
+    /**
+     * Makes the steps of an island's pins.
+     *
+     * @param island all its constraints are pins
+     * @param a by pin: the place of the one body among those of the island; −1 for what does not move
+     * @param b the other body
+     * @param arms by pin: the arms of both bodies; places in the world for what does not move
+     * @return null if there are loops
+     */
+    public static TreeStep of(TreeHost island, int[] a, int[] b, double[] arms) {
+        PinTree tree = TreeLayout.find(island.bodies(), a, b, arms);
+        return tree == null ? null : new TreeStep(island, tree);
+    }
+
+    /** Masses may have changed. */
+    public void forgetMasses() {
         isWeighed = false;
     }
 
@@ -69,14 +84,14 @@ final class TreeStep implements Serializable {
      * Advances the tree under a uniform field.
      *
      * @param state its vectors are changed, if all is well
-     * @param solver one whose results these are
-     * @param gx the field
-     * @param gy the field
-     * @param h step
+     * @param gx the field, length/time²
+     * @param gy the field, length/time²
+     * @param h step, of either sign
      * @return false if the general code must make this step
      */
-    boolean advance(State state, ConstraintSolver solver, double gx, double gy, double h) {
-        if (!isPlain(state, solver) || !(hung == null ? follow(state) : hang(state))) {
+    public boolean advance(State state, double gx, double gy, double h) {
+        weigh(state);
+        if (!(hung == null ? follow(state) : hang(state))) {
             return false;
         }
         boolean isUnforced = gx == 0 && gy == 0;
@@ -88,14 +103,14 @@ final class TreeStep implements Serializable {
         }
         unite(most);
         if (isUnforced) {
-            island.invariants.begin(state, true);
+            island.keepInvariants(state);
         }
         if (hung == null) {
             tree.places.scatter(state, PinTree.ANGLE, PinTree.OMEGA);
         } else {
             hung.ends.scatter(state);
         }
-        island.redundantRows = 0;
+        island.step();
         if (isUnforced) {
             keepInvariants(state, hung);
         }
@@ -108,8 +123,7 @@ final class TreeStep implements Serializable {
     }
 
     private void keepInvariants(State state, HungChain chain) {
-        island.evaluate(state);
-        island.invariants.restore(state, true);
+        island.restoreInvariants(state);
         if (chain == null && !gather(state)) {
             tree.begin();
         } else if (chain != null && !chain.ends.isAt(state)) {
@@ -121,15 +135,14 @@ final class TreeStep implements Serializable {
      * Advances the tree under any forces that act on each link by itself.
      *
      * @param state its vectors are changed, if all is well
-     * @param solver one whose results these are
      * @param loads the forces
      * @param a gets the accelerations at the start, with what the pins do, [x″, y″, θ″] per body of the state
      * @param t time of the start
-     * @param h step
+     * @param h step, of either sign
      * @return false if the general code must make this step
      */
-    boolean advance(State state, ConstraintSolver solver, Loads loads, double[] a, double t, double h) {
-        if (!(isHub(state, solver) ? follow(state) : begin(state, solver))) {
+    public boolean advance(State state, Loads loads, double[] a, double t, double h) {
+        if (!begin(state)) {
             return false;
         }
         if (loaded == null) {
@@ -144,29 +157,25 @@ final class TreeStep implements Serializable {
         }
         unite(ROUGH);
         loaded.tellFirst(a);
-        island.redundantRows = 0;
+        island.step();
         return true;
     }
 
     /** Takes the state over; false if it is not one for the tree. */
-    boolean begin(State state, ConstraintSolver solver) {
-        return isPlain(state, solver) && follow(state);
-    }
-
-    private boolean isPlain(State state, ConstraintSolver solver) {
-        if (!solver.isPlain(island, state.w().values())) {
-            return false;
-        }
+    boolean begin(State state) {
         weigh(state);
-        return true;
+        return follow(state);
     }
 
-    /** Whether the tree is a hub, in which nothing is solved for under loads, however light what it carries is. */
-    private boolean isHub(State state, ConstraintSolver solver) {
-        if (solver.isDirect()) {
-            weigh(state);
-        }
-        return solver.isDirect() && isHub;
+    /**
+     * Whether the tree is a hub, in which nothing is solved for under loads, however light what it carries is.
+     *
+     * @param state has the masses
+     * @return false for most
+     */
+    public boolean isHub(State state) {
+        weigh(state);
+        return isHub;
     }
 
     private void weigh(State state) {
@@ -284,7 +293,7 @@ final class TreeStep implements Serializable {
         double part = h / parts;
         worst = 0;
         for (int k = 0; k < parts; k++) {
-            loaded.step(state, island.bodies, loads, a, t + k * part, part, k == 0);
+            loaded.step(state, island.bodies(), loads, a, t + k * part, part, k == 0);
             if (!isSmooth(part, tree.roughness(), ROUGH)) {
                 return false;
             }
@@ -326,25 +335,35 @@ final class TreeStep implements Serializable {
 
     private boolean isClosed() {
         tree.places.gaps(open);
-        double place = island.mostSize;
+        double place = island.mostSize();
         double speed = 0;
         for (int o = 0; o < tree.link.length; o += PinTree.STRIDE) {
             double[] l = tree.link;
             place = Math.max(place, Math.max(Math.abs(l[o + PinTree.X]), Math.abs(l[o + PinTree.Y])));
-            double turning = island.leastSize * Math.abs(l[o + PinTree.OMEGA]);
+            double turning = island.leastSize() * Math.abs(l[o + PinTree.OMEGA]);
             speed = Math.max(speed, Math.abs(l[o + PinTree.U]) + Math.abs(l[o + PinTree.V]) + turning);
         }
         return open[0] <= CLOSED * place && open[1] <= SLIP * speed;
     }
 
-    /** Whether the tree, as it was last weighed, is a chain that hangs. */
-    boolean isHung() {
+    /**
+     * Whether the tree, as it was last weighed, is a chain that hangs.
+     *
+     * @return false before its first step
+     */
+    public boolean isHung() {
         return hung != null;
     }
 
-    /** The coordinates of the tree, for other methods. */
-    TreeCoordinates coordinates(State state, ConstraintSolver solver) {
+    /**
+     * The coordinates of the tree, for other methods.
+     *
+     * @param state its vectors are those of the tree
+     * @param isFit whether it may be moved in them now
+     * @return to be begun; valid until the next call
+     */
+    public TiedCoordinates coordinates(State state, boolean isFit) {
         coordinates = coordinates == null ? new TreeCoordinates(island, this, tree) : coordinates;
-        return coordinates.of(state, solver);
+        return coordinates.of(state, isFit);
     }
 }
