@@ -9,17 +9,29 @@ import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 
 import java.awt.Color;
+import java.util.stream.Stream;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.constraint.Constraint;
+import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.Stabilization;
 import sim.physics.mason.Picture;
 import sim.physics.motion.Body;
+import sim.physics.motion.Euler;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Gravity;
+import sim.physics.motion.Integrator;
+import sim.physics.motion.Rattle;
+import sim.physics.motion.RungeKutta4;
+import sim.physics.motion.Spring;
 import sim.physics.motion.SurfaceFriction;
+import sim.physics.motion.SymplecticEuler;
 import sim.physics.query.Queries;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
@@ -228,9 +240,56 @@ class RefusalTest {
         engine.step();
         assertThatThrownBy(engine::step)
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("fx is Infinity: it must be finite");
+                .hasMessageStartingWith("fx is Infinity: it must be finite; it acts on Body[Circle[radius 1.0] at (0.63")
+                .hasMessageNotContaining("without bound");
         engine.remove(endless);
         engine.add((ForceGenerator) (body, time, forces) -> forces.addTorque(body, Double.NaN));
-        assertThatThrownBy(engine::step).hasMessage("torque is NaN: it must be finite");
+        assertThatThrownBy(engine::step).hasMessageStartingWith("torque is NaN: it must be finite; it acts on Body[");
+    }
+
+    @ParameterizedTest
+    @MethodSource("methodsOfFixedStep")
+    void aMotionThatGrowsWithoutBoundIsSaidToNeedAShorterStep(Integrator method) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setIntegrator(method);
+        engine.setTimeStep(1);
+        Body ball = engine.add(new Body(new Circle(1)).at(1, 0));
+        engine.add(new Spring(ball, 0, 0, null, 0, 0, 0, 100, 0)); // six periods a step
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> {
+                    for (int k = 0; k < 1000; k++) {
+                        engine.step();
+                    }
+                })
+                .withMessageContaining("it acts on Body[")
+                .withMessageContaining("the time step may be too long");
+        assertThat(ball.getX()).isFinite();
+        assertThat(ball.getVelocityX()).isFinite();
+    }
+
+    static Stream<Integrator> methodsOfFixedStep() {
+        return Stream.of(new Euler(), new SymplecticEuler(), new RungeKutta4(), new Rattle(2), new Rattle(4), new Rattle(6));
+    }
+
+    /** Joints and a spring that couples them to another body, in steps that are much too long. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void jointsInAStepThatIsMuchTooLong(boolean isSymplectic) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setIntegrator(isSymplectic ? new SymplecticEuler() : new Euler());
+        Body one = engine.add(new Body(new Circle(1)).at(0, 0).moving(1, 0));
+        Body two = engine.add(new Body(new Circle(1)).at(5, 0));
+        Body loose = engine.add(new Body(new Circle(1)).at(50, 0).moving(-1, 0));
+        engine.add(new RodJoint(one, 0, 0, two, 5, 0));
+        engine.add(new RodJoint(two, 5, 0, null, 5, 5));
+        engine.add(new Spring(one, 0, 0, loose, 0.5, 0, 2, 1000, 0));
+        try {
+            for (int k = 0; k < 3; k++) {
+                engine.step();
+            }
+        } catch (ConstraintException e) {
+            assertThat(e).hasMessageContaining("the time step may be much too long");
+        }
+        assertThat(loose.getX()).isFinite();
     }
 }

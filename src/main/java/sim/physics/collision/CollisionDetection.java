@@ -407,6 +407,11 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         return false;
     }
 
+    @Override
+    public boolean areAloof(IntList bodies) {
+        return notes.areAll(BodyNotes.ALOOF, bodies);
+    }
+
     /**
      * Whether there is an event left in the present step.
      *

@@ -14,7 +14,8 @@ final class Admissible {
     static void check(Constraint constraint, boolean closed) {
         Body b = constraint.getBodyB();
         if (constraint.getBodyA().isFixed() && (b == null || b.isFixed())) {
-            throw new IllegalArgumentException("constraint is " + constraint + ": none of its bodies can move");
+            throw new IllegalArgumentException("constraint is " + constraint + ": none of its bodies can move, "
+                    + "but one of them must");
         }
         int rows = constraint.getRows();
         if (rows < 1 || rows > Equations.ROWS) {

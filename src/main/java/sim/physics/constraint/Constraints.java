@@ -328,13 +328,12 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean isCreeping(IntList bodies) {
-        Island one = projected(bodies);
-        return one != null && one.passage.creep.isOn();
+        return !stabilization.isFeedback() && Creep.isOn(of(bodies));
     }
 
     @Override
     public void creep(IntList bodies, double h) {
-        projected(bodies).passage.creep.advance(state, solver, projection, h);
+        Creep.advance(of(bodies), state, solver, projection, h);
     }
 
     @Override

@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.List;
 import sim.physics.motion.State;
 
 /**
@@ -55,17 +56,36 @@ final class Creep implements Serializable {
         left = 0;
     }
 
+    /** Whether some of the islands of a group go on so. */
+    static boolean isOn(List<Island> those) {
+        boolean yes = false;
+        for (int k = 0; k < those.size(); k++) {
+            yes |= those.get(k).passage.creep.isOn();
+        }
+        return yes;
+    }
+
     /**
-     * Goes on for a time.
+     * Goes on for a time, with all islands of a group.
      *
      * @param state where the accelerations that were noted last are those without constraints
      * @param h time, of either sign
-     * @throws ConstraintException if it has just begun, and the pose is not within sight of a singular one
+     * @throws ConstraintException if it has just begun, and no pose is within sight of a singular one
      */
-    void advance(State state, ConstraintSolver solver, Projection projection, double h) {
-        if (left == 0 && !island.factor.isWeak()) {
-            throw projection.failure(island);
+    static void advance(List<Island> those, State state, ConstraintSolver solver, Projection projection, double h) {
+        boolean isWeak = isOn(those);
+        for (int k = 0; k < those.size() && !isWeak; k++) {
+            isWeak = those.get(k).factor.isWeak();
         }
+        if (!isWeak) {
+            throw projection.tooLong(those);
+        }
+        for (int k = 0; k < those.size(); k++) {
+            those.get(k).passage.creep.advance(state, solver, projection, h);
+        }
+    }
+
+    private void advance(State state, ConstraintSolver solver, Projection projection, double h) {
         if (left == 0) {
             failures = Math.min(failures + 1, MOST_PATIENCE);
             left = 1 << failures;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.constraint;
 
+import java.util.Objects;
 import sim.physics.internal.Check;
 import sim.physics.motion.Body;
 import sim.physics.motion.SwitchedRow;
@@ -52,6 +53,31 @@ public final class Limit extends Switched {
      */
     public static Limit angle(Body a, Body b, double lower, double upper) {
         return new Limit(new GearJoint(a, b, -1), lower, upper, 0);
+    }
+
+    /**
+     * Makes the ends of a rail.
+     *
+     * @param slider the rail; its ends hold from when they are added themselves, and are removed by themselves
+     * @param lower bound of {@link SliderJoint#getTravel()}, may be −∞
+     * @param upper bound, greater than the lower one, may be ∞
+     * @return stops that do not bounce
+     */
+    public static Limit travel(SliderJoint slider, double lower, double upper) {
+        return travel(slider, lower, upper, 0);
+    }
+
+    /**
+     * Makes the ends of a rail, with buffers.
+     *
+     * @param slider the rail
+     * @param lower bound of {@link SliderJoint#getTravel()}, may be −∞
+     * @param upper bound, greater than the lower one, may be ∞
+     * @param restitution 0: the body stops there; 1: it bounces off elastically
+     * @return stops
+     */
+    public static Limit travel(SliderJoint slider, double lower, double upper, double restitution) {
+        return new Limit(Objects.requireNonNull(slider, "slider").travel(), lower, upper, restitution);
     }
 
     /**

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.constraint;
 
+import java.util.Objects;
 import sim.physics.internal.Check;
 import sim.physics.motion.Body;
 import sim.physics.motion.SwitchedRow;
@@ -49,6 +50,18 @@ public final class Motor extends Switched {
      */
     public static Motor turning(Body a, Body b, double speed, double torque) {
         return new Motor(new GearJoint(a, b, -1), speed, torque);
+    }
+
+    /**
+     * Makes a motor that drives a body along its rail.
+     *
+     * @param slider the rail; the motor acts from when it is added itself, and is removed by itself
+     * @param speed of {@link SliderJoint#getTravel()}, length/time
+     * @param force the greatest one along the rail, greater than 0
+     * @return a motor
+     */
+    public static Motor sliding(SliderJoint slider, double speed, double force) {
+        return new Motor(Objects.requireNonNull(slider, "slider").travel(), speed, force);
     }
 
     /**

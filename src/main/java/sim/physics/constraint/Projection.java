@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.ArrayList;
 import java.util.List;
 import sim.physics.motion.State;
 
@@ -63,6 +64,15 @@ final class Projection implements Serializable {
     /** What there is to say when the last call failed for good. */
     ConstraintException failure(Island island) {
         return new ConstraintException("constraints " + island.inOrder + " cannot be satisfied", corrections, error);
+    }
+
+    /** The same of islands that move together, when no part of a step was short enough. */
+    ConstraintException tooLong(List<Island> those) {
+        List<Constraint> all = new ArrayList<>();
+        those.forEach(island -> all.addAll(island.inOrder));
+        return new ConstraintException("constraints " + all
+                + " cannot be kept closed, the time step may be much too long for the motion of their bodies or the forces on them",
+                corrections, error);
     }
 
     /** Projects positions and velocities, however far that is; throws if there are none. */

@@ -71,8 +71,21 @@ public final class SliderJoint extends Joint {
         return row == 1;
     }
 
+    /** The coordinate that {@link #getTravel} says. */
+    Joint travel() {
+        return new Travel(getBodyA(), getBodyB(), first, second, normalY, -normalX);
+    }
+
     @Override
     public void evaluate(Equations e) {
+        separate(e, first, second, normalX, normalY);
+        e.set(1, getBodyA().getAngle() - angle(getBodyB()) - angle, 0);
+        e.setA(1, 0, 0, 1);
+        e.setB(1, 0, 0, -1);
+    }
+
+    /** The first row: how far the first point is from the second along n, which is given as the second body has it. */
+    static void separate(Equations e, Anchor first, Anchor second, double normalX, double normalY) {
         first.evaluate();
         second.evaluate();
         double nx = second.cos * normalX - second.sin * normalY;
@@ -87,9 +100,6 @@ public final class SliderJoint extends Joint {
         e.set(0, away, first.centripetal(nx, ny) - second.centripetal(nx, ny) + turning);
         e.setA(0, nx, ny, first.lever(nx, ny));
         e.setB(0, -nx, -ny, along - second.lever(nx, ny));
-        e.set(1, getBodyA().getAngle() - angle(getBodyB()) - angle, 0);
-        e.setA(1, 0, 0, 1);
-        e.setB(1, 0, 0, -1);
     }
 
     @Override

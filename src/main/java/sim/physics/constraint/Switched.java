@@ -57,7 +57,8 @@ abstract class Switched implements Constraint {
     Switched(Constraint coordinate) {
         this.coordinate = Objects.requireNonNull(coordinate, "coordinate");
         if (coordinate.getRows() != 1 || coordinate instanceof Switched) {
-            throw new IllegalArgumentException("coordinate is " + coordinate + ": it must have one row");
+            throw new IllegalArgumentException("coordinate is " + coordinate + ": it must have one row"
+                    + (coordinate instanceof SliderJoint ? "; Motor.sliding and Limit.travel take a slider" : ""));
         }
     }
 

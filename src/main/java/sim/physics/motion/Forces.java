@@ -3,11 +3,13 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
-import sim.physics.internal.Check;
 
 /** Takes the forces of a {@link ForceGenerator} and adds them to the force vector F. */
 public final class Forces implements Serializable {
     private static final long serialVersionUID = 1L;
+
+    /** A place or speed that no model means: with its square's square a force may overflow. */
+    private static final double HUGE = 1e75;
 
     private final State state;
 
@@ -27,8 +29,8 @@ public final class Forces implements Serializable {
      * @throws IllegalArgumentException for NaN or infinity
      */
     public void add(Body body, double fx, double fy) {
-        Check.finite("fx", fx);
-        Check.finite("fy", fy);
+        finite("fx", fx, body);
+        finite("fy", fy, body);
         double[] f = state.f();
         int b = State.BLOCK * body.index();
         f[b + State.X] += fx;
@@ -43,7 +45,7 @@ public final class Forces implements Serializable {
      * @throws IllegalArgumentException for NaN or infinity
      */
     public void addTorque(Body body, double torque) {
-        Check.finite("torque", torque);
+        finite("torque", torque, body);
         state.f()[State.BLOCK * body.index() + State.THETA] += torque;
     }
 
@@ -58,9 +60,25 @@ public final class Forces implements Serializable {
      * @throws IllegalArgumentException for NaN or infinity
      */
     public void addAt(Body body, double fx, double fy, double px, double py) {
-        Check.finite("px", px);
-        Check.finite("py", py);
+        finite("px", px, body);
+        finite("py", py, body);
         add(body, fx, fy);
         addTorque(body, (px - body.getX()) * fy - (py - body.getY()) * fx);
+    }
+
+    /** Refuses what is not finite; where a body has been thrown beyond all measure, that is said to be the cause. */
+    private void finite(String name, double value, Body body) {
+        if (Math.abs(value) < Double.POSITIVE_INFINITY) {
+            return;
+        }
+        double largest = 0;
+        for (int b = State.BLOCK * body.index(), k = b; k < b + State.BLOCK; k++) {
+            largest = Math.max(largest, Math.max(Math.abs(state.x()[k]), Math.abs(state.v()[k]))); // NaN stays
+        }
+        String cause = largest < HUGE
+                ? ""
+                : ". Its motion has grown without bound: the time step may be too long for the forces on it";
+        throw new IllegalArgumentException(name + " is " + value + ": it must be finite; it acts on " + body + " with velocity ("
+                + body.getVelocityX() + ", " + body.getVelocityY() + ")" + cause);
     }
 }

@@ -52,7 +52,7 @@ public final class Spring implements ForceGenerator {
      */
     public Spring(
             Body a, double ax, double ay, Body b, double bx, double by, double length, double stiffness, double damping) {
-        this.a = Objects.requireNonNull(a, "a");
+        this.a = Objects.requireNonNull(a, "a: only the second body of a spring may be null, for the world");
         if (a == b) {
             throw new IllegalArgumentException("b is " + b + ": a spring needs two different bodies");
         }

@@ -259,6 +259,19 @@ final class TiedMotion implements Serializable {
         path.ensure(state.x().length);
         motion.acceleration(group, t, path.stage);
         ties.creep(group, length);
+        for (int k = 0; k < group.size; k++) {
+            if (!ties.isTied(group.values[k])) {
+                fly(State.BLOCK * group.values[k], path.stage, length);
+            }
+        }
+    }
+
+    /** Moves a body to first order, as {@link Ties#creep} does with those that it moves. */
+    private void fly(int b, double[] a, double length) {
+        for (int s = b; s < b + State.BLOCK; s++) {
+            state.v()[s] += length * a[s];
+            state.x()[s] += length * state.v()[s];
+        }
     }
 
     /** Advances a group over a time, if there is a quick way; else nothing is changed, and of the path only its workspace. */

@@ -132,10 +132,10 @@ public interface Ties extends Serializable {
     boolean isCreeping(IntList bodies);
 
     /**
-     * Advances an island for which steps are too long however short they are: to the nearest place to where it would be
-     * without its ties.
+     * Advances islands for which steps are too long however short they are: to the nearest place to where they would be
+     * without their ties.
      *
-     * @param bodies all bodies of an island, at the start of the step; for several islands this is {@link #assemble}
+     * @param bodies all bodies of an island, or of several and others, which are left where they are, at the start of the step
      * @param h time, of either sign
      * @throws IllegalStateException if there is no way at all, and the pose is none that would explain it
      */

@@ -44,6 +44,8 @@ class JointRowsTest {
         joints.add(new PinJoint(bodies.get(2), bodies.get(3), 3.2, 0.4));
         joints.add(Limit.angle(bodies.get(0), held, -1, 1));
         joints.add(Motor.turning(bodies.get(3), bodies.get(0), 2, 10));
+        joints.add(Motor.sliding(new SliderJoint(bodies.get(1), bodies.get(3), 2, 0.3, 1, -0.4), 1, 3));
+        joints.add(Limit.travel(new SliderJoint(bodies.get(2), held, 2, 0.5, 0.2, 1), -1, 1));
         joints.add(Limit.rope(bodies.get(0), 0, 0, bodies.get(3), 3.9, 0.3, 5));
         island = new Island(indices, joints);
         for (int k = 0; k < State.BLOCK * MOVABLE; k++) {

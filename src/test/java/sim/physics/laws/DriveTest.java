@@ -255,7 +255,7 @@ class DriveTest {
         engine.setTimeStep(1 / 60.0);
         Body disc = engine.add(new Body(new Circle(0.5)).at(0.25, 0).moving(0, 0.25e9, 1e9));
         engine.add(new PinJoint(disc, 0, 0));
-        assertThatThrownBy(engine::step).isInstanceOf(ConstraintException.class).hasMessageContaining("cannot be satisfied");
+        assertThatThrownBy(engine::step).isInstanceOf(ConstraintException.class).hasMessageContaining("the time step may be much too long");
     }
 
     /** A thruster that is switched on within a step. */

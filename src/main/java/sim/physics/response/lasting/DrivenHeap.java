@@ -29,6 +29,12 @@ final class DrivenHeap implements Serializable {
     /** Error of velocities at the end of their time, relative to them, with which forces may go on until then. */
     private static final double DRIFT = 1e-5;
 
+    /**
+     * Change of velocities, relative to them, with which impulses that are not right are of no use: where stops and the ground
+     * ask for what cannot be, they grow with every turn of the solution, and no integration would bear such forces.
+     */
+    private static final double WILD = 1e3;
+
     /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
     private static final double MOST_SHARE = 100;
 
@@ -152,6 +158,10 @@ final class DrivenHeap implements Serializable {
             kept.keep();
             isRight = system.solve(most, true);
             double change = kept.change();
+            if (!isRight && !(change <= WILD * most)) {
+                kept.goBack();
+                break;
+            }
             isSame = change <= Math.max(SAME * most, system.enough());
             isProbed = change <= EQUAL * most;
         }

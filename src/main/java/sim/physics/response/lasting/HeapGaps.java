@@ -19,6 +19,9 @@ final class HeapGaps {
     /** Part of the depth that a solution may be wrong by, if it has to be. */
     private static final double LITTLE = 1e-2;
 
+    /** Depth, relative to the smaller body, in which no solution leaves a pair: its bodies were put into one another. */
+    private static final double PUT = 1e-3;
+
     private HeapGaps() {}
 
     /** How deep a pair may be. */
@@ -38,7 +41,8 @@ final class HeapGaps {
     }
 
     /**
-     * The least normal velocity of a point.
+     * The least normal velocity of a point. What was put into one another goes no deeper, but nothing drives it apart: the
+     * shorter the time, the more energy that would be.
      *
      * @param gap that there is
      * @param depth how deep it may be
@@ -49,6 +53,9 @@ final class HeapGaps {
      *     does not do
      */
     static double leastSpeed(double gap, double depth, double bend, double time, boolean isFresh, boolean isEven) {
+        if (gap * (isEven ? DRIVEN_CUSHION : ROUGH_CUSHION) < -PUT * depth) {
+            return 0;
+        }
         double room = depth + bend;
         double least = isFresh ? room : 0.5 * room;
         if (gap >= least) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import sim.physics.motion.Body;
+
+/**
+ * The travel along a rail as a coordinate of motors and stops: C = t·d, where t is the line's direction, which turns with the
+ * second body. So it has the equations of the rail itself, {@link SliderJoint}, with t in the place of the normal.
+ */
+final class Travel extends Joint {
+    private static final long serialVersionUID = 1L;
+
+    private final Anchor first;
+    private final Anchor second;
+    private final double alongX;
+    private final double alongY;
+
+    /** The line's direction is that in the coordinates of the second body. */
+    Travel(Body a, Body b, Anchor first, Anchor second, double alongX, double alongY) {
+        super(a, b);
+        this.first = first;
+        this.second = second;
+        this.alongX = alongX;
+        this.alongY = alongY;
+    }
+
+    @Override
+    public int getRows() {
+        return 1;
+    }
+
+    @Override
+    public void evaluate(Equations e) {
+        SliderJoint.separate(e, first, second, alongX, alongY);
+    }
+
+    @Override
+    boolean describe(JointRows rows, int node) {
+        rows.addSlide(node, first, second, alongX, alongY);
+        return true;
+    }
+}
