@@ -10,7 +10,7 @@ import sim.physics.collision.broad.Pairs;
  * What will happen in the present step, in time order. Equal offsets come in the order of what they are, so that the order
  * does not depend on the order of insertion.
  *
- * <p>The step is divided into spans of equal length, so many that a few events fall into each. What falls into the span that
+ * <p>The step is divided into spans of equal length, so many that about one event falls into each. What falls into the span that
  * is being gone through, or before it, lies in a binary heap of (offset, what); what comes later waits in the list of its span,
  * where it costs nothing but its place. Most of what is planned is called off before its span begins.
  *
@@ -21,8 +21,8 @@ import sim.physics.collision.broad.Pairs;
 final class EventQueue implements Serializable {
     private static final long serialVersionUID = 2L;
 
-    /** Events in a span, about, and the most spans. */
-    private static final int PER_SPAN = 4;
+    /** Events in a step from which on it is divided, and the most spans. */
+    private static final int MANY = 8;
 
     private static final int MOST_SPANS = 1 << 16;
 
@@ -61,7 +61,7 @@ final class EventQueue implements Serializable {
 
     /** Empties the queue for a step of a length, in which about as much will happen as in the last one. */
     void begin(double h) {
-        if (spans > 1 || planned >= 2 * PER_SPAN) {
+        if (spans > 1 || planned >= MANY) {
             divide(h);
         }
         size = 0;
@@ -71,7 +71,7 @@ final class EventQueue implements Serializable {
 
     private void divide(double h) {
         Arrays.fill(heads, span, spans, NONE);
-        spans = Math.min(MOST_SPANS, Integer.highestOneBit(Math.max(1, planned / PER_SPAN)));
+        spans = planned < MANY ? 1 : Math.min(MOST_SPANS, Integer.highestOneBit(planned));
         if (heads.length < spans) {
             heads = new int[spans];
         }
