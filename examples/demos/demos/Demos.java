@@ -8,6 +8,8 @@ import demos.collisions.Collisions;
 import demos.collisions.CollisionsWithUI;
 import demos.doors.Doors;
 import demos.doors.DoorsWithUI;
+import demos.machines.Machines;
+import demos.machines.MachinesWithUI;
 import demos.pair.Pair;
 import demos.pair.PairWithUI;
 import demos.pendulum.Pendulum;
@@ -39,7 +41,7 @@ import sim.util.Properties;
  *   NAME -mason [MASON's own options] [-p name=value …]             runs MASON's command-line loop
  * </pre>
  *
- * <p>Names are collisions, robots, pendulum, bead, doors and pair.
+ * <p>Names are collisions, robots, pendulum, bead, doors, pair and machines.
  */
 public final class Demos {
     private Demos() {}
@@ -70,7 +72,8 @@ public final class Demos {
             new Demo("pendulum", Pendulum::new, PendulumWithUI::new),
             new Demo("bead", Bead::new, BeadWithUI::new),
             new Demo("doors", Doors::new, DoorsWithUI::new),
-            new Demo("pair", Pair::new, PairWithUI::new));
+            new Demo("pair", Pair::new, PairWithUI::new),
+            new Demo("machines", Machines::new, MachinesWithUI::new));
 
     private static Demo demo(String name) {
         for (Demo demo : ALL) {

@@ -39,6 +39,9 @@ final class HeapMatrix extends HeapRows {
     /** Changes of bounds for each row. */
     private static final int PIVOTS = 4;
 
+    /** How often the end of a path is made better. */
+    private static final int PROXIMAL = 3;
+
     /** Error at which the impulses may start the next solution, as a part of the scale. */
     private static final double NEARLY = 1e-6;
 
@@ -51,6 +54,17 @@ final class HeapMatrix extends HeapRows {
     private final ContactEquations equations = new ContactEquations(true, REFINEMENTS);
     private final ConjugateSweeps sweeps = new ConjugateSweeps();
     private double[] rest = {};
+
+    /** Null until there is work for it. */
+    private MatrixPath path;
+
+    @Override
+    void forget() {
+        super.forget();
+        if (path != null) {
+            path.forget();
+        }
+    }
 
     @Override
     void grow(int n) {
@@ -75,7 +89,10 @@ final class HeapMatrix extends HeapRows {
             least = relax(least <= CLOSE * exact ? FEW : 1, least);
             least = newton(least, exact, 1); // impulses of before may be at the same bounds
         }
-        for (int round = 0; round < ROUNDS && least > ROUNDING * exact; round++) {
+        if (least > ROUNDING * exact) {
+            least = follow(least, exact, Math.max(enough, ROUNDING * exact));
+        }
+        for (int round = 0; round < ROUNDS && least > Math.max(enough, ROUNDING * exact); round++) {
             if (round == 0) {
                 restore();
             }
@@ -234,6 +251,23 @@ final class HeapMatrix extends HeapRows {
                 break;
             }
         }
+        return error;
+    }
+
+    /** Goes to the end of a path, first of one from the end of the last one; returns the least error so far. */
+    private double follow(double least, double exact, double enough) {
+        path = path == null ? new MatrixPath() : path;
+        double error = path.resume(this, side) ? refine(least, exact) : least;
+        return error > enough && path.follow(this, side) ? refine(error, exact) : error;
+    }
+
+    private double refine(double least, double exact) {
+        double error = least;
+        int left = PROXIMAL;
+        do {
+            evaluate();
+            error = keep(error);
+        } while (error > exact && left-- > 0 && path.refine(side));
         return error;
     }
 

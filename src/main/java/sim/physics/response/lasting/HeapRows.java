@@ -10,7 +10,7 @@ abstract class HeapRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Rows for which this is worth it. */
-    private static final int MOST = 120;
+    private static final int MOST = 240;
 
     private boolean isAssembled;
 

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+
+/**
+ * Finds which rows of {@link HeapRows} are at which bound by the method of complementary pivots (Lemke 1965; Cottle, Pang and Stone,
+ * <i>The Linear Complementarity Problem</i>, 1992). All rows are made to part by a speed τ that is large enough for no contact to press;
+ * as τ falls, contacts close, stick and slide one after the other, and at τ = 0 the bounds are those of the problem. In the
+ * plane Coulomb's law is made of straight lines, so that the way is, and τ may have to rise again for a while; it ends where sets of bounds
+ * that are exchanged one by one run in circles, since a path that comes from infinity cannot close on itself (friction of bodies in a
+ * plane has no other end for it: Stewart and Trinkle 1996).
+ *
+ * <p>Each exchange of a row's impulse for its velocity is one sweep over the tableau of all rows. Rounding adds up on the way,
+ * and the matrix is a little heavier on its diagonal, so impulses are about right only; the sides are.
+ */
+final class MatrixPath implements Serializable {
+    private static final long serialVersionUID = 1L;
+    private static final double WEIGHT = 1e-8;
+
+    /** Exchanges at most for each row, and beside them. */
+    private static final int EACH = 8;
+
+    private static final int BESIDE = 40;
+
+    /** Pivots, and rates along the way, that are zero but for rounding. */
+    private static final double NOTHING = 1e-13;
+
+    /** Lower bounds that are that many times farther than velocities are out of sight. */
+    private static final double FAR = 1e3;
+
+    private transient HeapRows at;
+    private int n;
+
+    /** Whether the tableau is that of the end of a path for these rows. */
+    private boolean isAtEnd;
+
+    /** What the present basic variables, impulses of free rows and velocities of others, do under the other variables of all rows. */
+    private double[] tableau = {};
+
+    /** The basic variables' values at τ = 0, and how they grow with τ; and the rows' units. */
+    private double[] value = {};
+
+    private double[] rate = {};
+    private double[] unit = {};
+
+    /** −1 and +1 at the lower and the upper bound, 0 where the row is free. */
+    private int[] side = {};
+
+    /** The next bound on the way: its row, and on which side it lies. */
+    private int row;
+
+    private int way;
+
+    /**
+     * Follows the path.
+     *
+     * @param rows the problem, which gets about the impulses of its end
+     * @param sides takes the side of each row if it comes to its end
+     * @return whether it does
+     */
+    boolean follow(HeapRows rows, double[] sides) {
+        at = rows;
+        isAtEnd = begin() && go(start());
+        return isAtEnd && give(sides);
+    }
+
+    /** Takes note that the rows have changed. */
+    void forget() {
+        isAtEnd = false;
+    }
+
+    /**
+     * Goes on from the end of the last path, whose rows have other velocities now, as these change evenly.
+     *
+     * @param rows the same rows
+     * @param sides as before
+     * @return whether there is such an end, and the way from it came to one
+     */
+    boolean resume(HeapRows rows, double[] sides) {
+        if (!isAtEnd) {
+            return false;
+        }
+        at = rows;
+        give(sides);
+        at.evaluate();
+        return change(sides, true);
+    }
+
+    /**
+     * Goes on from the end of a path to a solution that is nearer to that of the matrix without its additional weight (the proximal point
+     * algorithm: Rockafellar 1976).
+     *
+     * @param sides as before
+     * @return whether the path to it came to its end; else the impulses are as before
+     */
+    boolean refine(double[] sides) {
+        return change(sides, false);
+    }
+
+    /** Follows the way on which velocities that the impulses leave wrong are made right. */
+    private boolean change(double[] sides, boolean fromBefore) {
+        double[] a = tableau;
+        for (int i = 0; i < n; i++) {
+            double before = value[i];
+            double now = side[i] == 0 ? at.impulse[i] / unit[i] : unit[i] * (at.velocity[i] - at.bound[i]);
+            double change = 0;
+            for (int j = 0; j < n; j++) {
+                change -= side[j] == 0 ? a[i * n + j] * unit[j] * (at.velocity[j] - at.bound[j]) : 0;
+            }
+            value[i] = now + change;
+            rate[i] = (fromBefore ? before : now) - value[i];
+        }
+        isAtEnd = go(1);
+        return isAtEnd && give(sides);
+    }
+
+    /** Goes the way from a τ to zero. */
+    private boolean go(double from) {
+        double tau = from;
+        double sense = -1;
+        for (int k = EACH * n + BESIDE; k > 0 && tau < Double.POSITIVE_INFINITY && sense != 0; k--) {
+            double step = next(tau, sense);
+            if (sense < 0 && step >= tau) {
+                return true;
+            }
+            if (row < 0) {
+                return false;
+            }
+            tau += sense * step;
+            sense = exchange(tau);
+        }
+        return false;
+    }
+
+    /** Takes the problem over, in units in which a unit at a row does 1 there; false if a row cannot be moved. */
+    private boolean begin() {
+        n = at.rows;
+        if (side.length < n) {
+            tableau = new double[4 * n * n];
+            value = new double[2 * n];
+            rate = new double[2 * n];
+            unit = new double[2 * n];
+            side = new int[2 * n];
+        }
+        for (int i = 0; i < n; i++) {
+            if (!(at.own(i) > 0 && at.own(i) < Double.POSITIVE_INFINITY)) {
+                return false;
+            }
+            unit[i] = 1 / Math.sqrt(at.own(i));
+        }
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j < n; j++) {
+                tableau[i * n + j] = at.replies[j * n + i] * unit[i] * unit[j];
+            }
+            tableau[i * n + i] += WEIGHT;
+        }
+        return true;
+    }
+
+    /** Puts all rows at their lower bounds, where there is one in sight; returns the τ at which they all are right. */
+    private double start() {
+        double scale = 0;
+        for (int i = 0; i < n; i++) {
+            value[i] = unit[i] * (at.without[i] - at.bound[i]);
+            rate[i] = at.bearer[i] < 0 ? 1 + 0.5 * (i * 0.6180339887498949 % 1) : 0; // uneven, so that seldom two are met at once
+            side[i] = -1;
+            scale = Math.max(scale, Math.abs(value[i]));
+        }
+        for (int t = 0; t < n; t++) {
+            if (at.bearer[t] >= 0) {
+                lean(t, -1, 0);
+            }
+        }
+        for (int j = 0; j < n; j++) {
+            double low = at.bearer[j] < 0 ? at.least[j] / unit[j] : 0;
+            if (low < -FAR * scale) {
+                side[j] = 0;
+            }
+            for (int i = 0; low != 0 && side[j] != 0 && i < n; i++) {
+                value[i] += low * tableau[i * n + j];
+            }
+        }
+        for (int j = 0; j < n; j++) {
+            if (side[j] == 0 && !pivot(j, 0, 0)) {
+                return Double.NaN;
+            }
+        }
+        double tau = 0;
+        for (int i = 0; i < n; i++) {
+            tau = at.bearer[i] < 0 && side[i] != 0 ? Math.max(tau, -value[i] / rate[i]) : tau;
+        }
+        return tau;
+    }
+
+    /** How far the way goes on until the next row is at a bound, which is noted. */
+    private double next(double tau, double sense) {
+        double step = Double.POSITIVE_INFINITY;
+        row = -1;
+        for (int i = 0; i < n; i++) {
+            double x = value[i] + tau * rate[i];
+            double dx = sense * rate[i];
+            int by = at.bearer[i];
+            if (side[i] != 0) {
+                boolean counts = by < 0 || side[by] == 0;
+                step = counts ? nearer(i, side[i], -side[i] * x, -side[i] * dx, step) : step;
+            } else if (by < 0) {
+                step = nearer(i, -1, x - at.least[i] / unit[i], dx, step);
+                step = nearer(i, 1, at.most[i] / unit[i] - x, -dx, step);
+            } else {
+                double width = rub(i) * (value[by] + tau * rate[by]);
+                double widening = sense * rub(i) * rate[by];
+                step = nearer(i, -1, width + x, widening + dx, step);
+                step = nearer(i, 1, width - x, widening - dx, step);
+            }
+        }
+        return step;
+    }
+
+    /** Notes a bound that is nearer than others. */
+    private double nearer(int i, int where, double room, double growth, double step) {
+        if (!(growth < -NOTHING) || !(Math.max(0, room) < -growth * step)) {
+            return step;
+        }
+        row = i;
+        way = where;
+        return Math.max(0, room) / -growth;
+    }
+
+    /** Friction in the rows' units. */
+    private double rub(int t) {
+        return at.friction[t] * unit[at.bearer[t]] / unit[t];
+    }
+
+    /** Lets the row off its bound or to it; returns whether τ falls or rises from there on, 0 if that is not to be said. */
+    private double exchange(double tau) {
+        if (side[row] == 0 && bears(row) && side[row + 1] == 0) {
+            row++; // where nothing is borne nothing rubs: both are met at once
+            way = value[row] + tau * rate[row] < 0 ? -1 : 1;
+        }
+        int k = row;
+        int by = at.bearer[k];
+        if (side[k] != 0) {
+            if (bears(k)) {
+                int t = k + 1;
+                double slip = value[t] + tau * rate[t];
+                lean(t, slip > 0 ? -1 : 1, side[t]);
+                side[t] = slip > 0 ? -1 : 1;
+            }
+            int from = side[k];
+            if (!pivot(k, 0, by >= 0 ? 0 : (from < 0 ? at.least[k] : at.most[k]) / unit[k])) {
+                return 0;
+            }
+            side[k] = 0;
+            if (by >= 0) {
+                double inward = rate[k]; // of what friction lacks at its bound
+                add(k, by, from * rub(k));
+                return -from * Math.signum(inward);
+            }
+            return -from * Math.signum(rate[k]);
+        }
+        if (by >= 0) {
+            add(k, by, -way * rub(k));
+        }
+        if (!pivot(k, by >= 0 ? 0 : (way < 0 ? at.least[k] : at.most[k]) / unit[k], 0)) {
+            return 0;
+        }
+        side[k] = way;
+        return -way * Math.signum(rate[k]);
+    }
+
+    private boolean bears(int k) {
+        return k + 1 < n && at.bearer[k + 1] == k;
+    }
+
+    /** Adds a row's multiple to another one. */
+    private void add(int to, int from, double times) {
+        double[] a = tableau;
+        for (int j = 0, o = to * n, p = from * n; j < n; j++) {
+            a[o + j] += times * a[p + j];
+        }
+        value[to] += times * value[from];
+        rate[to] += times * rate[from];
+    }
+
+    /** Lets friction that slides lean on what bears it to a side, where it did to another. */
+    private void lean(int t, int now, int before) {
+        double times = (now - before) * rub(t);
+        for (int i = 0; times != 0 && i < n; i++) {
+            tableau[i * n + at.bearer[t]] += times * tableau[i * n + t];
+        }
+    }
+
+    /**
+     * Exchanges the variables of a row.
+     *
+     * @param to where the one that was free stays
+     * @param from where the other one was
+     */
+    private boolean pivot(int k, double to, double from) {
+        double[] a = tableau;
+        int o = k * n;
+        double pivot = a[o + k];
+        if (!(Math.abs(pivot) > NOTHING)) {
+            return false;
+        }
+        double inverse = 1 / pivot;
+        double v = (to - value[k]) * inverse;
+        double r = -rate[k] * inverse;
+        for (int i = 0; i < n; i++) {
+            double f = a[i * n + k];
+            if (i == k || f == 0) {
+                continue;
+            }
+            value[i] += f * v;
+            rate[i] += f * r;
+            double g = f * inverse;
+            for (int j = 0, q = i * n; j < n; j++) {
+                a[q + j] -= g * a[o + j];
+            }
+            a[i * n + k] = g;
+        }
+        for (int j = 0; j < n; j++) {
+            a[o + j] *= -inverse;
+        }
+        a[o + k] = inverse;
+        value[k] = from + v;
+        rate[k] = r;
+        return true;
+    }
+
+    private boolean give(double[] sides) {
+        for (int i = 0; i < n; i++) {
+            sides[i] = side[i];
+            if (side[i] == 0) {
+                at.impulse[i] = value[i] * unit[i];
+            } else if (at.bearer[i] < 0) {
+                at.impulse[i] = side[i] < 0 ? at.least[i] : at.most[i];
+            } else {
+                at.impulse[i] = side[i] * at.friction[i] * at.impulse[at.bearer[i]]; // which comes first
+            }
+        }
+        return true;
+    }
+}
