@@ -117,7 +117,7 @@ final class Admission implements Presence, Serializable {
     IntList admit(double tau) {
         driven.clear();
         if (constraints != null) {
-            tellConstraints();
+            tellConstraints(tau);
         }
         if (tau > 0 && (constraints != null || motion.groups().mayCouple() || !leaving.isEmpty())) {
             bringOthers(tau);
@@ -152,7 +152,7 @@ final class Admission implements Presence, Serializable {
             audit.written(index, tau);
         }
         boolean isThere = trajectories.isAt(index, tau, state); // forces are set in each step, and change no contact
-        if (isThere && isOnlyPushed(index, tau)) {
+        if (isThere && isAtRestStill(index, tau)) {
             resting.again(index);
         } else {
             resting.forget(index);
@@ -162,12 +162,15 @@ final class Admission implements Presence, Serializable {
         } else {
             heaps.forget(index);
         }
-        boolean moves = trajectories.isDriven(index) || !isThere;
+        boolean isDriven = trajectories.isDriven(index);
+        boolean moves = isDriven || !isThere;
         motion.admit(index, tau);
-        if (detection.knows(index)) {
+        boolean isKnown = detection.knows(index);
+        boolean staysDriven = isDriven && trajectories.isDriven(index);
+        if (isKnown && !(staysDriven && isOnlyPushed(index, tau))) { // else its path is told with those of all driven bodies
             boolean isOutOfBox = detection.refilter(index);
             detection.moved(index, tau, moves || isOutOfBox || state.body(index).isFixed(), -1);
-        } else {
+        } else if (!isKnown) {
             detection.add(index, tau);
         }
         if (trajectories.isDriven(index)) {
@@ -178,19 +181,24 @@ final class Admission implements Presence, Serializable {
         }
     }
 
-    /** Whether a body at rest, which is where it was, moves as it did, and nothing is new but the forces on it. */
+    /** Whether forces are applied to a body from the start of the step on, and nothing else of it is new. */
     private boolean isOnlyPushed(int index, double tau) {
+        return tau == 0 && state.isOnlyPushed(index);
+    }
+
+    /** Whether a body at rest, which is where it was, moves as it did, and nothing is new but the forces on it. */
+    private boolean isAtRestStill(int index, double tau) {
         return resting.rests(index) && state.isPushed(index) && trajectories.movesAs(index, tau, state);
     }
 
     /** Cuts the constraints of bodies that leave, and tells the others of bodies that were written. */
-    private void tellConstraints() {
+    private void tellConstraints(double tau) {
         for (int k = 0; k < leaving.size(); k++) {
             untie(leaving.get(k));
         }
         for (int k = 0; k < state.touchedCount(); k++) {
             Body body = state.body(state.touched(k));
-            if (body != null) {
+            if (body != null && !isOnlyPushed(body.index(), tau)) {
                 constraints.touched(body);
             }
         }
@@ -213,7 +221,7 @@ final class Admission implements Presence, Serializable {
         int round = ++rounds;
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
-            if (state.body(index) == null || !motion.isTied(index)) {
+            if (state.body(index) == null || !motion.isTied(index) || isOnlyPushed(index, tau)) {
                 continue;
             }
             IntList island = constraints.island(index);

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics;
 
+import java.io.IOException;
+import java.io.ObjectOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -136,6 +138,7 @@ public final class PhysicsEngine implements Steppable {
             drive();
             detection.look();
             while (detection.hasEvent()) {
+                makeLatePaths();
                 motion.keepEnds();
                 int body = detection.takePathEnd();
                 if (body >= 0) {
@@ -160,6 +163,7 @@ public final class PhysicsEngine implements Steppable {
 
     /** Code of authors has thrown: all bodies stay where they are at that instant, and the next step goes on from there. */
     private void breakOff() {
+        makeLatePaths();
         for (Body body : bodies()) {
             int index = body.index();
             if (detection.knows(index) && !state.isTouched(index)) {
@@ -187,7 +191,11 @@ public final class PhysicsEngine implements Steppable {
         }
         changed.clear();
         detection.gather();
-        motion.anchorDriven();
+        if (mayBeLate()) {
+            motion.late().anchorOthers(detection);
+        } else {
+            motion.anchorDriven();
+        }
         motion.endApplied(changed);
         motion.groups().begin();
         letIn(0); // all driven bodies follow new paths anyway
@@ -215,6 +223,31 @@ public final class PhysicsEngine implements Steppable {
         groups.clear();
     }
 
+    /** Whether driven bodies that collide with nobody may be moved without anybody's looking at their paths. */
+    private boolean mayBeLate() {
+        return constraints != null && audit == null && team == null && response.resting().isEmpty() && response.heaps().isEmpty();
+    }
+
+    /** What is saved is the same whether somebody has looked at all paths or not. */
+    private void writeObject(ObjectOutputStream out) throws IOException {
+        if (!stepping) {
+            makeLatePaths();
+        }
+        out.defaultWriteObject();
+    }
+
+    /** Something happens in the step: groups of driven bodies that have been moved without paths get them now. */
+    private void makeLatePaths() {
+        if (motion.late().isEmpty()) {
+            return;
+        }
+        IntList made = motion.late().make();
+        for (int k = 0; k < made.size; k++) {
+            publish(made.values[k], timeStep, Entry.BODY);
+            detection.endPath(made.values[k]);
+        }
+    }
+
     /** Gives all driven bodies new paths from the start of the step on. */
     private void followAll() {
         IntList driven = motion.driven();
@@ -224,6 +257,10 @@ public final class PhysicsEngine implements Steppable {
             for (int k = 0; k < driven.size; k++) {
                 int body = driven.values[k];
                 if (motion.companions(body).values[0] != body) {
+                    continue;
+                }
+                if (motion.late().has(body) && motion.late().advance(motion.companions(body))) {
+                    k += Math.max(1, driven.common(k, motion.companions(body))) - 1;
                     continue;
                 }
                 if (isShared && sharedMotion.isDone(body)) {
@@ -440,6 +477,9 @@ public final class PhysicsEngine implements Steppable {
     private IntList letIn(double tau) {
         if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
             setBroadPhase(new CellGrid());
+        }
+        if (admission.isNeeded() || motion.groups().mayCouple()) {
+            makeLatePaths();
         }
         return admission.admit(tau);
     }

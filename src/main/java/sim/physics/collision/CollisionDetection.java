@@ -157,7 +157,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     public void begin(long number, double length) {
         step = number;
         h = length;
-        queue.clear();
+        queue.begin(length);
         watch.begin(number, length);
         marks.clearances().begin();
     }
@@ -405,6 +405,11 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
             }
         }
         return false;
+    }
+
+    @Override
+    public boolean areAloof(IntList bodies) {
+        return notes.areAll(BodyNotes.ALOOF, bodies);
     }
 
     /**

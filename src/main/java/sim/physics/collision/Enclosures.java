@@ -138,8 +138,7 @@ final class Enclosures implements Serializable {
      * @param h its length
      */
     void moved(int body, double tau, boolean teleported, long step, double h) {
-        boolean isPassing = trajectories.isDriven(body) || state.isPushed(body); // another path follows in the next step
-        if (!teleported && isPassing && room.holds(body, tau, detection.end(body))) {
+        if (!teleported && isPassing(body) && room.holds(body, tau, detection.end(body))) {
             agenda.schedule(body, Agenda.NEVER);
         } else if (!boxes.isFixed(body) || teleported) {
             long date = teleported ? step : room.leavingDate(body, tau, step, h);
@@ -150,6 +149,11 @@ final class Enclosures implements Serializable {
                 agenda.schedule(body, date);
             }
         }
+    }
+
+    /** Whether a body follows another path in the next step. */
+    private boolean isPassing(int body) {
+        return !trajectories.areStraight() && (trajectories.isDriven(body) || state.isPushed(body));
     }
 
     /** The same for driven bodies that have new trajectories from the start of the step on, one after the other. */

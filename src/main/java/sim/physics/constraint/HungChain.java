@@ -81,6 +81,9 @@ final class HungChain implements Serializable {
     static final int MASS = 23;
     static final int INERTIA = 24;
 
+    /** How far the centre of mass is to the left of n, by the rounding of how the chain was built: it matters to where it is only. */
+    static final int ASIDE = 29;
+
     /** Angle at the start and at the end of a step. */
     static final int ANGLE = 28;
 
@@ -127,7 +130,11 @@ final class HungChain implements Serializable {
      */
     static HungChain of(PinTree tree) {
         HungChain chain = HungMasses.areSuited(tree) ? new HungChain(tree) : null;
-        return chain != null && HungMasses.weigh(chain.link, tree) ? chain : null;
+        if (chain == null || !HungMasses.weigh(chain.link, tree)) {
+            return null;
+        }
+        chain.ends.weigh();
+        return chain;
     }
 
     /** Turns n to where an angle has it at the end of a step, and takes note of it. */

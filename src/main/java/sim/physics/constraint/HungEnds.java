@@ -24,6 +24,8 @@ final class HungEnds implements Serializable {
     /** Whether that is the end of the last step; zeros are none. */
     private boolean isEnd;
 
+    private boolean hasAsides;
+
     /** Whether the blocks lie in the state vectors one behind the other. */
     private final boolean isRow;
 
@@ -37,6 +39,14 @@ final class HungEnds implements Serializable {
             row &= tree.block[k] == tree.block[0] + State.BLOCK * k;
         }
         isRow = row;
+    }
+
+    /** Takes note of whether centres of mass are beside the lines between the pins. */
+    void weigh() {
+        hasAsides = false;
+        for (int o = 0; o < link.length; o += HungChain.STRIDE) {
+            hasAsides |= link[o + HungChain.ASIDE] != 0;
+        }
     }
 
     /** Takes a state over. */
@@ -76,7 +86,21 @@ final class HungEnds implements Serializable {
             pu -= turn * (far * s);
             pv += turn * (far * c);
         }
+        if (hasAsides) {
+            placeAside();
+        }
         isEnd = true;
+    }
+
+    private void placeAside() {
+        for (int b = 0, o = 0; o < link.length; b += State.BLOCK, o += HungChain.STRIDE) {
+            double ax = -link[o + HungChain.ASIDE] * link[o + HungChain.SIN];
+            double ay = link[o + HungChain.ASIDE] * link[o + HungChain.COS];
+            endX[b] += ax;
+            endX[b + 1] += ay;
+            endV[b] -= link[o + HungChain.OMEGA] * ay;
+            endV[b + 1] += link[o + HungChain.OMEGA] * ax;
+        }
     }
 
     /**

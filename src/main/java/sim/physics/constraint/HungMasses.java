@@ -10,6 +10,12 @@ final class HungMasses {
     /** J and the masses of the points, in units of m L² and m: less would be too little to divide by. */
     private static final double LEAST = 1.0 / 64;
 
+    /**
+     * How far a centre of mass may be beside the line between its pins, in parts of the largest coordinate in reach: a chain is
+     * built in the world, and its arms are found from there, so they cannot be better known.
+     */
+    private static final double BUILT = 0x1p-50;
+
     /** By how much σ may change along the chain. */
     private static final double WIDEST = 0x1p64;
 
@@ -18,17 +24,34 @@ final class HungMasses {
     /** Whether a tree is a chain that hangs, of links that are as good as points at their pins and moments of inertia. */
     static boolean areSuited(PinTree tree) {
         boolean yes = !tree.isFree && tree.runCount == 1;
+        double built = yes ? BUILT * reach(tree) : 0;
         for (int k = 0; yes && k < tree.links; k++) {
             int o = PinTree.STRIDE * k;
             double[] l = tree.link;
             double square = l[o + PinTree.EX] * l[o + PinTree.EX] + l[o + PinTree.EY] * l[o + PinTree.EY];
             double least = LEAST * l[o + PinTree.MASS];
-            yes = !tree.isOdd[k]
+            yes = (!tree.isOdd[k] || Math.abs(aside(l, o)) <= built)
                     && l[o + PinTree.FAR] >= least
                     && l[o + PinTree.FAR] <= l[o + PinTree.MASS]
                     && Math.abs(l[o + PinTree.HUB]) >= least * square;
         }
         return yes;
+    }
+
+    /** The largest coordinate that a chain can come to. */
+    private static double reach(PinTree tree) {
+        double reach = Math.abs(tree.places.hangsAtX()) + Math.abs(tree.places.hangsAtY());
+        for (int o = 0; o < tree.link.length; o += PinTree.STRIDE) {
+            reach += Math.abs(tree.link[o + PinTree.EX]) + Math.abs(tree.link[o + PinTree.EY]);
+        }
+        return reach;
+    }
+
+    /** How far a centre of mass is beside the line from pin to pin, to the left of e. */
+    private static double aside(double[] l, int o) {
+        double ex = l[o + PinTree.EX];
+        double ey = l[o + PinTree.EY];
+        return (ex * l[o + PinTree.DY] - ey * l[o + PinTree.DX]) / Math.sqrt(ex * ex + ey * ey);
     }
 
     /** σ of the first link. */
@@ -53,6 +76,7 @@ final class HungMasses {
             int t = PinTree.STRIDE * k;
             aim(l, o, tree.link[t + PinTree.EX], tree.link[t + PinTree.EY]);
             double length = l[o + HungChain.LENGTH];
+            l[o + HungChain.ASIDE] = tree.isOdd[k] ? Math.copySign(1, length) * aside(tree.link, t) : 0;
             double mass = tree.link[t + PinTree.MASS];
             double mu = tree.link[t + PinTree.KNOT];
             double per = sigma / tree.link[t + PinTree.HUB];

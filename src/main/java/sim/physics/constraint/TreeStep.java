@@ -337,6 +337,11 @@ final class TreeStep implements Serializable {
         return open[0] <= CLOSED * place && open[1] <= SLIP * speed;
     }
 
+    /** Whether the tree, as it was last weighed, is a chain that hangs. */
+    boolean isHung() {
+        return hung != null;
+    }
+
     /** The coordinates of the tree, for other methods. */
     TreeCoordinates coordinates(State state, ConstraintSolver solver) {
         coordinates = coordinates == null ? new TreeCoordinates(island, this, tree) : coordinates;

@@ -55,7 +55,7 @@ public final class IntList implements Serializable {
     }
 
     /**
-     * How many values of another list this one goes on with.
+     * How many values of another list this one goes on with; both are in ascending order.
      *
      * @param from index of the first
      * @param other its values are looked for from its first on
@@ -63,6 +63,9 @@ public final class IntList implements Serializable {
      */
     public int common(int from, IntList other) {
         int most = Math.min(size - from, other.size);
+        if (most > 0 && other.isRow() && values[from] == other.values[0] && values[from + most - 1] == other.values[most - 1]) {
+            return most; // both ascend, so there is no room for others between
+        }
         int k = 0;
         while (k < most && values[from + k] == other.values[k]) {
             k++;

@@ -3,8 +3,9 @@
 package sim.physics.internal;
 
 /**
- * The natural logarithm of 1 + x, with the same bits on every machine and in every version of Java, and without leaving Java:
- * log(2ᵏ m) = k log 2 + 2 atanh((m − 1)/(m + 1)) with m between √½ and √2, by the power series.
+ * The natural logarithm of a ratio, with the same bits on every machine and in every version of Java, and without leaving Java:
+ * log(a/b) = k log 2 + 2 atanh((a − c)/(a + c)) with c = 2ᵏ b within a third of a, by the power series. No branch, so that
+ * several can be computed at a time.
  */
 public final class Logarithm {
     /** The logarithm of 2: its first 32 bits, whose multiples by an exponent are exact, and the rest. */
@@ -12,44 +13,40 @@ public final class Logarithm {
 
     private static final double LOG2_LOW = 0x1.a39ef35793c76p-33;
 
-    private static final double ROOT_2 = 0x1.6a09e667f3bcdp0;
+    /** Bits of a number below its exponent. */
+    private static final int FRACTION = 52;
 
     private Logarithm() {}
 
     /**
-     * The logarithm of 1 + x.
+     * The logarithm of a/b.
      *
-     * @param x not negative, finite
-     * @return within two units in the last place
+     * @param a greater than 0, and normal
+     * @param b likewise; a/b neither overflows nor underflows
+     * @return as right as a − b is: within three units in the last place where a and b are exact
      */
-    public static double ofOnePlus(double x) {
-        if (x < ROOT_2 - 1) {
-            return twiceAtanh(x / (2 + x));
-        }
-        double y = 1 + x;
-        double lost = x < 1 ? x - (y - 1) : 1 - (y - x);
-        int k = Math.getExponent(y);
-        double m = Math.scalb(y, -k);
-        if (m > ROOT_2) {
-            m *= 0.5;
-            k++;
-        }
-        return k * LOG2_HIGH + (twiceAtanh((m - 1) / (m + 1)) + (k * LOG2_LOW + lost / y));
+    public static double ofRatio(double a, double b) {
+        long bitsOfB = Double.doubleToRawLongBits(b);
+        // the bits of a number are its binary logarithm, but for a tenth
+        long k = Double.doubleToRawLongBits(a) - bitsOfB + (1L << FRACTION - 1) >> FRACTION;
+        double c = Double.longBitsToDouble(bitsOfB + (k << FRACTION));
+        return k * LOG2_HIGH + (twiceAtanh((a - c) / (a + c)) + k * LOG2_LOW);
     }
 
-    /** 2 atanh s for |s| ≤ 0.1716. */
+    /** 2 atanh s for |s| ≤ 0.2, the series in two halves, which do not wait for one another. */
     private static double twiceAtanh(double s) {
         double z = s * s;
-        double sum = 1.0 / 21;
-        sum = sum * z + 1.0 / 19;
-        sum = sum * z + 1.0 / 17;
-        sum = sum * z + 1.0 / 15;
-        sum = sum * z + 1.0 / 13;
-        sum = sum * z + 1.0 / 11;
-        sum = sum * z + 1.0 / 9;
-        sum = sum * z + 1.0 / 7;
-        sum = sum * z + 1.0 / 5;
-        sum = sum * z + 1.0 / 3;
-        return 2 * (s + s * (z * sum));
+        double y = z * z;
+        double even = 1.0 / 21;
+        double odd = 1.0 / 23;
+        even = even * y + 1.0 / 17;
+        odd = odd * y + 1.0 / 19;
+        even = even * y + 1.0 / 13;
+        odd = odd * y + 1.0 / 15;
+        even = even * y + 1.0 / 9;
+        odd = odd * y + 1.0 / 11;
+        even = even * y + 1.0 / 5;
+        odd = odd * y + 1.0 / 7;
+        return 2 * (s + s * (z * (1.0 / 3 + (z * even + y * odd))));
     }
 }

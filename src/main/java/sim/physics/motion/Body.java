@@ -440,7 +440,7 @@ public class Body implements Serializable {
             particulars().appliedX += fx;
             particulars().appliedY += fy;
         }
-        state.touch(index);
+        state.push(index);
     }
 
     /**
@@ -472,7 +472,7 @@ public class Body implements Serializable {
         if (torque != 0) {
             particulars().appliedTorque += torque;
         }
-        state.touch(index);
+        state.push(index);
     }
 
     /**

@@ -27,8 +27,6 @@ final class DrivenMotion implements Serializable {
     /** Part of such a step that is not divided. */
     private static final double LEAST = 1.0 / 64;
 
-    private static final Neighbours NOBODY = bodies -> false;
-
     private final Motion motion;
     private final State state;
     private final Trajectories trajectories;
@@ -115,7 +113,7 @@ final class DrivenMotion implements Serializable {
     double advance(IntList group, Neighbours neighbours) {
         ensure();
         int first = group.values[0];
-        int done = ahead == null ? Ahead.NOTHING : ahead.take(first);
+        int done = ahead == null ? motion.late().takeRefused(first) ? Ahead.REFUSAL : Ahead.NOTHING : ahead.take(first);
         if (done == Ahead.REFUSAL) {
             tied.setRefused(true);
         } else if (done != Ahead.NOTHING && (!ahead.isCoarse(first) || !areNear(group, neighbours))) {
@@ -179,7 +177,7 @@ final class DrivenMotion implements Serializable {
     void advanceAhead(IntList group, Ahead notes) {
         int first = group.values[0];
         double h = trajectories.h();
-        if (tied != null && leaps(group, first, NOBODY)) {
+        if (tied != null && leaps(group, first, Neighbours.NONE)) {
             notes.leap(first, h, isCoarse);
             return;
         }
@@ -246,6 +244,21 @@ final class DrivenMotion implements Serializable {
         return !isCoarse || !areNear(group, neighbours);
     }
 
+    /** Makes the whole step of a group at once, at its start, without a path; false if there is no quick way. */
+    boolean leapsBlindly(IntList group) {
+        path.knowsFirst = false;
+        return tied.leap(motion, group, motion.time(0), trajectories.h(), path);
+    }
+
+    /** Gives a group that has done so the path from its anchors to where the state vectors have it. */
+    void lead(IntList group) {
+        ensure();
+        double h = trajectories.h();
+        GroupPaths.lead(trajectories, group, 1 / h, state);
+        GroupPaths.set(endAt, group, h);
+        GroupPaths.set(pace, group, h);
+    }
+
     /** The step that the integrator makes of itself with a body, at most that of the engine. */
     double pace(int body) {
         return pace[body];
@@ -258,12 +271,12 @@ final class DrivenMotion implements Serializable {
         return length > 0 ? length : stride(group, tau, rest);
     }
 
-    /** Whether something has happened to a group in this step: it may well happen again in the next one. */
+    /** Whether something has happened to a group in this step, which may well happen again in the next one, or acts in it alone. */
     private boolean isStruck(IntList group) {
         boolean yes = false;
         for (int k = 0; k < group.size; k++) {
             int body = group.values[k];
-            yes |= body < struckIn.length && struckIn[body] == trajectories.step();
+            yes |= body < struckIn.length && struckIn[body] == trajectories.step() || state.isPushed(body);
         }
         return yes;
     }
@@ -316,11 +329,11 @@ final class DrivenMotion implements Serializable {
         for (int k = 0; k < group.size; k++) {
             int o = Trajectories.STRIDE * group.values[k];
             int b = State.BLOCK * group.values[k];
-            copy(path.a, b, bends, o + Trajectories.AX);
-            copy(path.j, b, bends, o + Trajectories.JX);
+            GroupPaths.copy(path.a, b, bends, o + Trajectories.AX);
+            GroupPaths.copy(path.j, b, bends, o + Trajectories.JX);
             if (areEndsKept) {
-                copy(state.x(), b, endX, b);
-                copy(state.v(), b, endV, b);
+                GroupPaths.copy(state.x(), b, endX, b);
+                GroupPaths.copy(state.v(), b, endV, b);
             }
             endAt[group.values[k]] = end;
         }
@@ -376,24 +389,7 @@ final class DrivenMotion implements Serializable {
 
     /** Puts the anchors of bodies back into the state vectors. */
     void restore(IntList group) {
-        restore(trajectories, state, group);
-    }
-
-    static void restore(Trajectories trajectories, State state, IntList group) {
-        double[] m = trajectories.data();
-        for (int k = 0; k < group.size; k++) {
-            int o = Trajectories.STRIDE * group.values[k];
-            int b = State.BLOCK * group.values[k];
-            copy(m, o, state.x(), b);
-            copy(m, o + Trajectories.VX, state.v(), b);
-        }
-    }
-
-    /** Copies a block; a call of the system's takes longer. */
-    private static void copy(double[] from, int at, double[] to, int where) {
-        to[where] = from[at];
-        to[where + 1] = from[at + 1];
-        to[where + 2] = from[at + 2];
+        GroupPaths.restore(trajectories, state, group);
     }
 
     /** Begins a step. */
@@ -414,8 +410,8 @@ final class DrivenMotion implements Serializable {
         ensure();
         for (int k = 0; k < driven.size; k++) {
             int b = State.BLOCK * driven.values[k];
-            copy(state.x(), b, endX, b);
-            copy(state.v(), b, endV, b);
+            GroupPaths.copy(state.x(), b, endX, b);
+            GroupPaths.copy(state.v(), b, endV, b);
         }
     }
 
@@ -432,8 +428,8 @@ final class DrivenMotion implements Serializable {
     /** Writes where a body's path ends into the state vectors. */
     private void finish(int body) {
         int b = State.BLOCK * body;
-        copy(endX, b, state.x(), b);
-        copy(endV, b, state.v(), b);
+        GroupPaths.copy(endX, b, state.x(), b);
+        GroupPaths.copy(endV, b, state.v(), b);
     }
 
     /** The state vectors hold the ends of all paths. */
@@ -446,12 +442,19 @@ final class DrivenMotion implements Serializable {
         }
     }
 
-    /** Takes note that a body's course has changed at its anchor. */
-    void forget(int body) {
+    /** Takes note that forces on a body change at its anchor. */
+    void push(int body) {
         strides.cut(body);
         probed.cut(body);
         if (body < endAt.length) {
             endAt[body] = Double.NaN;
+        }
+    }
+
+    /** Takes note that a body's course has changed at its anchor. */
+    void forget(int body) {
+        push(body);
+        if (body < endAt.length) {
             strikes[body] = trajectories.step() - struckIn[body] <= 1 ? strikes[body] + 1 : 1;
             struckIn[body] = trajectories.step();
             struckAt[body] = trajectories.offset(body);

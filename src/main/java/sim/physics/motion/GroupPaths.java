@@ -10,9 +10,7 @@ final class GroupPaths {
     private GroupPaths() {}
 
     /** Anchors bodies at the start of a step, as {@link Trajectories#anchor} does. */
-    static void anchor(Trajectories paths, IntList bodies, State state) {
-        double[] x = state.x();
-        double[] v = state.v();
+    static void anchor(Trajectories paths, IntList bodies, double[] x, double[] v) {
         double[] m = paths.data();
         double[] k = bodies.size > 0 ? paths.unfold() : m;
         double step = paths.step();
@@ -104,6 +102,24 @@ final class GroupPaths {
             fastest = larger(m[Trajectories.STRIDE * group.values[body] + Trajectories.OMEGA], fastest);
         }
         return fastest;
+    }
+
+    /** Puts the anchors of bodies back into the state vectors. */
+    static void restore(Trajectories trajectories, State state, IntList group) {
+        double[] m = trajectories.data();
+        for (int k = 0; k < group.size; k++) {
+            int o = Trajectories.STRIDE * group.values[k];
+            int b = State.BLOCK * group.values[k];
+            copy(m, o, state.x(), b);
+            copy(m, o + Trajectories.VX, state.v(), b);
+        }
+    }
+
+    /** Copies a block; a call of the system's takes longer. */
+    static void copy(double[] from, int at, double[] to, int where) {
+        to[where] = from[at];
+        to[where + 1] = from[at + 1];
+        to[where + 2] = from[at + 2];
     }
 
     /** Gives all bodies of a group a value. */

@@ -30,6 +30,9 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     private final IntList pushed;
     private final IntList alone = new IntList();
     final DrivenMotion drivenMotion;
+
+    /** Null until somebody asks. */
+    private transient LatePaths late;
     /** Null while nothing ties bodies together; what bears bodies at rest. */
     Ties ties;
     final Support support;
@@ -77,20 +80,18 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         drivenMotion.setObserver(observer);
     }
 
-    /**
-     * Which bodies forces couple.
-     *
-     * @return live
-     */
+    /** {@return which bodies forces couple, live} */
     public Groups groups() {
         return groups;
     }
 
-    /**
-     * The plane on which bodies rub.
-     *
-     * @return live
-     */
+    /** {@return the groups that get their paths only when something happens, live} */
+    public LatePaths late() {
+        late = late == null ? new LatePaths(this, state, trajectories) : late;
+        return late;
+    }
+
+    /** {@return the plane on which bodies rub, live} */
     public Ground ground() {
         return ground;
     }
@@ -172,6 +173,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     public void begin(double startOfStep) {
         time = startOfStep;
         drivenMotion.begin();
+        late().begin();
         state.setUnsettled(true);
     }
 
@@ -183,7 +185,11 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      */
     public void admit(int body, double tau) {
         trajectories.anchor(body, tau, state);
-        drivenMotion.forget(body);
+        if (state.isOnlyPushed(body)) {
+            drivenMotion.push(body);
+        } else {
+            drivenMotion.forget(body);
+        }
         Body view = state.body(body);
         support.release(body);
         setDriven(body, !view.isFixed() && (isTied(body) || generators.drive(view)));
@@ -388,7 +394,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     /** Anchors driven bodies at the start of a step where the last one left them. */
     public void anchorDriven() {
-        GroupPaths.anchor(trajectories, driven, state);
+        GroupPaths.anchor(trajectories, driven, state.x(), state.v());
     }
 
     /**

@@ -13,10 +13,10 @@ import sim.physics.shape.Shape;
  *
  * <pre>
  *   ∫ (r − c)/|r − c| dA = ½ d (t Δρ + n d Δa),    ρ = √(d² + s²)
- *   ∫ |r − c| dA         = ⅙ d (Δ(sρ) + d² Δa),    a = asinh(s/|d|)
+ *   ∫ |r − c| dA         = ⅙ d (Δ(sρ) + d² Δa),    a = asinh(s/|d|),  Δa = log((Σρ + L)/(Σρ − L))
  * </pre>
  *
- * <p>with Δ for the difference between its ends. The sum over the edges is the integral over the polygon. From a centre
+ * <p>with Δ for the difference between its ends and Σ for their sum. The sum over the edges is the integral over the polygon. From a centre
  * far outside, the triangles are much larger than the polygon and cancel: then {@link FarMotion} takes over, or
  * {@link SlenderBody}.
  */
@@ -28,6 +28,9 @@ final class PolygonPatch extends SurfacePatch {
 
     /** Largest loss of accuracy by cancellation that is accepted, in units of rounding. */
     private static final double LOSS = 2000;
+
+    /** Part of a sum of lengths that is rounding. */
+    private static final double NOISE = 0x1p-54;
 
     /** Vertices x0, y0, x1, y1 … in units. */
     private final double[] xy;
@@ -109,61 +112,44 @@ final class PolygonPatch extends SurfacePatch {
 
     /** Takes the means of e = (r − c)/|r − c| and of r·e to out. */
     private void near(double cx, double cy, double[] out) {
-        out[0] = 0;
-        out[1] = 0;
-        out[2] = 0;
+        double x = 0;
+        double y = 0;
+        double moment = 0;
         double whole = 0;
-        for (int k = 0, e = 0; k < xy.length; k += 2, e += 3) {
-            whole += addEdge(xy[k], xy[k + 1], edges[e], edges[e + 1], edges[e + 2], cx, cy, out);
+        int last = xy.length - 2;
+        double px = xy[last] - cx;
+        double py = xy[last + 1] - cy;
+        double rho = Math.sqrt(px * px + py * py);
+        for (int k = 0, e = 3 * (last / 2); k <= last; e = 3 * (k / 2), k += 2) {
+            double tx = edges[e];
+            double ty = edges[e + 1];
+            double length = edges[e + 2];
+            double d = px * ty - py * tx;
+            double twice = 2 * (px * tx + py * ty) + length; // s at one end and at the other
+            px = xy[k] - cx;
+            py = xy[k + 1] - cy;
+            double rhoEnd = Math.sqrt(px * px + py * py);
+            double sum = rho + rhoEnd;
+            double rise = length * (twice / sum);
+            // where the centre is on the edge the difference is noise, and d² so small that it does not count
+            double bend = d * Logarithm.ofRatio(sum + length, Math.max(sum - length, NOISE * sum));
+            double ex = 0.5 * d * (tx * rise + ty * bend);
+            double ey = 0.5 * d * (ty * rise - tx * bend);
+            x += ex;
+            y += ey;
+            moment += d * (0.5 * (length * sum + twice * rise) + d * bend) / 6 + cx * ex + cy * ey;
+            whole += Math.abs(d) * length;
+            rho = rhoEnd;
         }
+        out[0] = x;
+        out[1] = y;
+        out[2] = moment;
         if (whole * (reach + Math.abs(cx) + Math.abs(cy)) > LOSS * reach * 2 * area) {
             slenderBody.integrals(cx, cy, out);
         }
         out[0] /= area;
         out[1] /= area;
         out[2] /= area;
-    }
-
-    /**
-     * Adds the integrals of e and r·e over the triangle of the centre and the edge from (ax, ay) along (tx, ty).
-     *
-     * @return twice its area
-     */
-    private static double addEdge(
-            double ax, double ay, double tx, double ty, double length, double cx, double cy, double[] out) {
-        double px = ax - cx;
-        double py = ay - cy;
-        double d = px * ty - py * tx;
-        double s = px * tx + py * ty;
-        double end = s + length;
-        double h = Math.abs(d);
-        double rho = Math.sqrt(d * d + s * s);
-        double rhoEnd = Math.sqrt(d * d + end * end);
-        double sum = rho + rhoEnd;
-        double rise = length * ((s + end) / sum);
-        double bend = d * asinhRise(s, rho, end, rhoEnd, length, h);
-        double ex = 0.5 * d * (tx * rise + ty * bend);
-        double ey = 0.5 * d * (ty * rise - tx * bend);
-        out[0] += ex;
-        out[1] += ey;
-        out[2] += d * (0.5 * (length * sum + (s + end) * rise) + d * bend) / 6 + cx * ex + cy * ey;
-        return h * length;
-    }
-
-    /** asinh(end/h) − asinh(s/h) without cancellation; 0 for an edge in line with the centre: h times it is wanted. */
-    private static double asinhRise(double s, double rho, double end, double rhoEnd, double length, double h) {
-        if (h < 1e-100) {
-            return 0;
-        }
-        if (s >= 0) {
-            return Logarithm.ofOnePlus(length * (1 + (s + end) / (rho + rhoEnd)) / (s + rho));
-        }
-        if (end <= 0) {
-            return Logarithm.ofOnePlus(length * (1 - (s + end) / (rho + rhoEnd)) / (rhoEnd - end));
-        }
-        double p = end / h * (1 + end / (h + rhoEnd)); // log1p(p) = asinh(end/h)
-        double q = -s / h * (1 - s / (h + rho));
-        return Logarithm.ofOnePlus(p + q + p * q);
     }
 
     @Override

@@ -197,7 +197,7 @@ public final class ReferenceMotion implements Serializable {
     }
 
     private void go(IntList those, double from, double to, boolean isSwitched) {
-        DrivenMotion.restore(trajectories, state, those);
+        GroupPaths.restore(trajectories, state, those);
         IntList group = twin.companions(those.values[0]);
         if (isSwitched) {
             ties.confirm(group, false);

@@ -29,7 +29,7 @@ import sim.physics.matrix.DiagonalMatrix;
  * {@link Trajectories} and writes the vectors when the step ends, or when they are asked for after it.
  */
 public final class State implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     /** Offset of the x coordinate in a block. */
     public static final int X = 0;
@@ -40,10 +40,8 @@ public final class State implements Serializable {
     /** Length of a block. */
     public static final int BLOCK = 3;
 
-    /** After how many steps in which no body was written the room to note them is given back. */
-    private static final int QUIET = 100;
     /** Bodies for whose number room is not given back. */
-    private static final int LARGE = 1024;
+    static final int LARGE = 1024;
 
     /** Positions and orientations, 3n. */
     private double[] x;
@@ -61,11 +59,7 @@ public final class State implements Serializable {
     private int[] free = {};
     private int freeCount;
 
-    /** Blocks that their bodies' setters have written since the last step, in the order of writing. */
-    private int[] touched = {};
-    private boolean[] isTouched;
-    private int touchedCount;
-    private int quiet;
+    private final Touched touched;
 
     /** Null between steps. */
     private Presence presence;
@@ -100,11 +94,7 @@ public final class State implements Serializable {
         this(8, false);
     }
 
-    /**
-     * Makes the state of a body of its own.
-     *
-     * @return an empty state for one block
-     */
+    /** {@return the state of a body of its own, empty, for one block} */
     static State own() {
         return new State(1, true);
     }
@@ -115,7 +105,7 @@ public final class State implements Serializable {
         v = new double[BLOCK * capacity];
         w = new DiagonalMatrix(BLOCK * capacity);
         bodies = new Body[capacity];
-        isTouched = new boolean[capacity];
+        touched = new Touched(capacity);
     }
 
     /**
@@ -365,17 +355,33 @@ public final class State implements Serializable {
      * @param index the block
      */
     public void touch(int index) {
-        if (isTouched[index]) {
-            return;
-        }
-        if (presence != null) {
+        if (presence != null && !touched.has(index)) {
             presence.bring(index);
         }
-        if (touchedCount == touched.length) {
-            touched = Arrays.copyOf(touched, Math.max(4, Math.min(Growth.length(touchedCount, 4), bodies.length)));
+        touched.note(index, false);
+    }
+
+    /**
+     * Notes that forces are about to be applied to a body for the next step; within a step that is like any writing.
+     *
+     * @param index the block
+     */
+    void push(int index) {
+        if (presence != null) {
+            touch(index);
+        } else {
+            touched.note(index, true);
         }
-        isTouched[index] = true;
-        touched[touchedCount++] = index;
+    }
+
+    /**
+     * Whether forces were applied to a body between steps, and nothing else of it was written since.
+     *
+     * @param index the block
+     * @return false if {@link #touch(int)} was called, too
+     */
+    public boolean isOnlyPushed(int index) {
+        return touched.isOnlyPushed(index);
     }
 
     /**
@@ -385,7 +391,7 @@ public final class State implements Serializable {
      * @return true after {@link #touch(int)}
      */
     public boolean isTouched(int index) {
-        return isTouched[index];
+        return touched.has(index);
     }
 
     /**
@@ -394,7 +400,7 @@ public final class State implements Serializable {
      * @return their number
      */
     public int touchedCount() {
-        return touchedCount;
+        return touched.count();
     }
 
     /**
@@ -404,7 +410,7 @@ public final class State implements Serializable {
      * @return its index; the block may have been emptied since
      */
     public int touched(int k) {
-        return touched[k];
+        return touched.get(k);
     }
 
     /** Gives back the room that is kept for more bodies: called once, when the bodies of a scene are complete, it seems. */
@@ -416,14 +422,7 @@ public final class State implements Serializable {
 
     /** Forgets which blocks were written. */
     public void clearTouched() {
-        quiet = touchedCount == 0 ? quiet + 1 : 0;
-        if (quiet == QUIET && touched.length > LARGE) {
-            touched = new int[LARGE]; // all bodies are written before the first step, and seldom ever after
-        }
-        for (int k = 0; k < touchedCount; k++) {
-            isTouched[touched[k]] = false;
-        }
-        touchedCount = 0;
+        touched.clear();
     }
 
     /**
@@ -495,6 +494,6 @@ public final class State implements Serializable {
         System.arraycopy(w.values(), 0, larger.values(), 0, Math.min(w.rows(), larger.rows()));
         w = larger;
         bodies = Arrays.copyOf(bodies, capacity);
-        isTouched = Arrays.copyOf(isTouched, capacity);
+        touched.resize(capacity);
     }
 }

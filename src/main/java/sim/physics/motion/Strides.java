@@ -76,7 +76,7 @@ final class Strides implements Serializable {
             cut(group.values[0]);
             return 0;
         }
-        DrivenMotion.restore(trajectories, state, group);
+        GroupPaths.restore(trajectories, state, group);
         Stride stride = at(group.values[0]);
         double from = stride.time(trajectories, tau);
         if (!stride.isFollowed(motion.getIntegrator(), state, group, trajectories, from) || stride.isOver(from)) {
@@ -84,7 +84,7 @@ final class Strides implements Serializable {
             if (length <= rest) {
                 return length;
             }
-            DrivenMotion.restore(trajectories, state, group);
+            GroupPaths.restore(trajectories, state, group);
             from = 0;
         }
         double length = stride.has(from + rest) ? rest : stride.dense.length - from;
@@ -165,7 +165,7 @@ final class Strides implements Serializable {
                 : readBodies(stride, group, from, length);
         if (!isThere) {
             stride.isLive = false;
-            DrivenMotion.restore(trajectories, state, group);
+            GroupPaths.restore(trajectories, state, group);
             return false;
         }
         path.join(state, group, length);

@@ -21,6 +21,7 @@ class EventQueueTest {
         pairs.ensure(BODIES);
         for (int k = 1; k < BODIES; k++) {
             pairs.begin(k - 1, k);
+            pairs.setTime(k - 1, Double.NaN);
         }
     }
 
@@ -35,12 +36,20 @@ class EventQueueTest {
         }
     }
 
+    /** In the first step all lies in one heap; in the second one, in many spans, since so much has happened in the first. */
     @Test
     void eventsThatArePlannedAgainTakeNoMemory() {
-        for (int k = 0; k < 100_000; k++) {
-            plan(random.nextInt(1000));
+        for (int step = 0; step < 3; step++) {
+            queue.begin(1000);
+            for (int k = 0; k < 100_000; k++) {
+                plan(random.nextInt(1000));
+            }
+            assertAllComeInOrder();
         }
-        assertThat(queue.capacity()).isLessThanOrEqualTo(8 * BODIES);
+    }
+
+    private void assertAllComeInOrder() {
+        assertThat(queue.capacity()).isLessThanOrEqualTo(16 * BODIES);
         double last = 0;
         int count = 0;
         int expected = 0;
@@ -53,14 +62,51 @@ class EventQueueTest {
             assertThat(queue.firstTime()).isEqualTo(item >= 0 ? pairs.time(item) : pathEnds.end(~item));
             last = queue.firstTime();
             queue.removeFirst();
-            if (item >= 0) {
-                pairs.setTime(item, Double.NaN);
-            } else {
-                pathEnds.forget(~item);
-            }
+            forget(item);
             count++;
         }
         assertThat(count).isEqualTo(expected);
+    }
+
+    /** As in a step: what has come leads to new events, some of them at once, and calls off others. */
+    @Test
+    void eventsThatArePlannedMeanwhileComeInTheirOrder() {
+        for (int step = 0; step < 20; step++) {
+            queue.begin(1);
+            for (int k = 0; k < BODIES; k++) {
+                plan(random.nextDouble());
+            }
+            double last = 0;
+            for (int count = 0; count < 300 && queue.hasNext(); count++) {
+                double now = queue.firstTime();
+                int item = queue.firstItem();
+                assertThat(now).isGreaterThanOrEqualTo(last).isEqualTo(earliest());
+                queue.removeFirst();
+                forget(item);
+                plan(random.nextInt(5) == 0 ? now : now + (1 - now) * random.nextDouble());
+                last = now;
+            }
+            while (queue.hasNext()) {
+                forget(queue.firstItem());
+            }
+        }
+    }
+
+    private void forget(int item) {
+        if (item >= 0) {
+            pairs.setTime(item, Double.NaN);
+        } else {
+            pathEnds.forget(~item);
+        }
+    }
+
+    private double earliest() {
+        double first = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < BODIES - 1; k++) {
+            first = pairs.time(k) < first ? pairs.time(k) : first;
+            first = pathEnds.end(k) < first ? pathEnds.end(k) : first;
+        }
+        return first;
     }
 
     @Test

@@ -17,6 +17,7 @@ import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
 import sim.physics.motion.Gravity;
+import sim.physics.motion.State;
 import sim.physics.shape.Rectangle;
 
 /** Chains that hang, whose accelerations are found from both ends: against the way for all trees, which is taken under weights. */
@@ -172,6 +173,79 @@ class HungChainTest {
             }
         }
         assertThat(turning[1]).containsExactly(turning[0], within(1e-14 * turns));
+    }
+
+    private static List<Body> straightChain(PhysicsEngine engine, int links, double angle, double x, double y) {
+        List<Body> chain = new ArrayList<>();
+        double c = Math.cos(angle);
+        double s = Math.sin(angle);
+        for (int k = 0; k < links; k++) {
+            Body rod = engine.add(new Body(new Rectangle(1, 0.02)).at(x + (k + 0.5) * c, y + (k + 0.5) * s, angle));
+            rod.setMass(1, 1 / 12.0);
+            rod.setCollisionGroup(1, 0);
+            double px = x + k * c;
+            double py = y + k * s;
+            engine.add(k == 0 ? new PinJoint(rod, px, py) : new PinJoint(chain.get(k - 1), rod, px, py));
+            chain.add(rod);
+        }
+        return chain;
+    }
+
+    /** Arms are found from places in the world, with their rounding: that is no reason to take a longer way. */
+    @ParameterizedTest
+    @CsvSource({
+        "10, 0, 0, 0", "10, 0.1, 0, 0", "100, 0.1, 0, 0", "100, -0.2, 0, 0", "100, 0.3, 0, 0", "1000, 0.1, 0, 0", "30, 1.2, 300, -70",
+        "30, 2.5, -1e5, 1e4"
+    })
+    void chainsBuiltAtAnAngleHang(int links, double angle, double x, double y) {
+        PhysicsEngine engine = new PhysicsEngine();
+        straightChain(engine, links, angle, x, y);
+        List<Island> islands = Grouping.islands(engine.allConstraints(), links);
+        State state = engine.bodies().get(0).state();
+        assertThat(islands).hasSize(1);
+        assertThat(islands.get(0).tree.advance(state, new DirectSolver(), 0, -9.81, 1 / 240.0)).isTrue();
+        assertThat(islands.get(0).tree.isHung()).isTrue();
+        for (Constraint pin : engine.allConstraints()) {
+            double coordinate = Math.max(Math.abs(x) + Math.abs(y), 1) + links;
+            assertThat(PinChainTest.gap((PinJoint) pin)).isLessThan(4 * 0x1p-52 * coordinate);
+        }
+    }
+
+    /** A centre of mass that is really beside the line is no rounding. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-9, 1e-12, -0.05})
+    void chainsOfCrookedLinksDoNotHang(double aside) {
+        PhysicsEngine engine = new PhysicsEngine();
+        Body one = engine.add(new Body(new Rectangle(1, 0.2)).at(0.5, 0));
+        Body two = engine.add(new Body(new Rectangle(1, 0.2)).at(1.5, 0));
+        engine.add(new PinJoint(one, 0, aside));
+        engine.add(new PinJoint(one, two, 1, aside));
+        List<Island> islands = Grouping.islands(engine.allConstraints(), 2);
+        assertThat(islands.get(0).tree.advance(one.state(), new DirectSolver(), 0, -9.81, 1 / 240.0)).isTrue();
+        assertThat(islands.get(0).tree.isHung()).isFalse();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"10, 0.1", "40, -0.2", "100, 0.3"})
+    void straightChainsGoWhereTreesGo(int links, double angle) {
+        double[][] places = new double[2][2 * links];
+        for (int way = 0; way < 2; way++) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(1 / 480.0);
+            engine.add(way == 0 ? new Gravity(0.5, -9.81) : new Weight());
+            List<Body> chain = straightChain(engine, links, angle, 1, 2);
+            for (int k = 0; k < 96; k++) {
+                engine.step();
+            }
+            for (int k = 0; k < links; k++) {
+                places[way][2 * k] = chain.get(k).getX();
+                places[way][2 * k + 1] = chain.get(k).getY();
+            }
+            for (Constraint pin : engine.allConstraints()) {
+                assertThat(PinChainTest.gap((PinJoint) pin)).isLessThan(100 * 0x1p-52 * Math.max(1, links / 4));
+            }
+        }
+        assertThat(places[0]).containsExactly(places[1], within(1e-9));
     }
 
     /** What the root of a chain laid along an axis feels fades from link to link. */

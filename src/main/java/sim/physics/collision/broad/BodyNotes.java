@@ -50,6 +50,22 @@ public final class BodyNotes implements Serializable {
     }
 
     /**
+     * Whether something is noted of all of some bodies.
+     *
+     * @param what one of the constants
+     * @param bodies indices
+     * @return true if there is none of which it is not noted
+     */
+    public boolean areAll(int what, IntList bodies) {
+        byte[] all = notes;
+        int yes = what;
+        for (int k = 0; k < bodies.size; k++) {
+            yes &= all[bodies.values[k]];
+        }
+        return yes == what;
+    }
+
+    /**
      * Adds those of some bodies to a list of which something is not noted.
      *
      * @param what one of the constants

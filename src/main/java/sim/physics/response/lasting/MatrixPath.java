@@ -62,7 +62,7 @@ final class MatrixPath implements Serializable {
      */
     boolean follow(HeapRows rows, double[] sides) {
         at = rows;
-        isAtEnd = begin() && go(start());
+        isAtEnd = begin() && go(start(FAR)) || begin() && go(start(Double.POSITIVE_INFINITY));
         return isAtEnd && give(sides);
     }
 
@@ -159,8 +159,13 @@ final class MatrixPath implements Serializable {
         return true;
     }
 
-    /** Puts all rows at their lower bounds, where there is one in sight; returns the τ at which they all are right. */
-    private double start() {
+    /**
+     * Puts all rows at their lower bounds, where there is one in sight; the others are free.
+     *
+     * @param far how many times the speeds a row's lower bound gives it that is out of sight
+     * @return the τ at which all are right, or NaN if free rows are beyond their bounds
+     */
+    private double start(double far) {
         double scale = 0;
         for (int i = 0; i < n; i++) {
             value[i] = unit[i] * (at.without[i] - at.bound[i]);
@@ -175,7 +180,7 @@ final class MatrixPath implements Serializable {
         }
         for (int j = 0; j < n; j++) {
             double low = at.bearer[j] < 0 ? at.least[j] / unit[j] : 0;
-            if (low < -FAR * scale) {
+            if (low < -far * scale || low == Double.NEGATIVE_INFINITY) {
                 side[j] = 0;
             }
             for (int i = 0; low != 0 && side[j] != 0 && i < n; i++) {
@@ -190,6 +195,12 @@ final class MatrixPath implements Serializable {
         double tau = 0;
         for (int i = 0; i < n; i++) {
             tau = at.bearer[i] < 0 && side[i] != 0 ? Math.max(tau, -value[i] / rate[i]) : tau;
+        }
+        for (int i = 0; i < n; i++) {
+            double x = (value[i] + tau * rate[i]) * unit[i];
+            if (side[i] == 0 && !(x >= at.least[i] && x <= at.most[i])) {
+                return Double.NaN;
+            }
         }
         return tau;
     }

@@ -3,9 +3,11 @@
 package sim.physics.response.lasting;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.Random;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -92,6 +94,24 @@ class MatrixPathTest {
             assertThat(rows.error()).as("problem %d", k).isLessThan(1e-5);
             refine(path, rows, sides);
             assertThat(rows.error()).as("problem %d", k).isLessThan(1e-9);
+        }
+    }
+
+    @Test
+    void ofTwoMotorsOnOneCoordinateTheStrongerHasItsSpeedHoweverStrongTheyAre() {
+        for (double strength = 1; strength < 1e10; strength *= 10) {
+            Rows rows = new Rows(new Random(1), 0, 2, 1, 0);
+            Arrays.fill(rows.replies, 1);
+            Arrays.fill(rows.without, 0);
+            rows.bound = new double[] {5, -3};
+            rows.least = new double[] {-strength, -2 * strength};
+            rows.most = new double[] {strength, 2 * strength};
+            MatrixPath path = new MatrixPath();
+            double[] sides = new double[2];
+            assertThat(path.follow(rows, sides)).isTrue();
+            refine(path, rows, sides);
+            assertThat(rows.impulse[0]).isEqualTo(strength);
+            assertThat(rows.velocity[0]).isCloseTo(Math.max(-3, -strength), within(1e-6 * strength));
         }
     }
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.internal.Growth;
+
+/** Which blocks of a {@link State} their bodies' setters have written since the last step, in the order of writing. */
+final class Touched implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** After how many steps in which no body was written the room to note them is given back. */
+    private static final int QUIET = 100;
+
+    /** Only a force was applied; or anything was written. */
+    private static final byte PUSHED = 1;
+
+    private static final byte WRITTEN = 2;
+
+    private int[] list = {};
+    private byte[] how;
+    private int count;
+    private int quiet;
+
+    Touched(int capacity) {
+        how = new byte[capacity];
+    }
+
+    /** Makes room for bodies, or gives it back. */
+    void resize(int capacity) {
+        how = Arrays.copyOf(how, capacity);
+    }
+
+    boolean has(int index) {
+        return how[index] != 0;
+    }
+
+    boolean isOnlyPushed(int index) {
+        return how[index] == PUSHED;
+    }
+
+    int count() {
+        return count;
+    }
+
+    int get(int k) {
+        return list[k];
+    }
+
+    /** Notes that a block is written, or that a force is applied only. */
+    void note(int index, boolean isForce) {
+        if (how[index] == 0) {
+            if (count == list.length) {
+                list = Arrays.copyOf(list, Math.max(4, Math.min(Growth.length(count, 4), how.length)));
+            }
+            list[count++] = index;
+            how[index] = PUSHED;
+        }
+        how[index] = isForce ? how[index] : WRITTEN;
+    }
+
+    /** Forgets them. */
+    void clear() {
+        quiet = count == 0 ? quiet + 1 : 0;
+        if (quiet == QUIET && list.length > State.LARGE) {
+            list = new int[State.LARGE]; // all bodies are written before the first step, and seldom ever after
+        }
+        for (int k = 0; k < count; k++) {
+            how[list[k]] = 0;
+        }
+        count = 0;
+    }
+}
