@@ -9,7 +9,6 @@ import java.util.List;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.Overlaps;
 import sim.physics.constraint.Constraint;
-import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.Reaction;
 import sim.physics.internal.Growth;
@@ -402,7 +401,7 @@ final class Admission implements Presence, Serializable {
                 Body body = c.getBodyA().isFixed() ? c.getBodyB() : c.getBodyA();
                 constraints.assemble(constraints.island(body.index()));
             }
-        } catch (ConstraintException e) {
+        } catch (RuntimeException e) { // also what a constraint of an author throws
             System.arraycopy(x, 0, state.x(), 0, x.length);
             System.arraycopy(v, 0, state.v(), 0, v.length);
             state.placedAll();

@@ -454,6 +454,9 @@ public final class PhysicsEngine implements Steppable {
             followGroups();
             return;
         }
+        if (!trajectories.isDriven(body)) {
+            return; // it was of a heap when this was planned, and is on its parabola again
+        }
         motion.bring(body, tau);
         if (motion.ground().hold(body)) {
             moved(body, tau, false, -1);

@@ -65,9 +65,17 @@ final class Clearances implements Serializable {
 
     /** Whether a pair surely stays apart up to the end of the step, on the present paths of its bodies. */
     boolean isKept(int pair) {
-        return pair < known.length
-                && trajectories.step() - known[pair] <= 1
+        if (!(pair < known.length && trajectories.step() - known[pair] <= 1)) {
+            return false;
+        }
+        boolean isOfThisStep = known[pair] == trajectories.step();
+        return (isOfThisStep || hasOneCourse(pairs.first(pair)) && hasOneCourse(pairs.second(pair)))
                 && keep(pair, distance[pair]);
+    }
+
+    /** Whether a body has been on its course since the step began, so that it says how far the body goes in all of it. */
+    private boolean hasOneCourse(int body) {
+        return trajectories.duration(body, trajectories.h()) >= trajectories.h();
     }
 
     /** Takes note that a pair is a distance apart at some instant of the step; NaN if that is not known. */

@@ -357,7 +357,7 @@ final class BlockFactor implements Serializable {
         if (pivot > noise * size[k]) {
             return 1 / pivot;
         }
-        if (size[k] == Double.POSITIVE_INFINITY && pivot > NEAR * whole[k]) {
+        if (lasting > 0 && size[k] == Double.POSITIVE_INFINITY && pivot > NEAR * whole[k]) {
             strays++;
         }
         redundant++;

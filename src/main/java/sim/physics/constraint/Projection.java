@@ -43,6 +43,10 @@ final class Projection implements Serializable {
     private static final int MOST_IMPACTS = 50;
 
     private double[] move = {};
+
+    /** Places and velocities of an island before it was assembled. */
+    private double[] before = {};
+
     private int corrections;
     private double error;
     private boolean isPatient;
@@ -75,12 +79,32 @@ final class Projection implements Serializable {
                 corrections, error);
     }
 
-    /** Projects positions and velocities, however far that is; throws if there are none. */
+    /** Projects positions and velocities, however far that is; throws if there are none, and all is as before. */
     void assemble(Island island, State state, ConstraintSolver solver) {
         island.invariants.end();
-        if (!project(island, state, solver, false)) {
+        int n = State.BLOCK * island.bodies.size;
+        before = before.length < 2 * n ? new double[2 * n] : before;
+        for (int k = 0; k < n; k++) {
+            before[k] = state.x()[slot(island, k)];
+            before[n + k] = state.v()[slot(island, k)];
+        }
+        boolean done = false;
+        try {
+            done = project(island, state, solver, false);
+        } finally { // an author's constraint may throw
+            for (int k = 0; !done && k < n; k++) {
+                state.x()[slot(island, k)] = before[k];
+                state.v()[slot(island, k)] = before[n + k];
+            }
+        }
+        if (!done) {
+            note(state);
             throw failure(island);
         }
+    }
+
+    private static int slot(Island island, int k) {
+        return State.BLOCK * island.bodies.values[k / State.BLOCK] + k % State.BLOCK;
     }
 
     /**

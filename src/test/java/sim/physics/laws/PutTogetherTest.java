@@ -3,15 +3,21 @@
 package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
+import sim.physics.constraint.Constraint;
+import sim.physics.constraint.ConstraintException;
+import sim.physics.constraint.Equations;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.RodJoint;
+import sim.physics.constraint.SliderJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.shape.Circle;
@@ -65,6 +71,74 @@ class PutTogetherTest {
             double now = engine.kineticEnergy() + 10 * (low.getY() + high.getY());
             assertThat(now).isLessThan(energy + 1e-6);
         }
+    }
+
+    /** A constraint of an author that throws while it is closed leaves the bodies where they were. */
+    @Test
+    void aConstraintThatThrowsWhenItIsAssembled() {
+        Body ball = engine.add(new Body(new Circle(1)).at(3, 0));
+        RodJoint far = new RodJoint(ball, 0, 0, null, 0, 0, 1);
+        Throwing throwing = new Throwing(far);
+        assertThatThrownBy(() -> engine.assemble(far, throwing)).hasMessage("an author's fault");
+        assertThat(ball.getX()).isEqualTo(3);
+        assertThat(engine.allConstraints()).isEmpty();
+        engine.step();
+        assertThat(ball.getX()).isEqualTo(3);
+    }
+
+    private static final class Throwing implements Constraint {
+        private static final long serialVersionUID = 1L;
+        private final RodJoint like;
+        private int calls;
+
+        Throwing(RodJoint like) {
+            this.like = like;
+        }
+
+        @Override
+        public Body getBodyA() {
+            return like.getBodyA();
+        }
+
+        @Override
+        public Body getBodyB() {
+            return null;
+        }
+
+        @Override
+        public int getRows() {
+            return 1;
+        }
+
+        @Override
+        public void evaluate(Equations equations) {
+            if (++calls > 3) {
+                throw new ArithmeticException("an author's fault");
+            }
+            like.evaluate(equations);
+        }
+    }
+
+    /** A body that was put where its joint cannot be closed stays there, with numbers. */
+    @Test
+    void aJointThatCannotBeClosedWhereItsBodyIsPut() {
+        Body ball = engine.add(new Body(new Circle(1)).at(3, 0));
+        engine.add(new SliderJoint(ball, null, 3, 0, 1, 1));
+        ball.setAngle(Double.MAX_VALUE);
+        assertThatThrownBy(engine::step).isInstanceOf(ConstraintException.class);
+        assertThat(ball.getX()).isEqualTo(3);
+        assertThat(ball.getVelocityX()).isZero();
+    }
+
+    /** A joint so far from its body that the square of its arm overflows. */
+    @Test
+    void anArmWithoutMeasure() {
+        Body ball = engine.add(new Body(new Circle(1)).at(3, 0));
+        Body other = engine.add(new Body(new Circle(1)).at(9, 0));
+        PinJoint pin = new PinJoint(ball, 1e300, 1e300, other, 0, 0);
+        assertThatThrownBy(() -> engine.assemble(pin)).isInstanceOf(ConstraintException.class);
+        assertThat(ball.getX()).isEqualTo(3);
+        assertThat(engine.allConstraints()).isEmpty();
     }
 
     /** Its knees are at their stops and its feet on the ground: what they ask for together cannot be. */

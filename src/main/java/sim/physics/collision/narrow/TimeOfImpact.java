@@ -29,7 +29,12 @@ final class TimeOfImpact {
     /** Steps of the search after which a body that turns many times on its way is looked at as its bounding circle first. */
     private static final int FAST = 30;
 
-    /** The gap of such steps, and that penetration, relative to the smaller body. */
+    /** The same after which a body turns too often for any search to follow it, as none means: progress is forced. */
+    private static final int ENDLESS = 1 << 20;
+
+    private static final double LARGE = 0x1p-10;
+
+    /** The gap of close steps, and that penetration, relative to the smaller body. */
     private static final double CLOSE = 1e-6;
 
     private static final double LEEWAY = 1e-10;
@@ -119,7 +124,7 @@ final class TimeOfImpact {
                 return tau;
             }
             s = k > FAST ? Math.max(s, asCircle()) : s;
-            double forced = close > MOST_CLOSE ? end * Tolerances.FORCED_PROGRESS : 0;
+            double forced = k > ENDLESS ? LARGE * (end - start) : close > MOST_CLOSE ? end * Tolerances.FORCED_PROGRESS : 0;
             double next = tau + Math.max(s, forced);
             if (!(next < end)) {
                 return Math.min(next, known);
