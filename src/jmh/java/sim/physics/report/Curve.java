@@ -64,7 +64,7 @@ record Curve(String engine, String method, OwnMethod own, int order) {
     /** Settings from coarse to fine: tolerances, or steps from one instant to the next. */
     double[] settings(ReportScene scene) {
         if (isAdaptive()) {
-            double[] tolerances = new double[13];
+            double[] tolerances = new double[14];
             for (int k = 0; k < tolerances.length; k++) {
                 tolerances[k] = Double.parseDouble("1e-" + (k + 3));
             }

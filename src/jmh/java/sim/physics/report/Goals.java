@@ -13,9 +13,7 @@ final class Goals {
 
     private final Map<String, Measurement> scenes = new LinkedHashMap<>();
     private final Map<String, ReportScene> about = new LinkedHashMap<>();
-    private int all;
-    private int kept;
-    private int smaller;
+    private final Honesty honesty = new Honesty();
     private final StringBuilder rows = new StringBuilder();
 
     void add(ReportScene scene, Measurement measurement) {
@@ -35,14 +33,15 @@ final class Goals {
         for (String peer : new String[] {"dyn4j", "JBox2D"}) {
             ahead("W03-10-1", 1e-3, peer, "", 100);
         }
-        scenes.keySet().forEach(this::honest);
-        if (all > 0) {
-            row("error / (tolerance × amplification) within 0.1 … 10, tolerances of all these", kept + " of " + all
-                    + ", " + smaller + " smaller", kept == all ? "yes" : "**no**");
+        scenes.forEach((id, measurement) -> honesty.add(about.get(id), measurement.points).forEach(
+                row -> row(row.what(), Markdown.number(row.low()) + " … " + Markdown.number(row.high()), row.isMet() ? "yes" : "**no**")));
+        if (honesty.counted() > 0) {
+            row("error / (tolerance × amplification) within 0.1 … 10, tolerances of all these", honesty.summary(),
+                    honesty.isMet() ? "yes" : "**no**");
         }
-        return rows + "\nThe amplification is that of small errors on the way, as two runs with one of them measure it: errors at random in"
-                + "\nevery unit of the scene's own time (class Amplification of the report). A smaller error than the tolerance asks for"
-                + "\nis a *no* here, too. Errors below 1e-12 are left out.\n";
+        return rows + "\nThe amplification is that of small errors on the way, as pairs of runs with one of them measure it: errors at"
+                + "\nrandom in every unit of the scene's own time (class Amplification of the report). A smaller error than the tolerance"
+                + "\nasks for is a *no* here, too.\n";
     }
 
     private double least(String id, double target, String engine, String method) {
@@ -78,35 +77,6 @@ final class Goals {
                 : String.format(Locale.ROOT, "%.3g times", other / own);
         row(String.format(Locale.ROOT, "%s: %.0e with %.0f times less CPU than %s %s",
                 about.get(id).title, target, factor, peer, method).trim(), got, other >= factor * own ? "yes" : "**no**");
-    }
-
-    /** Errors over tolerances and what the scene makes of them, where they are not lost in rounding. */
-    private void honest(String id) {
-        ReportScene scene = about.get(id);
-        if (!scene.smooth) {
-            return;
-        }
-        double grown = new Amplification(scene).measure();
-        scenes.get(id).points.forEach((curve, points) -> {
-            double low = Double.POSITIVE_INFINITY;
-            double high = 0;
-            for (Point point : points) {
-                boolean counts = curve.isAdaptive() && !curve.method().equals("Automatic");
-                if (counts && point.error > 1e-12 && point.setting > 0.5e-13) {
-                    // tolerances are lengths
-                    double ratio = point.error * scene.unit / (point.setting * grown);
-                    low = Math.min(low, ratio);
-                    high = Math.max(high, ratio);
-                    all++;
-                    kept += ratio >= 0.1 && ratio <= 10 ? 1 : 0;
-                    smaller += ratio < 0.1 ? 1 : 0;
-                }
-            }
-            if (high > 0) {
-                row(String.format(Locale.ROOT, "%s, %s: error / (tolerance × %.2g)", scene.title, curve.method(), grown),
-                        Markdown.number(low) + " … " + Markdown.number(high), low >= 0.1 && high <= 10 ? "yes" : "**no**");
-            }
-        });
     }
 
     private void row(String goal, String got, String met) {

@@ -142,7 +142,7 @@ final class Markdown {
         }
     }
 
-    String text(String mode, double cap, boolean python, Profile profile, Goals goals, double seconds) {
+    String text(String mode, double cap, boolean python, Profile profile, MethodGuide guide, Goals goals, double seconds) {
         StringBuilder text = new StringBuilder();
         text.append("# Speed against error\n\n");
         text.append("Generated, all figures from one run in the setting *").append(mode).append("*, with\n\n```\n");
@@ -191,6 +191,7 @@ final class Markdown {
             }
             text.append(" |\n");
         }
+        text.append(guide.section());
         text.append("\n## Goals\n\n").append(goals.table());
         return text.append("\n## Scenes\n\n").append(body).toString();
     }

@@ -60,6 +60,15 @@ final class Measurement {
         });
     }
 
+    /** Errors and counts of methods with a tolerance alone. */
+    void sweepTolerances() {
+        for (Curve curve : Curve.all(scene, python)) {
+            if (curve.isAdaptive()) {
+                points.put(curve, sweep(curve));
+            }
+        }
+    }
+
     /** From coarse to fine until a run costs too much, or nothing is gained any more. */
     private List<Point> sweep(Curve curve) {
         List<Point> found = new ArrayList<>();

@@ -40,7 +40,12 @@ final class Model {
      * @param size radius; or width and height; or circumradius and number of corners
      */
     record Part(
-            Kind kind, double[] size, double mass, double inertia, boolean fixed, boolean collides, double e, double[] start) {}
+            Kind kind, double[] size, double mass, double inertia, boolean fixed, boolean collides, double e, double[] start) {
+        /** The distance of the rim from the centre. */
+        double rim() {
+            return kind == Kind.BOX ? Math.hypot(size[0], size[1]) / 2 : size[0];
+        }
+    }
 
     /** A hinge of two parts, or of a part and the world (−1), at a point of the world at the start. */
     record Pin(int a, int b, double x, double y) {}

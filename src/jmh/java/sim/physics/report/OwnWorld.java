@@ -59,7 +59,7 @@ final class OwnWorld implements World {
                     bodies[s.a()], s.px() - start[0], s.py() - start[1], null, s.x(), s.y(),
                     s.length(), s.stiffness(), s.damping()));
         }
-        boolean driven = !model.pins.isEmpty() || !model.rods.isEmpty() || !model.springs.isEmpty();
+        boolean driven = model.surfaceFriction > 0 || !model.pins.isEmpty() || !model.rods.isEmpty() || !model.springs.isEmpty();
         counter = count && driven ? new Counter(bodies[0]) : null;
         if (counter != null) {
             engine.add(counter);
@@ -101,15 +101,23 @@ final class OwnWorld implements World {
         steps++;
     }
 
-    /** Makes each body faster or slower by a speed, along its velocity; joints take what they do not allow. */
+    /** Makes each body faster or slower by a speed, along its velocity, and its rim by its turn; joints take what they do not allow. */
     void kick(double speed, SplittableRandom random) {
         for (Body body : bodies) {
             double v = Math.hypot(body.getVelocityX(), body.getVelocityY());
             if (v > 0) {
-                double longer = 1 + (random.nextBoolean() ? speed : -speed) / v;
+                double longer = 1 + either(speed, random) / v;
                 body.setVelocity(longer * body.getVelocityX(), longer * body.getVelocityY());
             }
+            double w = body.getAngularVelocity();
+            if (w != 0) {
+                body.setAngularVelocity(w + either(speed, random) / body.getShape().boundingRadius());
+            }
         }
+    }
+
+    private static double either(double speed, SplittableRandom random) {
+        return random.nextBoolean() ? speed : -speed;
     }
 
     @Override

@@ -67,6 +67,7 @@ public final class SpeedVsError {
         Markdown text = new Markdown();
         Profile profile = new Profile();
         Goals goals = new Goals();
+        MethodGuide guide = new MethodGuide();
         Progress progress = new Progress(scenes.size());
         try (PythonPeers peers = new PythonPeers(python);
                 Writer data = Files.newBufferedWriter(docs.resolve("data/speed-vs-error.csv"))) {
@@ -80,12 +81,13 @@ public final class SpeedVsError {
                 text.scene(scene, measurement, charts.tolerance(measurement, scene));
                 profile.add(measurement);
                 goals.add(scene, measurement);
+                guide.add(scene, measurement.points);
                 progress.next();
             }
             progress.end();
             charts.profile(profile);
             double seconds = (System.nanoTime() - begun) * 1e-9;
-            Files.writeString(docs.resolve("speed-vs-error.md"), text.text(mode, cap, peers.has("mujoco"), profile, goals, seconds));
+            Files.writeString(docs.resolve("speed-vs-error.md"), text.text(mode, cap, peers.has("mujoco"), profile, guide, goals, seconds));
         }
     }
 

@@ -234,6 +234,11 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
+    public int equations(IntList bodies) {
+        return Grouping.equations(of(bodies), state);
+    }
+
+    @Override
     public IntList island(int body) {
         return of[body].bodies;
     }
@@ -393,11 +398,7 @@ public final class Constraints implements Ties, Serializable {
         return active(bodies.values[0]).overloaded();
     }
 
-    /**
-     * Number of rows that depend on others.
-     *
-     * @return as the last solves found them
-     */
+    /** {@return the number of rows that depend on others, as the last solves found them} */
     public int redundant() {
         return islands.stream().mapToInt(island -> island.switches.active(state).redundantRows).sum();
     }
@@ -411,11 +412,7 @@ public final class Constraints implements Ties, Serializable {
         return islands.stream().filter(k -> k.isBreakable).map(k -> k.bodies).toList();
     }
 
-    /**
-     * Whether some joint can break.
-     *
-     * @return false if all bear any load
-     */
+    /** {@return whether some joint can break} */
     public boolean isBreakable() {
         return Grouping.areBreakable(islands);
     }

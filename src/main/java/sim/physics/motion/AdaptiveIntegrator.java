@@ -22,7 +22,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
     private static final double SUDDEN = 1.0 / 8;
 
     /** What an estimate may be too small by where forces jump. */
-    private static final double CAUTION = 12;
+    private static final double CAUTION = 24;
 
     /** How long the steps before count, in their lengths. */
     private static final double MEMORY = 2;
@@ -40,8 +40,10 @@ public abstract class AdaptiveIntegrator implements Integrator {
 
     private static final double WORTHWHILE = 1.5;
 
+    private static final double SHARE_OF_STOP = 0.5;
+
     /** Rounding of a coordinate, below which no step is made smaller. */
-    private static final double ROUNDING = 4 * 0x1p-52;
+    private static final double ROUNDING = 2 * 0x1p-52;
 
     private final double tolerance;
 
@@ -102,6 +104,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
         Stages stages = path.stages;
         stages.load(coordinates, state, bodies, tolerance, ROUNDING);
         stages.isOpen = isOpen;
+        stages.freedom = stages.isTied() ? 1 : equations.freedom(bodies);
         stages.begin(t, path);
         int first = bodies.values[0];
         double wanted = path.next[first];
@@ -193,6 +196,11 @@ public abstract class AdaptiveIntegrator implements Integrator {
     /** Whether what steps that end with the engine's say of longer ones is all there is to know. */
     boolean hasFixedOrder() {
         return true;
+    }
+
+    /** Part of the time to the rest of a sliding body that is integrated at once, if the tolerance allows it. */
+    double shareOfStop() {
+        return SHARE_OF_STOP;
     }
 
     /**

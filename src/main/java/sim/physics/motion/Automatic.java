@@ -32,6 +32,11 @@ public final class Automatic extends AdaptiveIntegrator {
     }
 
     @Override
+    double shareOfStop() {
+        return explicit.shareOfStop();
+    }
+
+    @Override
     boolean makeDense(
             EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, DenseOutput out) {
         return path.stages.maker.makeDense(equations, state, bodies, t, h, path, out);

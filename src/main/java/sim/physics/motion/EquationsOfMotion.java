@@ -16,6 +16,17 @@ public interface EquationsOfMotion {
     void acceleration(IntList bodies, double time, double[] a);
 
     /**
+     * How much of an error constraints let pass: what is left of a change of places at random that is brought back onto
+     * them, in the mean.
+     *
+     * @param bodies the bodies
+     * @return the root of the share of coordinates that are free; 1 if nothing ties the bodies, or nobody knows
+     */
+    default double freedom(IntList bodies) {
+        return 1;
+    }
+
+    /**
      * Keeps the directions in which constraints act at the positions of the state vectors, for {@link #close}.
      *
      * @param bodies the bodies

@@ -23,7 +23,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
 
     private static final int ROWS_AT_FIRST = 5;
 
-    private static final double SAFETY = 0.9;
+    private static final double SAFETY = 0.8;
 
     /**
      * The step times the rate of the fastest change, over the number of rows: from here on the rows' errors are not what
@@ -34,10 +34,10 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     private static final double AIM = 0.3;
 
     /** What errors are, over the estimate, in the mean of our scenes. */
-    private static final double CAUTION = 1.2;
+    private static final double CAUTION = 0.5;
 
     /** The same in the angles of a tree of pins. */
-    private static final double TIED_CAUTION = 1.5;
+    private static final double TIED_CAUTION = 0.75;
 
     private static final double LEAST_STABLE = 0.3;
     private static final double LEAST = 0.02;
@@ -252,7 +252,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             s.offX[m] = y[m] - y[2 * n + m];
             s.offV[m] = y[n + m] - y[3 * n + m];
         }
-        return (s.isTied() ? TIED_CAUTION : CAUTION) * s.norm(s.offX, s.offV, s.time);
+        return (s.isTied() ? TIED_CAUTION : CAUTION) * s.freedom * s.norm(s.offX, s.offV, s.time);
     }
 
     private static void finish(Stages s) {

@@ -484,6 +484,12 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     @Override
+    public double freedom(IntList bodies) {
+        int all = State.BLOCK * bodies.size;
+        return isTiedGroup(bodies) ? Math.sqrt(Math.max(1, all - ties.equations(bodies)) / (double) all) : 1;
+    }
+
+    @Override
     public void close(IntList bodies, double h) {
         if (isTiedGroup(bodies)) {
             ties.close(bodies, h);

@@ -68,10 +68,10 @@ public final class RadauIIA extends AdaptiveIntegrator {
     private static final int MOST_ITERATIONS = 10;
 
     /** Part of the tolerance to which the stages are solved, over the time in which the motion changes. */
-    private static final double SOLVED = 3e-4;
+    private static final double SOLVED = 9e-4;
 
     /** The same where rounding does not let it be less. */
-    static final double LOOSE = 1e-3;
+    static final double LOOSE = 3e-3;
 
     /** The time step over the time in which a vibration changes, over the root of the estimates' ratio. */
     private static final double SMOOTH = 3;
@@ -79,10 +79,10 @@ public final class RadauIIA extends AdaptiveIntegrator {
     private static final double LEAST_TURN = 1e-3;
 
     /** The error that steps leave, over the estimate, in the mean of our scenes. */
-    private static final double CALIBRATION = 0.17;
+    private static final double CALIBRATION = 0.057;
 
     /** The same where dense output is read. */
-    private static final double OPEN_CALIBRATION = 0.2;
+    private static final double OPEN_CALIBRATION = 0.067;
 
     /**
      * The square of a step times the fastest frequency, over that of the number of coordinates, from which derivatives at
@@ -96,7 +96,7 @@ public final class RadauIIA extends AdaptiveIntegrator {
     /** The stiffness of a step up to which the accelerations at its ends say more than its stages. */
     private static final double SMOOTH_OUTPUT = 1;
 
-    private static final double SAFETY = 0.9;
+    private static final double SAFETY = 0.8;
     private static final double LEAST = 0.02;
     private static final double MOST = 8;
 

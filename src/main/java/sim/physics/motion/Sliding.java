@@ -18,9 +18,6 @@ final class Sliding implements Serializable {
     /** Part of the time to rest that is integrated at once; smaller: more accurate near the stop, and slower. */
     private static final double SHARE = 1.0 / 16;
 
-    /** The same for methods that choose their steps. */
-    private static final double CHOSEN_SHARE = 0.5;
-
     /** The same, and the next, for bodies that others press on: the forces that do so are of first order themselves. */
     private static final double PRESSED_SHARE = 0.5;
 
@@ -69,7 +66,7 @@ final class Sliding implements Serializable {
             return length;
         }
         double done = 0;
-        double share = isPressed ? PRESSED_SHARE : motion.getIntegrator().isAdaptive() ? CHOSEN_SHARE : SHARE;
+        double share = isPressed ? PRESSED_SHARE : motion.getIntegrator() instanceof AdaptiveIntegrator chosen ? chosen.shareOfStop() : SHARE;
         double last = (isPressed ? PRESSED_LAST : LAST) * motion.step();
         double least = share * last;
         for (int parts = 0; done < length; parts++) {

@@ -86,6 +86,9 @@ final class Stages implements Serializable {
     /** The same for steps that need not end where the engine's does. */
     private int[] openRows = {};
 
+    /** How much of an error is left when joints are closed again. */
+    double freedom = 1;
+
     /** Whether this is such a step. */
     boolean isOpen;
 

@@ -57,6 +57,14 @@ public interface Ties extends Serializable {
     IntList island(int body);
 
     /**
+     * Number of equations between some bodies.
+     *
+     * @param bodies all bodies of an island, or of several and others
+     * @return those that are kept now; 0 if some depend on others
+     */
+    int equations(IntList bodies);
+
+    /**
      * Adds what the ties' forces do to the accelerations of some bodies, at the positions and velocities of the state
      * vectors.
      *
