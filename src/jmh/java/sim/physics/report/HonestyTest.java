@@ -21,8 +21,8 @@ class HonestyTest {
     /** Errors are relative to the unit of the scene, tolerances are lengths. */
     @Test
     void theUnitOfLengthCounts() {
-        assertThat(Honesty.verdict(1e-3, 1e-6, 1, 0.01)).isEqualTo(Verdict.WITHIN);
-        assertThat(Honesty.verdict(1e-3, 1e-6, 1, 0.00001)).isEqualTo(Verdict.SMALLER);
+        assertThat(Honesty.verdict(5e-4, 1e-6, 1, 0.01)).isEqualTo(Verdict.WITHIN);
+        assertThat(Honesty.verdict(5e-4, 1e-6, 1, 0.00001)).isEqualTo(Verdict.SMALLER);
     }
 
     @Test

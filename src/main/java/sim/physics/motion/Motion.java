@@ -17,6 +17,9 @@ import sim.physics.internal.IntList;
 public final class Motion implements EquationsOfMotion, Loads, Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** The least part of an error that joints let pass: those of bodies that move alike are none at random. */
+    private static final double LEAST_FREEDOM = 0.15;
+
     private final State state;
     private final Trajectories trajectories;
     final Forces forces;
@@ -486,7 +489,8 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     @Override
     public double freedom(IntList bodies) {
         int all = State.BLOCK * bodies.size;
-        return isTiedGroup(bodies) ? Math.sqrt(Math.max(1, all - ties.equations(bodies)) / (double) all) : 1;
+        double left = isTiedGroup(bodies) ? Math.sqrt(Math.max(0, all - ties.equations(bodies)) / (double) all) : 1;
+        return Math.max(left, LEAST_FREEDOM);
     }
 
     @Override

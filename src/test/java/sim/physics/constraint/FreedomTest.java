@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import sim.physics.PhysicsEngine;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Body;
+import sim.physics.motion.DormandPrince853;
+import sim.physics.motion.ForceGenerator;
+import sim.physics.motion.Forces;
+import sim.physics.motion.GraggBulirschStoer;
+import sim.physics.motion.Gravity;
+import sim.physics.motion.Integrator;
+import sim.physics.motion.State;
+import sim.physics.shape.Rectangle;
+
+/** How much of an error joints let pass is told by the number of their equations. */
+class FreedomTest {
+    private static final double G = 9.81;
+
+    /** Counts evaluations. */
+    private static final class Counter implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        private final Body watched;
+        private int calls;
+
+        Counter(Body watched) {
+            this.watched = watched;
+        }
+
+        @Override
+        public boolean actsOn(Body body) {
+            return body == watched;
+        }
+
+        @Override
+        public boolean isAutonomous() {
+            return true;
+        }
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            calls++;
+        }
+    }
+
+    private static Body rod(double x, double y, double angle) {
+        Body rod = new Body(new Rectangle(1, 0.02)).at(x, y, angle);
+        rod.setMass(1, 1 / 12.0);
+        rod.setCollisionGroup(1, 0);
+        return rod;
+    }
+
+    @Test
+    void theEquationsOfALoopAreCountedUnlessSomeDependOnOthers() {
+        State state = new State();
+        IntList indices = new IntList();
+        Body left = rod(0, -0.5, Math.PI / 2);
+        Body right = rod(1, -0.5, Math.PI / 2);
+        Body coupler = rod(0.5, -1, 0);
+        for (Body body : List.of(left, right, coupler)) {
+            indices.add(state.add(body));
+        }
+        Island island = new Island(indices, List.of(
+                new PinJoint(left, null, 0, 0), new PinJoint(right, null, 1, 0), new PinJoint(coupler, left, 0, -1),
+                new PinJoint(coupler, right, 1, -1)));
+        assertThat(Grouping.equations(List.of(island), state)).isEqualTo(8);
+        island.redundantRows = 1;
+        assertThat(Grouping.equations(List.of(island), state)).isZero();
+    }
+
+    /**
+     * Windows in a row: cranks and couplers swing as one pendulum, however many they are. Joints take nearly all that a
+     * larger number is off, so that a tolerance is met in about as many steps, and to about the same part.
+     */
+    @Test
+    void aToleranceMeansTheSameInLoopsOfAnyNumber() {
+        for (Integrator method : List.of(new DormandPrince853(1e-9), new GraggBulirschStoer(1e-9))) {
+            double[] few = swing(1, method);
+            double[] many = swing(20, method);
+            assertThat(many[0]).as("%s", method).isLessThan(1.1 * few[0]);
+            assertThat(many[1]).as("%s", method).isLessThan(3e-8);
+            assertThat(few[1]).as("%s", method).isLessThan(3e-8);
+        }
+    }
+
+    /** Evaluations, and how far the place is off after 5 s. */
+    private static double[] swing(int windows, Integrator method) {
+        double[] place = new double[2];
+        int calls = 0;
+        for (int way = 0; way < 2; way++) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(5);
+            engine.setIntegrator(way == 0 ? method : new DormandPrince853(1e-13));
+            engine.add(new Gravity(0, -G));
+            double x = 0.5;
+            double y = -StrictMath.sqrt(0.75);
+            Body before = null;
+            Counter counter = null;
+            for (int k = 0; k <= windows; k++) {
+                Body crank = engine.add(rod(k + x / 2, y / 2, StrictMath.atan2(y, x)));
+                engine.add(new PinJoint(crank, null, k, 0));
+                if (before != null) {
+                    Body coupler = engine.add(rod(k - 0.5 + x, y, 0));
+                    engine.add(new PinJoint(coupler, before, k - 1 + x, y));
+                    engine.add(new PinJoint(coupler, crank, k + x, y));
+                } else {
+                    counter = new Counter(crank);
+                    engine.add(counter);
+                }
+                before = crank;
+            }
+            engine.step();
+            place[way] = before.getX();
+            calls = way == 0 ? counter.calls : calls;
+        }
+        return new double[] {calls, Math.abs(place[0] - place[1])};
+    }
+}
