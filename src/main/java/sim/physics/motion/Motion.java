@@ -17,9 +17,6 @@ import sim.physics.internal.IntList;
 public final class Motion implements EquationsOfMotion, Loads, Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** The least part of an error that joints let pass: those of bodies that move alike are none at random. */
-    private static final double LEAST_FREEDOM = 0.15;
-
     private final State state;
     private final Trajectories trajectories;
     final Forces forces;
@@ -116,10 +113,9 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     /**
-     * Whether a body is tied to others.
+     * {@return whether a body is tied to others; false for fixed ones}
      *
      * @param body index
-     * @return false for fixed bodies
      */
     public boolean isTied(int body) {
         return ties != null && ties.isTied(body);
@@ -314,10 +310,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         if (group != null) {
             return group;
         }
-        if (isTied(body)) {
-            return ties.island(body);
-        }
-        return alone.only(body);
+        return isTied(body) ? ties.island(body) : alone.only(body);
     }
 
     /**
@@ -488,9 +481,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     @Override
     public double freedom(IntList bodies) {
-        int all = State.BLOCK * bodies.size;
-        double left = isTiedGroup(bodies) ? Math.sqrt(Math.max(0, all - ties.equations(bodies)) / (double) all) : 1;
-        return Math.max(left, LEAST_FREEDOM);
+        return isTiedGroup(bodies) ? ties.freedom(bodies) : 1;
     }
 
     @Override

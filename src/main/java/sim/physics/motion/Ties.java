@@ -65,6 +65,17 @@ public interface Ties extends Serializable {
     int equations(IntList bodies);
 
     /**
+     * The part of an error at random that joints let pass.
+     *
+     * @param bodies as above
+     * @return the root of the share of freedoms that are left, but not less than 0.15: errors of bodies that move alike are not at random
+     */
+    default double freedom(IntList bodies) {
+        int all = State.BLOCK * bodies.size;
+        return Math.max(0.15, Math.sqrt(Math.max(0, all - equations(bodies)) / (double) all));
+    }
+
+    /**
      * Adds what the ties' forces do to the accelerations of some bodies, at the positions and velocities of the state
      * vectors.
      *
