@@ -20,7 +20,7 @@ import sim.physics.shape.Rectangle;
  * <pre>
  * ScaleRun start 50          an engine is made, 50 bodies are added, and it makes its first step
  * ScaleRun disks 1000        impacts a second of equal disks, by the area that they cover
- * ScaleRun memory 100000 1500  bytes that all objects of an engine take, per body and by class
+ * ScaleRun memory 100000 1500  bytes that all objects of an engine take, per body
  * ScaleRun unused 1000 40     a step of the engine against one that lacks what a gas does not use
  * ScaleRun growth 100000 9   time per body and step, a gas of 1000 and one of 100000 bodies in turns
  * </pre>
@@ -114,8 +114,7 @@ public final class ScaleRun {
         System.setProperty("jol.magicFieldOffset", "true"); // shapes have records, whose fields else cannot be seen
         GraphLayout layout = GraphLayout.parseInstance(gas.engine());
         System.out.printf(
-                Locale.ROOT, "%d bodies, after %d steps: %.1f bytes a body%n%s%n", n, steps,
-                layout.totalSize() / (double) n, layout.toFootprint());
+                Locale.ROOT, "%d bodies, after %d steps: %.1f bytes a body%n", n, steps, layout.totalSize() / (double) n);
     }
 
     /** Fresh gases, each in the engine and in the bare step, who begins by turns; the first half warms up. */
