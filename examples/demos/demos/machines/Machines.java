@@ -50,7 +50,7 @@ public class Machines extends Scene {
         }
         pyramid(155);
         for (int k = 0; k < ragdolls; k++) {
-            double x = 40 + 120 * (k + random.nextDouble()) / ragdolls;
+            double x = 40 + 120 * (k + 0.25 + 0.5 * random.nextDouble()) / ragdolls; // beside one another
             new Ragdoll(physics, FRICTION, x, 20, random.nextDouble() - 0.5);
         }
         car = new Car(physics, FRICTION, 35, GROUND);
