@@ -63,7 +63,7 @@ final class MatrixPath implements Serializable {
     boolean follow(HeapRows rows, double[] sides) {
         at = rows;
         isAtEnd = begin() && go(start(FAR)) || begin() && go(start(Double.POSITIVE_INFINITY));
-        return isAtEnd && give(sides);
+        return give(sides);
     }
 
     /** Takes note that the rows have changed. */
@@ -113,7 +113,7 @@ final class MatrixPath implements Serializable {
             rate[i] = (fromBefore ? before : now) - value[i];
         }
         isAtEnd = go(1);
-        return isAtEnd && give(sides);
+        return give(sides);
     }
 
     /** Goes the way from a τ to zero. */
@@ -179,7 +179,7 @@ final class MatrixPath implements Serializable {
             }
         }
         for (int j = 0; j < n; j++) {
-            double low = at.bearer[j] < 0 ? at.least[j] / unit[j] : 0;
+            double low = bound(j, -1);
             if (low < -far * scale || low == Double.NEGATIVE_INFINITY) {
                 side[j] = 0;
             }
@@ -217,8 +217,8 @@ final class MatrixPath implements Serializable {
                 boolean counts = by < 0 || side[by] == 0;
                 step = counts ? nearer(i, side[i], -side[i] * x, -side[i] * dx, step) : step;
             } else if (by < 0) {
-                step = nearer(i, -1, x - at.least[i] / unit[i], dx, step);
-                step = nearer(i, 1, at.most[i] / unit[i] - x, -dx, step);
+                step = nearer(i, -1, x - bound(i, -1), dx, step);
+                step = nearer(i, 1, bound(i, 1) - x, -dx, step);
             } else {
                 double width = rub(i) * (value[by] + tau * rate[by]);
                 double widening = sense * rub(i) * rate[by];
@@ -250,35 +250,44 @@ final class MatrixPath implements Serializable {
             row++; // where nothing is borne nothing rubs: both are met at once
             way = value[row] + tau * rate[row] < 0 ? -1 : 1;
         }
-        int k = row;
-        int by = at.bearer[k];
-        if (side[k] != 0) {
-            if (bears(k)) {
-                int t = k + 1;
-                double slip = value[t] + tau * rate[t];
-                lean(t, slip > 0 ? -1 : 1, side[t]);
-                side[t] = slip > 0 ? -1 : 1;
-            }
-            int from = side[k];
-            if (!pivot(k, 0, by >= 0 ? 0 : (from < 0 ? at.least[k] : at.most[k]) / unit[k])) {
-                return 0;
-            }
-            side[k] = 0;
-            if (by >= 0) {
-                double inward = rate[k]; // of what friction lacks at its bound
-                add(k, by, from * rub(k));
-                return -from * Math.signum(inward);
-            }
-            return -from * Math.signum(rate[k]);
+        return side[row] != 0 ? free(row, tau) : bind(row);
+    }
+
+    /** Lets a row off its bound; returns what {@link #exchange} does. */
+    private double free(int k, double tau) {
+        if (bears(k)) {
+            int t = k + 1;
+            int slides = value[t] + tau * rate[t] > 0 ? -1 : 1; // against its velocity
+            lean(t, slides, side[t]);
+            side[t] = slides;
         }
-        if (by >= 0) {
-            add(k, by, -way * rub(k));
+        int from = side[k];
+        if (!pivot(k, 0, bound(k, from))) {
+            return 0;
         }
-        if (!pivot(k, by >= 0 ? 0 : (way < 0 ? at.least[k] : at.most[k]) / unit[k], 0)) {
+        side[k] = 0;
+        double sense = -from * Math.signum(rate[k]); // inwards
+        if (at.bearer[k] >= 0) {
+            add(k, at.bearer[k], from * rub(k));
+        }
+        return sense;
+    }
+
+    /** Puts a row to the bound that it has come to; returns what {@link #exchange} does. */
+    private double bind(int k) {
+        if (at.bearer[k] >= 0) {
+            add(k, at.bearer[k], -way * rub(k));
+        }
+        if (!pivot(k, bound(k, way), 0)) {
             return 0;
         }
         side[k] = way;
         return -way * Math.signum(rate[k]);
+    }
+
+    /** Where the impulse of a row is at a bound; that of friction is counted from there. */
+    private double bound(int k, int where) {
+        return at.bearer[k] >= 0 ? 0 : (where < 0 ? at.least[k] : at.most[k]) / unit[k];
     }
 
     private boolean bears(int k) {
@@ -341,8 +350,9 @@ final class MatrixPath implements Serializable {
         return true;
     }
 
+    /** Tells what is found, if that is the end of a path; returns whether it is. */
     private boolean give(double[] sides) {
-        for (int i = 0; i < n; i++) {
+        for (int i = 0; isAtEnd && i < n; i++) {
             sides[i] = side[i];
             if (side[i] == 0) {
                 at.impulse[i] = value[i] * unit[i];
@@ -352,6 +362,6 @@ final class MatrixPath implements Serializable {
                 at.impulse[i] = side[i] * at.friction[i] * at.impulse[at.bearer[i]]; // which comes first
             }
         }
-        return true;
+        return isAtEnd;
     }
 }
