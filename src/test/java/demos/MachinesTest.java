@@ -5,7 +5,6 @@ package demos;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import demos.machines.Machines;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import sim.physics.Checkpoint;
 import sim.physics.constraint.Constraint;
@@ -57,12 +56,6 @@ class MachinesTest {
             model.schedule.step(model);
             restored.schedule.step(restored);
         }
-        List<Body> a = model.physics.bodies();
-        List<Body> b = restored.physics.bodies();
-        for (int k = 0; k < a.size(); k++) {
-            assertThat(b.get(k).getX()).isEqualTo(a.get(k).getX());
-            assertThat(b.get(k).getVelocityY()).isEqualTo(a.get(k).getVelocityY());
-            assertThat(b.get(k).getAngle()).isEqualTo(a.get(k).getAngle());
-        }
+        Checkpoint.assertSameBodies(model.physics, restored.physics);
     }
 }

@@ -2,11 +2,15 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
+import java.util.List;
+import sim.physics.motion.Body;
 
 /** What is saved, and what comes back. */
 public final class Checkpoint {
@@ -30,6 +34,17 @@ public final class Checkpoint {
             return (T) in.readObject();
         } catch (IOException | ClassNotFoundException e) {
             throw new AssertionError(e);
+        }
+    }
+
+    /** Demands that two engines have their bodies at the same places and angles, with the same velocities, bit for bit. */
+    public static void assertSameBodies(PhysicsEngine one, PhysicsEngine other) {
+        List<Body> a = one.bodies();
+        List<Body> b = other.bodies();
+        for (int k = 0; k < a.size(); k++) {
+            assertThat(b.get(k).getX()).isEqualTo(a.get(k).getX());
+            assertThat(b.get(k).getVelocityY()).isEqualTo(a.get(k).getVelocityY());
+            assertThat(b.get(k).getAngle()).isEqualTo(a.get(k).getAngle());
         }
     }
 }
