@@ -4,6 +4,7 @@ package sim.physics.bench;
 
 import demos.robots.Robots;
 import java.util.Arrays;
+import java.util.Locale;
 
 /**
  * Steps a second of the robots demo through MASON's schedule, warmed: {@code RobotsRun [rounds robots cans]}. A round is 40 seeds
@@ -27,7 +28,8 @@ public final class RobotsRun {
             rates[k] = round(robots, cans);
         }
         Arrays.sort(rates);
-        System.out.printf("%d robots, %d cans: median %,.0f steps/s of %d rounds, %,.0f to %,.0f%n", robots, cans,
+        System.out.printf(
+                Locale.ROOT, "%d robots, %d cans: median %,.0f steps/s of %d rounds, %,.0f to %,.0f%n", robots, cans,
                 rates[rounds / 2], rounds, rates[0], rates[rounds - 1]);
     }
 
