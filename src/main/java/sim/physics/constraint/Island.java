@@ -314,7 +314,7 @@ final class Island implements Serializable {
 
     /** Evaluates C, J and J̇ ẋ at the positions and velocities of the state vectors. */
     void evaluate(State state) {
-        boolean moved = turns.follow(state.x());
+        boolean moved = turns.follow(state);
         pins.evaluate(state, moved);
         if (onlyPins) {
             return;
@@ -329,6 +329,9 @@ final class Island implements Serializable {
             for (int row = 0; row < constraints[k].getRows(); row++) {
                 take(firstNode[k] + (row >> 1), row & 1, row);
             }
+        }
+        if (turns.isCarried()) {
+            rows.carry(state.carry().lowX(), pins);
         }
         for (int k : switched) {
             factor.rest(firstNode[k], !((Switched) constraints[k]).isOnNow);

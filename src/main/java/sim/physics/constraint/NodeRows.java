@@ -110,6 +110,21 @@ final class NodeRows implements Serializable {
         }
     }
 
+    /** Adds to C what rounding has left of the positions, but for the nodes of pins, which have done so themselves. */
+    void carry(double[] low, PinRows pins) {
+        double[] j = island.j;
+        for (int p = 0; p < island.nodes; p++) {
+            for (int k = 0; k < island.factor.rows(p) && !pins.isAt(p); k++) {
+                int o = J * p + 3 * k;
+                island.c[2 * p + k] += product(j, o, low, island.blockA[p]) + product(j, o + 6, low, island.blockB[p]);
+            }
+        }
+    }
+
+    private static double product(double[] j, int o, double[] u, int s) {
+        return s < 0 ? 0 : j[o] * u[s] + j[o + 1] * u[s + 1] + j[o + 2] * u[s + 2];
+    }
+
     /** −(J u + g) into {@code right}. */
     void residual(double[] u, double[] g, double[] right) {
         double[] j = island.j;

@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.constraint.tree.TreeStep;
 import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
@@ -25,6 +26,11 @@ final class PinRows implements Serializable {
     private final double[] r;
 
     private final double[] masses;
+
+    /** C of a pin and what rounding leaves of it. */
+    private final double[] sum = new double[2];
+
+    private final double[] rest = new double[2];
     private boolean isWeighed;
     private final boolean areAll;
 
@@ -101,6 +107,11 @@ final class PinRows implements Serializable {
         return isPin[constraint];
     }
 
+    /** Whether a node is that of a pin. */
+    boolean isAt(int node) {
+        return Arrays.binarySearch(pins, node) >= 0;
+    }
+
     private void prepare(int p, PinJoint pin) {
         anchor(4 * p, pin.getBodyA(), pin.getAnchorAX(), pin.getAnchorAY());
         anchor(4 * p + 2, pin.getBodyB(), pin.getAnchorBX(), pin.getAnchorBY());
@@ -135,6 +146,9 @@ final class PinRows implements Serializable {
         for (int k = 0; k < pins.length; k++) {
             if (moved) {
                 evaluate(pins[k], x);
+            }
+            if (turns.isCarried()) {
+                refine(pins[k], x, state.carry().lowX());
             }
             evaluateRate(pins[k], v);
         }
@@ -172,6 +186,58 @@ final class PinRows implements Serializable {
         }
         island.c[2 * p] = ax - bx; // (44)
         island.c[2 * p + 1] = ay - by;
+    }
+
+    /**
+     * Evaluates C with what rounding has left of the positions, of cosines and sines and of their sums, and the arms with what
+     * they have digits for. Where C was closed at a position and J was that of its rounded value, forces would do a little
+     * work, of the order of a thousandth of a digit's unit, but to the same side in each step.
+     */
+    private void refine(int p, double[] x, double[] low) {
+        sum[0] = 0;
+        sum[1] = 0;
+        rest[0] = 0;
+        rest[1] = 0;
+        refine(p, 0, island.a[p], island.blockA[p], 1, x, low);
+        refine(p, 2, island.b[p], island.blockB[p], -1, x, low);
+        island.c[2 * p] = sum[0] + rest[0];
+        island.c[2 * p + 1] = sum[1] + rest[1];
+    }
+
+    private void refine(int p, int side, int body, int s, double sign, double[] x, double[] low) {
+        double armX = arms[4 * p + side];
+        double armY = arms[4 * p + side + 1];
+        if (body < 0) {
+            TwoFold.add(sum, rest, 0, sign * armX);
+            TwoFold.add(sum, rest, 1, sign * armY);
+            return;
+        }
+        double cos = turns.turn[2 * body];
+        double sin = turns.turn[2 * body + 1];
+        double most = Math.max(cos * cos, sin * sin);
+        double least = Math.min(cos * cos, sin * sin);
+        double off = 0.5 * (1 - most - least - Math.fma(cos, cos, -cos * cos) - Math.fma(sin, sin, -sin * sin));
+        double lowCos = off * cos - low[s + State.THETA] * sin;
+        double lowSin = off * sin + low[s + State.THETA] * cos;
+        double lowX = lowCos * armX - lowSin * armY + error(cos, armX, -sin, armY);
+        double lowY = lowSin * armX + lowCos * armY + error(sin, armX, cos, armY);
+        TwoFold.add(sum, rest, 0, sign * x[s]);
+        TwoFold.add(sum, rest, 1, sign * x[s + 1]);
+        TwoFold.add(sum, rest, 0, sign * r[4 * p + side]);
+        TwoFold.add(sum, rest, 1, sign * r[4 * p + side + 1]);
+        rest[0] += sign * (low[s] + lowX);
+        rest[1] += sign * (low[s + 1] + lowY);
+        r[4 * p + side] += lowX;
+        r[4 * p + side + 1] += lowY;
+    }
+
+    /** What rounding leaves of a x + b y. */
+    private static double error(double a, double x, double b, double y) {
+        double p = a * x;
+        double q = b * y;
+        double sum = p + q;
+        double part = sum - p;
+        return (p - (sum - part)) + (q - part) + Math.fma(a, x, -p) + Math.fma(b, y, -q);
     }
 
     private void evaluateRate(int p, double[] v) {

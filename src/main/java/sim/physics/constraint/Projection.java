@@ -4,7 +4,9 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import sim.physics.motion.Carry;
 import sim.physics.motion.State;
 
 /**
@@ -150,9 +152,6 @@ final class Projection implements Serializable {
 
     private boolean close(Island island, State state, ConstraintSolver solver, boolean gentle) {
         double[] w = state.w().values();
-        if (move.length < state.x().length) {
-            move = new double[state.x().length];
-        }
         island.switches.settle();
         island.evaluate(state);
         error = Slack.error(island, state, ROUNDING);
@@ -209,12 +208,7 @@ final class Projection implements Serializable {
     /** Corrects the positions; returns by how much, in rad or relative to the size of the bodies. */
     private double correct(Island island, State state, ConstraintSolver solver, double[] w) {
         double[] x = state.x();
-        for (int k = 0; k < island.bodies.size; k++) {
-            int s = State.BLOCK * island.bodies.values[k];
-            move[s] = 0;
-            move[s + 1] = 0;
-            move[s + 2] = 0;
-        }
+        clearMove(island, state);
         solver.prepareAndCorrect(island, w, move, island.c);
         double way = 0;
         double turn = 0;
@@ -249,7 +243,54 @@ final class Projection implements Serializable {
     /** Projects the velocities of some islands alone. */
     void settle(List<Island> islands, State state, ConstraintSolver solver) {
         for (int k = 0; k < islands.size(); k++) {
-            settle(islands.get(k), state, solver);
+            if (islands.get(k).shake.isCarried(state)) {
+                settleCarried(islands.get(k), state, solver);
+            } else {
+                settle(islands.get(k), state, solver);
+            }
+        }
+    }
+
+    /** The same within a step of a method that carries what rounding leaves of the velocities. */
+    private void settleCarried(Island island, State state, ConstraintSolver solver) {
+        Carry carry = state.carry();
+        double[] v = state.v();
+        double[] right = island.shake.scratch();
+        double last = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < VELOCITY_CORRECTIONS; k++) {
+            island.residual(v, island.switches.bias(), right);
+            for (int m = 0; m < right.length; m++) {
+                right[m] = -right[m];
+            }
+            island.residual(carry.lowV(), right, right);
+            double slip = Slack.slip(island, v, right);
+            if (slip == 0 || !(slip < 0.5 * last)) {
+                return;
+            }
+            last = slip;
+            for (int m = 0; m < right.length; m++) {
+                right[m] = -right[m];
+            }
+            clearMove(island, state);
+            solver.correct(island, state.w().values(), move, right);
+            for (int b = 0; b < island.bodies.size; b++) {
+                for (int s = State.BLOCK * island.bodies.values[b], end = s + State.BLOCK; s < end; s++) {
+                    carry.addV(v, s, move[s]);
+                }
+            }
+            if (slip < SMOOTH) {
+                return;
+            }
+        }
+    }
+
+    private void clearMove(Island island, State state) {
+        if (move.length < state.x().length) {
+            move = new double[state.x().length];
+        }
+        for (int k = 0; k < island.bodies.size; k++) {
+            int s = State.BLOCK * island.bodies.values[k];
+            Arrays.fill(move, s, s + State.BLOCK, 0);
         }
     }
 

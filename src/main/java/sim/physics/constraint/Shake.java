@@ -31,6 +31,9 @@ final class Shake implements Serializable {
     /** Error, in these units, that is none where a step begins: one so short that it moves nothing. */
     private static final double CLOSED = 16;
 
+    /** Error, in these units, below which there is none: C is evaluated with what rounding has left of the positions. */
+    private static final double NONE = 0x1p-6;
+
     /** Error after which a correction that is no better is not due to rounding. */
     private static final double OPEN = 1e4;
 
@@ -65,6 +68,16 @@ final class Shake implements Serializable {
         }
     }
 
+    /** Whether this is within a step of a method that carries what rounding leaves, after the rows have been kept. */
+    boolean isCarried(State state) {
+        return state.carry() != null && state.carry().isHeld(island.bodies.values[0]);
+    }
+
+    /** Two values per node, for who needs them while nothing is closed. */
+    double[] scratch() {
+        return push;
+    }
+
     /** Keeps J and the factors of J W Jᵀ. */
     void hold(State state) {
         if (rows.length == 0) {
@@ -94,7 +107,7 @@ final class Shake implements Serializable {
         for (int k = 0; k < CORRECTIONS; k++) {
             island.evaluate(state);
             error = Slack.error(island, state, ROUNDING);
-            if (error <= (k == 0 ? CLOSED : 0) || !(error < before) && error < OPEN) {
+            if (error <= (k == 0 ? CLOSED : NONE) || !(error < before) && error < OPEN) {
                 return; // rounding
             }
             if (!(error < Double.POSITIVE_INFINITY)) {
@@ -142,7 +155,7 @@ final class Shake implements Serializable {
         for (int k = 0; k < NEWTON_CORRECTIONS; k++) {
             island.evaluate(state);
             double error = Slack.error(island, state, ROUNDING);
-            if (error == 0 || !(error < before) && error < OPEN) {
+            if (error <= NONE || !(error < before) && error < OPEN) {
                 return true;
             }
             before = error;

@@ -21,6 +21,9 @@ final class Turns implements Serializable {
 
     private final double[] angle;
 
+    /** Whether the last evaluation took account of what rounding has left of the positions. */
+    private boolean isCarried;
+
     /** Cosine and sine of each body. */
     final double[] turn;
 
@@ -40,9 +43,20 @@ final class Turns implements Serializable {
         isNeeded[body] = true;
     }
 
+    /**
+     * Whether the bodies are within a step of a method that carries what rounding leaves of their positions, where
+     * constraints are evaluated with that.
+     */
+    boolean isCarried() {
+        return isCarried;
+    }
+
     /** Goes to where the bodies are; false if they have not moved. */
-    boolean follow(double[] x) {
-        boolean moved = false;
+    boolean follow(State state) {
+        double[] x = state.x();
+        boolean moved = isCarried;
+        isCarried = state.carry() != null && state.carry().isHeld(island.bodies.values[0]);
+        moved |= isCarried;
         for (int k = 0, m = 0; k < angle.length; k++, m += State.BLOCK) {
             int s = State.BLOCK * island.bodies.values[k];
             double theta = x[s + State.THETA];

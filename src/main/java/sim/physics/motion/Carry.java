@@ -25,6 +25,9 @@ public final class Carry implements Serializable {
 
     private double[] leftV = {};
 
+    /** Whether what is kept belongs to the values that a body has now: within a step of a method that carries it. */
+    private boolean[] isHeld = {};
+
     Carry() {
         // grows with the state
     }
@@ -35,6 +38,7 @@ public final class Carry implements Serializable {
             v = Arrays.copyOf(v, n);
             leftX = Arrays.copyOf(leftX, n);
             leftV = Arrays.copyOf(leftV, n);
+            isHeld = Arrays.copyOf(isHeld, n / State.BLOCK);
         }
     }
 
@@ -45,6 +49,7 @@ public final class Carry implements Serializable {
         double[] stateV = state.v();
         for (int k = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
+            isHeld[bodies.values[k]] = true;
             for (int end = b + State.BLOCK; b < end; b++) {
                 if (!isSame(stateX[b], leftX[b])) {
                     x[b] = 0;
@@ -63,11 +68,40 @@ public final class Carry implements Serializable {
     void end(State state, IntList bodies) {
         for (int k = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
+            isHeld[bodies.values[k]] = false;
             for (int end = b + State.BLOCK; b < end; b++) {
                 leftX[b] = state.x()[b];
                 leftV[b] = state.v()[b];
             }
         }
+    }
+
+    /**
+     * Whether a body is within a step of a method that carries what rounding leaves.
+     *
+     * @param body its index
+     * @return false outside such steps, where the state vectors are all there is
+     */
+    public boolean isHeld(int body) {
+        return body < isHeld.length && isHeld[body];
+    }
+
+    /**
+     * What rounding has left of positions.
+     *
+     * @return by place in the position vector; it holds for bodies that are held
+     */
+    public double[] lowX() {
+        return x;
+    }
+
+    /**
+     * What rounding has left of velocities.
+     *
+     * @return by place in the velocity vector; it holds for bodies that are held
+     */
+    public double[] lowV() {
+        return v;
     }
 
     /**

@@ -59,6 +59,16 @@ public final class Rattle implements Integrator {
         path.start(state, bodies);
         Carry carry = state.ensureCarry();
         carry.begin(state, bodies);
+        try {
+            go(equations, state, bodies, t, h, path, carry);
+        } finally {
+            carry.end(state, bodies);
+        }
+        path.join(state, bodies, h);
+        return h;
+    }
+
+    private void go(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, Carry carry) {
         equations.acceleration(bodies, t, path.stage);
         double time = t;
         for (double part : parts()) {
@@ -72,9 +82,6 @@ public final class Rattle implements Integrator {
             kick(state, bodies, path, 0.5 * length, carry);
             equations.settle(bodies);
         }
-        carry.end(state, bodies);
-        path.join(state, bodies, h);
-        return h;
     }
 
     private static void kick(State state, IntList bodies, Path path, double time, Carry carry) {

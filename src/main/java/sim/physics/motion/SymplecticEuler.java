@@ -32,6 +32,17 @@ public final class SymplecticEuler implements Integrator {
         path.start(state, bodies);
         Carry carry = state.ensureCarry();
         carry.begin(state, bodies);
+        try {
+            go(equations, state, bodies, t, h, path, carry);
+        } finally {
+            carry.end(state, bodies);
+        }
+        path.join(state, bodies, h);
+        return h;
+    }
+
+    private static void go(
+            EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path, Carry carry) {
         double[] x = state.x();
         double[] v = state.v();
         equations.acceleration(bodies, t, path.stage);
@@ -44,9 +55,6 @@ public final class SymplecticEuler implements Integrator {
             }
         }
         equations.close(bodies, h);
-        carry.end(state, bodies);
-        path.join(state, bodies, h);
-        return h;
     }
 
     @Override

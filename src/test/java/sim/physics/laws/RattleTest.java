@@ -4,6 +4,7 @@ package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -86,9 +87,7 @@ class RattleTest {
         return sum / weights;
     }
 
-    /** Without sums that are carried it is 8 times that after 400,000 steps, and grows with their number. */
-    private void assertMeanEnergyHasNoTrend(double step, int steps, double most) {
-        rods(2, step, 1);
+    private void assertMeanEnergyHasNoTrend(int steps, double most) {
         double first = meanEnergy();
         for (int k = 0; k < steps; k++) {
             engine.step();
@@ -96,22 +95,47 @@ class RattleTest {
         assertThat(Math.abs(meanEnergy() - first)).isLessThan(most * Math.sqrt(steps) * 0x1p-52 * G);
     }
 
-    @Test
-    void theMeanEnergyHasNoTrend() {
-        assertMeanEnergyHasNoTrend(0.02, 400_000, 1);
+    /** At 0.02 it is 8 with sums that lose what rounding leaves, at 0.01 0.12 with joints that are closed without it. */
+    @ParameterizedTest
+    @CsvSource({"0.02, 1", "0.01, 0.06"})
+    void theMeanEnergyHasNoTrend(double step, double most) {
+        rods(2, step, 1);
+        assertMeanEnergyHasNoTrend(400_000, most);
     }
 
     @Test
     @Tag("soak")
-    void theMeanEnergyHasNoTrendInTenMillionSteps() {
-        assertMeanEnergyHasNoTrend(0.01, 10_000_000, 1);
+    void theMeanEnergyHasNoTrendInAHundredMillionSteps() {
+        rods(2, 0.01, 1);
+        assertMeanEnergyHasNoTrend(100_000_000, 0.25);
     }
 
-    /** Two minutes. A trend of 3e-19 J a step is left, which has come to 1.6 times what chance would do. */
+    /** Two rods let go 0.37 rad from hanging. */
     @Test
     @Tag("soak")
-    void theMeanEnergyHasNearlyNoTrendInAHundredMillionSteps() {
-        assertMeanEnergyHasNoTrend(0.01, 100_000_000, 2);
+    void theMeanEnergyOfTwoRodsHasNoTrendInAHundredMillionSteps() {
+        rods(2, 0.01, 2);
+        double x = StrictMath.sin(0.37);
+        double y = -StrictMath.cos(0.37);
+        for (Body body : engine.bodies()) {
+            double along = body.getX();
+            body.setPosition(along * x, along * y);
+            body.setAngle(StrictMath.atan2(y, x));
+        }
+        assertMeanEnergyHasNoTrend(100_000_000, 0.25);
+    }
+
+    /** Angles that are rounded where others are not took a third of it away. */
+    @Test
+    void aPendulumThatGoesRoundKeepsItsEnergy() {
+        Body rod = rods(2, 0.01, 1);
+        rod.setVelocity(0, 15);
+        rod.setAngularVelocity(30);
+        for (int k = 0; k < 40_000; k++) {
+            engine.step();
+        }
+        assertThat(rod.getAngle()).isGreaterThan(1e4);
+        assertThat(energy()).isCloseTo(150, within(0.2)); // swings of the method's order
     }
 
     @Test
