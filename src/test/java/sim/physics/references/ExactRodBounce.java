@@ -23,6 +23,12 @@ public final class ExactRodBounce {
     private Dfp v = FIELD.getZero();
     private Dfp omega = FIELD.getZero();
 
+    /** Height, angle, velocity, spin, gravity, and the corners, rounded. */
+    private double[] near = {};
+
+    private final double[] nearX = new double[4];
+    private final double[] nearY = new double[4];
+
     /**
      * A rectangle of mass 1 at rest.
      *
@@ -31,17 +37,20 @@ public final class ExactRodBounce {
      * @param inertia about the centre
      * @param height of the centre
      * @param angle of its length from the x axis
-     * @param more is added to the angle, however small it is
+     * @param higher is added to the height, however small it is
+     * @param more is added to the angle
      * @param g gravity, downwards
      */
-    public ExactRodBounce(double length, double width, double inertia, double height, double angle, double more, double g) {
+    public ExactRodBounce(double length, double width, double inertia, double height, double higher, double angle, double more, double g) {
         this.g = FIELD.newDfp(g);
         this.inertia = FIELD.newDfp(inertia);
-        y = FIELD.newDfp(height);
+        y = FIELD.newDfp(height).add(FIELD.newDfp(higher));
         theta = FIELD.newDfp(angle).add(FIELD.newDfp(more));
         for (int k = 0; k < 4; k++) {
-            cornerX[k] = FIELD.newDfp((k & 1) == 0 ? length / 2 : -length / 2);
-            cornerY[k] = FIELD.newDfp((k & 2) == 0 ? width / 2 : -width / 2);
+            nearX[k] = (k & 1) == 0 ? length / 2 : -length / 2;
+            nearY[k] = (k & 2) == 0 ? width / 2 : -width / 2;
+            cornerX[k] = FIELD.newDfp(nearX[k]);
+            cornerY[k] = FIELD.newDfp(nearY[k]);
         }
     }
 
@@ -86,37 +95,35 @@ public final class ExactRodBounce {
 
     /** The corner that hits the floor next, and about when. */
     private double[] bracket() {
-        double pace = 1e-3 / (1 + Math.abs(omega.toDouble()));
-        for (int k = 1; ; k++) {
+        near = new double[] {y.toDouble(), theta.toDouble(), v.toDouble(), omega.toDouble(), g.toDouble()};
+        double pace = 1e-3 / (1 + Math.abs(near[3]));
+        for (int k = 1; k < 1_000_000; k++) {
+            double[] first = {-1, Double.POSITIVE_INFINITY};
             for (int corner = 0; corner < 4; corner++) {
                 double[] now = approximately(corner, k * pace);
-                double[] before = approximately(corner, (k - 1) * pace);
-                if (now[0] < 0 && now[1] < 0) {
-                    boolean isSteep = before[0] > 0;
-                    return new double[] {lowest(k * pace), isSteep ? (k - 1) * pace + pace * before[0] / (before[0] - now[0]) : k * pace};
+                double before = Math.max(approximately(corner, (k - 1) * pace)[0], 0);
+                double at = (k - 1 + before / (before - now[0])) * pace;
+                if (now[0] < 0 && now[1] < 0 && at < first[1]) {
+                    first[0] = corner;
+                    first[1] = at;
                 }
             }
+            if (first[0] >= 0) {
+                return first;
+            }
         }
-    }
-
-    private int lowest(double s) {
-        int corner = 0;
-        for (int k = 1; k < 4; k++) {
-            corner = approximately(k, s)[0] < approximately(corner, s)[0] ? k : corner;
-        }
-        return corner;
+        throw new IllegalStateException("no impact after " + t);
     }
 
     private double[] approximately(int corner, double s) {
-        double angle = theta.toDouble() + omega.toDouble() * s;
-        double x = cornerX[corner].toDouble();
-        double h = cornerY[corner].toDouble();
+        double angle = near[1] + near[3] * s;
+        double x = nearX[corner];
+        double h = nearY[corner];
         double sin = StrictMath.sin(angle);
         double cos = StrictMath.cos(angle);
-        double fall = g.toDouble() * s;
+        double fall = near[4] * s;
         return new double[] {
-            y.toDouble() + (v.toDouble() - fall / 2) * s + x * sin + h * cos,
-            v.toDouble() - fall + omega.toDouble() * (x * cos - h * sin)
+            near[0] + (near[2] - fall / 2) * s + x * sin + h * cos, near[2] - fall + near[3] * (x * cos - h * sin)
         };
     }
 }
