@@ -4,69 +4,72 @@ package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
-import sim.physics.motion.Automatic;
-import sim.physics.motion.Body;
-import sim.physics.motion.DormandPrince853;
-import sim.physics.motion.GraggBulirschStoer;
-import sim.physics.motion.Gravity;
-import sim.physics.motion.Integrator;
-import sim.physics.motion.RungeKutta4;
-import sim.physics.motion.SurfaceFriction;
 
 /** The same scene gives the same bits: again, in another JVM, after a checkpoint, beside other engines. */
 class DeterminismTest {
-    /** Computed once; the same on every JDK, interpreted or compiled. */
-    private static final long GOLDEN_GAS = 8737119095546984472L;
-
-    private static final long GOLDEN_POLYGONS = 4887223604970660957L;
-
-    private static final long GOLDEN_CHAINS = -1021779205363064869L;
-
     private static void run(PhysicsEngine engine, int steps) {
         for (int k = 0; k < steps; k++) {
             engine.step();
         }
     }
 
-    @Test
-    void theGasOfFigure1HasItsGoldenHash() {
-        PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 40, 11);
-        run(engine, 400);
-        assertThat(engine.getImpacts()).isGreaterThan(100);
-        assertThat(Scenes.hash(engine)).isEqualTo(GOLDEN_GAS);
+    @ParameterizedTest
+    @EnumSource(GoldenScene.class)
+    void theSceneHasItsGoldenHash(GoldenScene scene) {
+        assertThat(scene.run()).isEqualTo(scene.hash);
     }
 
+    /** Interpreted, compiled by the quick compiler alone, and on the other JDKs from 17 on that are installed beside this one. */
     @Test
-    void polygonsOnARoughGroundHaveTheirGoldenHash() {
-        PhysicsEngine engine = Scenes.gas(Scenes.Kind.POLYGONS, 24, 12);
-        engine.add(new SurfaceFriction(0.1));
-        for (Body body : engine.bodies()) {
-            body.setSurfaceFriction(0.02);
+    void otherJvmsGiveTheSameBits() throws Exception {
+        Path java = Path.of("bin", "java");
+        Path home = Path.of(System.getProperty("java.home"));
+        List<List<String>> commands = new ArrayList<>();
+        commands.add(List.of(home.resolve(java).toString(), "-Xint"));
+        commands.add(List.of(home.resolve(java).toString(), "-XX:TieredStopAtLevel=1"));
+        try (Stream<Path> others = Files.list(home.getParent())) {
+            others.filter(other -> Files.isExecutable(other.resolve(java)) && !isSameFile(other, home))
+                    .filter(other -> version(other) >= 17)
+                    .forEach(other -> commands.add(List.of(other.resolve(java).toString())));
         }
-        run(engine, 300);
-        assertThat(Scenes.hash(engine)).isEqualTo(GOLDEN_POLYGONS);
+        for (List<String> command : commands) {
+            assertThat(GoldenScene.inAnotherJvm(command)).as("%s", command).isEqualTo(GoldenScene.all());
+        }
     }
 
-    /** Chains of pins in their angles, by one method after the other. */
-    @Test
-    void chainsUnderMethodsWithAToleranceHaveTheirGoldenHash() {
-        PhysicsEngine engine = new PhysicsEngine();
-        engine.add(new Gravity(0, -9.81));
-        engine.setTimeStep(1 / 240.0);
-        Scenes.rods(engine, 7, 0);
-        for (int k = 0; k < 6; k++) {
-            Integrator[] methods = {
-                new DormandPrince853(1e-8), new RungeKutta4(), new GraggBulirschStoer(1e-9), new DormandPrince853(1e-2), new Automatic(1e-4),
-                new GraggBulirschStoer(1e-3)
-            };
-            engine.setIntegrator(methods[k]);
-            run(engine, 40);
+    private static boolean isSameFile(Path a, Path b) {
+        try {
+            return a.toRealPath().equals(b.toRealPath());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
-        assertThat(Scenes.hash(engine)).isEqualTo(GOLDEN_CHAINS);
+    }
+
+    /** The feature version that a JDK says it has, 0 if it does not say. */
+    private static int version(Path home) {
+        try {
+            for (String line : Files.readAllLines(home.resolve("release"))) {
+                if (line.startsWith("JAVA_VERSION=")) {
+                    return Runtime.Version.parse(line.replaceAll(".*=|\"", "")).feature();
+                }
+            }
+            return 0;
+        } catch (IOException | IllegalArgumentException e) {
+            return 0; // no JDK that we know how to ask
+        }
     }
 
     @Test
