@@ -40,6 +40,11 @@ final class HeapGaps {
         return LITTLE * depth / time;
     }
 
+    /** The least speed at which the coordinate of a stop is to leave it. */
+    static double leastSpeed(double gap, Regain regain) {
+        return gap >= 0 ? -gap / regain.time() : regain.speed(-REGAIN * gap);
+    }
+
     /**
      * The least normal velocity of a point. What was put into one another goes no deeper, but nothing drives it apart: the
      * shorter the time, the more energy that would be.
@@ -47,22 +52,22 @@ final class HeapGaps {
      * @param gap that there is
      * @param depth how deep it may be
      * @param bend what turning and sliding may take of the gap in the time
-     * @param time for which the velocity is to hold
+     * @param regain has the time for which the velocity is to hold
      * @param isFresh whether it was not found for a longer time before
      * @param isEven whether the velocity is reached evenly in the time; if not, at once, and the heap is stopped when this
      *     does not do
      */
-    static double leastSpeed(double gap, double depth, double bend, double time, boolean isFresh, boolean isEven) {
+    static double leastSpeed(double gap, double depth, double bend, Regain regain, boolean isFresh, boolean isEven) {
         if (gap * (isEven ? DRIVEN_CUSHION : ROUGH_CUSHION) < -PUT * depth) {
             return 0;
         }
         double room = depth + bend;
         double least = isFresh ? room : 0.5 * room;
         if (gap >= least) {
-            return (least - gap) / time;
+            return (least - gap) / regain.time();
         }
         double regained = REGAIN * (room - gap);
         double lift = bend - Math.max(0, gap + depth); // or it would be too deep before the time is over
-        return (isEven ? regained + Math.max(0, 2 * lift) : Math.max(regained, lift)) / time;
+        return isEven ? regain.speed(regained) + Math.max(0, 2 * lift) / regain.time() : Math.max(regained, lift) / regain.time();
     }
 }

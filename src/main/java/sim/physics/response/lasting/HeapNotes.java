@@ -3,6 +3,7 @@
 package sim.physics.response.lasting;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
 
@@ -16,6 +17,9 @@ final class HeapNotes implements Serializable {
     /** Two numbers for each pair. */
     private final IntList origin = new IntList();
 
+    /** Gaps by point. */
+    private double[] gaps = {};
+
     HeapNotes(HeapSystem system, ContactLedger ledger) {
         this.system = system;
         this.ledger = ledger;
@@ -25,8 +29,19 @@ final class HeapNotes implements Serializable {
         origin.clear();
     }
 
-    void add(int pair, int point) {
+    void add(int pair, int point, double gap) {
+        gaps = origin.size < gaps.length ? gaps : Arrays.copyOf(gaps, 2 * gaps.length + 2);
+        gaps[origin.size] = gap;
         origin.add(2 * pair + point);
+    }
+
+    /** Lets all pairs be as deep as they are, and as much deeper as they may be else. */
+    void letBe(CollisionDetection detection) {
+        for (int p = 0; p < system.contacts(); p++) {
+            int pair = origin.values[p] / 2;
+            double depth = detection.marks().depth(pair);
+            detection.marks().setDepth(pair, gaps[p] < 0 ? depth - gaps[p] : depth);
+        }
     }
 
     /** Starts a point from its last forces. */

@@ -63,6 +63,11 @@ final class HeapSolver implements Serializable {
         matrix.forget();
     }
 
+    /** Takes note that the last solution is none to begin the next one with. */
+    void restart() {
+        matrix.restart();
+    }
+
     /**
      * Solves a system whose velocities are those without impulses, from the impulses that it has.
      *

@@ -159,6 +159,11 @@ final class HeapSystem implements Serializable {
         return units;
     }
 
+    /** Takes note that the last solution is none to begin the next one with. */
+    void restart() {
+        solver.restart();
+    }
+
     /** Puts the velocities in their place that the impulses give. */
     void refresh() {
         again();
