@@ -171,7 +171,7 @@ final class DrivenHeap implements Serializable {
                 change = kept.change();
             }
             double next = before <= SMALL * most ? change * (change / before) : change; // if changes go on to shrink at least evenly
-            isSame = change <= Math.max(SAME * most, system.enough()) || next <= SAME * most;
+            isSame = change <= Math.max(SAME * most, system.tolerance().enough()) || next <= SAME * most;
             before = change;
             isProbed = change <= EQUAL * most;
         }

@@ -122,7 +122,7 @@ final class Heap implements Serializable {
         this.scales = new BodyScale(state, trajectories);
         this.pulls = new HeapPull(state, motion);
         this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales);
-        this.free = new FreeHeap(trajectories, detection, by, system, notes, scales);
+        this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
         this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
     }
@@ -341,9 +341,9 @@ final class Heap implements Serializable {
         }
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
         double left = regain.time();
-        double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size, system.isRough());
+        double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size);
         detection.marks().setDepth(pair, depth);
-        system.allow(HeapGaps.littleSpeed(depth, left));
+        system.tolerance().allow(HeapGaps.littleSpeed(depth, left));
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
             int p = system.size();
@@ -364,8 +364,8 @@ final class Heap implements Serializable {
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
-            if (!isEven() && (isFresh || scale > 0)) {
-                notes.start(p, left);
+            if (!isEven()) {
+                free.take(p, size, left, isFresh || scale > 0);
             }
         }
     }
@@ -383,10 +383,11 @@ final class Heap implements Serializable {
         for (int k = 0; k < heap.size && !isDriven; k++) {
             scale = Math.max(scale, speed(k));
         }
-        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? driving.isRight() : free.solve(heap, scale);
+        boolean done = isDriven ? driving.isRight()
+                : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time());
         double[] from = isResumed ? courses.before() : system.free();
         if (!by.afford(heap, HeapEnergy.gained(system, from))) {
-            done = isDriven ? driving.regainNothing(scale) : system.solve(scale, false); // regaining gaps must not add energy
+            done = regainNothing(); // that must not add energy
             by.afford(heap, HeapEnergy.gained(system, from));
         }
         if (isDriven && driving.isReleased()) {
@@ -403,6 +404,10 @@ final class Heap implements Serializable {
         if (halts) {
             HeapEnergy.halt(system);
         }
+    }
+
+    private boolean regainNothing() {
+        return isDriven ? driving.regainNothing(scale) : isRubbed ? system.solve(scale, false) : free.regainNothing(scale, regain.time());
     }
 
     /** How often something has happened in this step to a body of the heap, at most. */

@@ -51,12 +51,12 @@ final class HeapNotes implements Serializable {
         system.start(p, time * ledger.start(pair, k, false), time * ledger.start(pair, k, true));
     }
 
-    /** Lets the pairs of all points be as deep as in heaps that are solved roughly. */
-    void roughen(CollisionDetection detection, BodyScale scales) {
+    /** Lets the pairs of all points be deeper by what velocities that are wrong by an error may make them in a time. */
+    void soften(CollisionDetection detection, BodyScale scales, double error, double time) {
         for (int p = 0; p < system.contacts(); p++) {
             int pair = origin.values[p] / 2;
             double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
-            detection.marks().setDepth(pair, HeapGaps.depth(0, size, true));
+            detection.marks().setDepth(pair, HeapGaps.depth(detection.marks().depth(pair), size, error, time));
         }
     }
 
