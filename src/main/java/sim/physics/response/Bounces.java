@@ -26,6 +26,9 @@ final class Bounces implements Serializable {
     /** Length of a bounce, relative to the step, that rounding makes where bodies are put on one another. */
     private static final double TINY = 1e-5;
 
+    /** Time, relative to the step, in which no force brings bodies back together that have parted. */
+    private static final double INSTANT = 1e-9;
+
     /** Way in a step at the speed of a rattling pair's bounces, in their greatest lengths: the force may have been misjudged. */
     private static final double RATTLE_WAY = 16;
 
@@ -101,6 +104,8 @@ final class Bounces implements Serializable {
             double longest = Math.sqrt(2 * Tolerances.RATTLE_SIZE * size / acceleration);
             double length = Math.min(Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h, longest);
             double hop = Math.min(0.5 * length * acceleration, RATTLE_WAY * Tolerances.RATTLE_SIZE * size / h);
+            boolean isForce = trajectories.offset(a) - lastTau[pair] > INSTANT * h; // else an impact somewhere else has driven them together
+            hop = isForce ? hop : Math.min(hop, regained(pair, approach, c));
             c.restitution = Math.max(Tolerances.RATTLE, Math.min(HUGE, hop / approach));
         }
         lastSpeed[pair] = c.restitution * Math.max(0, approach);
@@ -204,11 +209,15 @@ final class Bounces implements Serializable {
             return true;
         }
         if (bounce < shortest && (!canRest || count > Tolerances.REST_AFTER)) {
-            double regained = Math.sqrt(approachSpeed * approachSpeed + 2 * lost[pair] * c.normalMobility());
-            double most = Math.max(Math.max(approachSpeed, regained), 0.5 * pressing * shortest);
+            double most = Math.max(regained(pair, approachSpeed, c), 0.5 * pressing * shortest);
             c.restitution = Math.min(HUGE, Math.min(0.5 * closing * shortest, most) / approachSpeed);
         }
         return false;
+    }
+
+    /** The speed at which a pair would part with all the energy that it has lost in the step. */
+    private double regained(int pair, double approach, Impact c) {
+        return Math.max(approach, Math.sqrt(approach * approach + 2 * lost[pair] * c.normalMobility()));
     }
 
     /** Whether so many impacts of a pair in a step have been so short that the two are to lie on one another. */

@@ -19,8 +19,16 @@ final class Wedged implements Serializable {
     /** Times that a pair may meet at one instant. */
     private static final int MOST = 40;
 
+    /** Times that it may meet again at once, in a step; from then on it may be deeper each time, twice as much as before. */
+    private static final int MOST_AT_ONCE = 200;
+
+    private static final int MOST_DOUBLINGS = 24;
+
     /** Time that is none, relative to the step. */
     private static final double INSTANT = 1e-12;
+
+    /** The same in which no bounce of bodies that are pressed together ends. */
+    private static final double AT_ONCE = 1e-6;
 
     /** By how much deeper they may be, relative to the smaller body. */
     private static final double DEEPER = 1e-7;
@@ -30,6 +38,9 @@ final class Wedged implements Serializable {
     private final IntList pairs = new IntList();
     private double[] last = {};
     private int[] times = {};
+
+    /** Meetings at once after the last one, in its step. */
+    private int[] atOnce = {};
 
     Wedged(Trajectories trajectories, CollisionDetection detection) {
         this.trajectories = trajectories;
@@ -41,19 +52,22 @@ final class Wedged implements Serializable {
         if (pair >= times.length) {
             last = Arrays.copyOf(last, Math.max(2 * last.length, pair + 1));
             times = Arrays.copyOf(times, last.length);
+            atOnce = Arrays.copyOf(atOnce, last.length);
         }
         double now = trajectories.step() + tau / trajectories.h();
         boolean same = Math.abs(now - last[pair]) <= INSTANT * Math.max(1, now);
+        atOnce[pair] = last[pair] < trajectories.step() ? 0 : now - last[pair] > AT_ONCE ? atOnce[pair] : atOnce[pair] + 1;
         last[pair] = now;
         times[pair] = same ? times[pair] + 1 : 0;
-        if (times[pair] < MOST) {
+        if (times[pair] < MOST && atOnce[pair] < MOST_AT_ONCE) {
             return false;
         }
         times[pair] = 0;
+        double deeper = DEEPER * (1L << Math.max(0, Math.min(atOnce[pair] - MOST_AT_ONCE, MOST_DOUBLINGS)));
         if (!(detection.marks().depth(pair) > 0)) {
             pairs.add(pair);
         }
-        detection.marks().setDepth(pair, Math.max(0, -gap) + DEEPER * size);
+        detection.marks().setDepth(pair, Math.max(0, -gap) + deeper * size);
         return true;
     }
 

@@ -56,6 +56,9 @@ final class DrivenHeap implements Serializable {
 
     private boolean isProbed;
 
+    /** Whether missing gaps cannot be regained. */
+    private boolean isReleased;
+
     /** Null while nothing ties bodies of the heap together. */
     private transient Ties ties;
 
@@ -110,15 +113,15 @@ final class DrivenHeap implements Serializable {
     /**
      * Takes in the motors and stops of tied bodies, and finds what impulses do to these, as their ties are prepared.
      *
-     * @param length of the time for which forces are to act
+     * @param regain has the time for which forces are to act
      * @param fall speed that they give to bodies in it
      */
-    void gather(IntList heap, Ties those, double length, double fall) {
+    void gather(IntList heap, Ties those, Regain regain, double fall) {
         ties = those;
         switches.clear();
         for (int k = 0; k < heap.size; k++) {
             if (isFirstTied(heap.values[k])) {
-                switches.gather(ties.switched(ties.island(heap.values[k])), length, fall);
+                switches.gather(ties.switched(ties.island(heap.values[k])), regain, fall);
             }
         }
         for (int p = 0; p < system.size(); p++) {
@@ -151,6 +154,7 @@ final class DrivenHeap implements Serializable {
         switches.start();
         Extrapolation extrapolation = extrapolation(heap.values[0]);
         extrapolation.begin(heap, length);
+        isReleased = false;
         boolean isSame = false;
         double before = Double.POSITIVE_INFINITY;
         for (int k = 0; k < PROBES && !isSame; k++) {
@@ -162,12 +166,12 @@ final class DrivenHeap implements Serializable {
             kept.keep();
             isRight = system.solve(most, true);
             double change = kept.change();
-            if (!isRight && !(change <= WILD * most)) {
-                kept.goBack();
-                break;
+            if (!isRight && !isReleased) {
+                release(most);
+                change = kept.change();
             }
             double next = before <= SMALL * most ? change * (change / before) : change; // if changes go on to shrink at least evenly
-            isSame = change <= Math.max(SAME * most, system.enough()) || next <= SAME * most;
+            isSame = change <= Math.max(SAME * most, system.tolerance().enough()) || next <= SAME * most;
             before = change;
             isProbed = change <= EQUAL * most;
         }
@@ -180,6 +184,38 @@ final class DrivenHeap implements Serializable {
             }
         }
         return most;
+    }
+
+    /**
+     * Solves without speeds of parting, with which gaps are regained: where these contradict one another or stops there are no impulses
+     * for them, and what is found grows with every turn. Without them there are always some. If those are not found either,
+     * the forces of before stay.
+     *
+     * @return whether the impulses are right or nearly so
+     */
+    private void release(double scale) {
+        kept.goBack();
+        system.restart();
+        system.again();
+        isRight = system.solve(scale, false);
+        isReleased = true;
+        if (!isRight && !(kept.change() <= WILD * scale)) {
+            kept.goBack();
+            system.refresh();
+        }
+    }
+
+    /** Solves for impulses that give no energy, which is more than regained gaps are worth; returns whether these are right or nearly so. */
+    boolean regainNothing(double scale) {
+        kept.keep();
+        release(scale);
+        isProbed &= kept.change() <= EQUAL * scale;
+        return isRight;
+    }
+
+    /** Whether missing gaps cannot be regained. */
+    boolean isReleased() {
+        return isReleased;
     }
 
     private Extrapolation extrapolation(int first) {

@@ -5,12 +5,11 @@ package sim.physics.response.lasting;
 import java.io.Serializable;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
-import sim.physics.motion.Trajectories;
 
 /**
- * Heaps of bodies that nothing drives or ties. Where their solution is not found, points that are hardly open count as closed.
- * Where that does not help, and they are large, they are solved roughly for some steps: then their bodies may be 10⁻⁴ of their
- * size deep in one another, and part again when a solution is found.
+ * Heaps of bodies that nothing drives or ties. Where their solution is not found, points that are hardly open count as closed;
+ * and one that is nearly right is kept. Then their bodies may be 10⁻⁴ of their size deep in one another, and part again when a
+ * solution is found.
  */
 final class FreeHeap implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -21,7 +20,6 @@ final class FreeHeap implements Serializable {
     /** Times that a heap may not be solved in a step, before little work is spent on it. */
     private static final int FAILURES = 3;
 
-    private final Trajectories trajectories;
     private final CollisionDetection detection;
     private final HeapBodies by;
     private final HeapSystem system;
@@ -29,13 +27,11 @@ final class FreeHeap implements Serializable {
     private final BodyScale scales;
 
     FreeHeap(
-            Trajectories trajectories,
             CollisionDetection detection,
             HeapBodies by,
             HeapSystem system,
             HeapNotes notes,
             BodyScale scales) {
-        this.trajectories = trajectories;
         this.detection = detection;
         this.by = by;
         this.system = system;
@@ -45,9 +41,6 @@ final class FreeHeap implements Serializable {
 
     /** Begins to take in the points of a heap. */
     void begin(IntList heap) {
-        if (by.isRough(heap, trajectories.step())) {
-            system.roughen();
-        }
         for (int k = 0; k < heap.size; k++) {
             if (by.failures[heap.values[k]] >= FAILURES) {
                 system.spare();
@@ -55,8 +48,16 @@ final class FreeHeap implements Serializable {
         }
     }
 
-    /** Solves a heap whose points have been taken in; false if the impulses are not right. */
-    boolean solve(IntList heap, double scale) {
+    /** Takes note of a point that has been taken in; it may start from its last forces. */
+    void take(int p, double size, double time, boolean isKnown) {
+        if (isKnown) {
+            notes.start(p, time);
+        }
+        system.tolerance().bear(HeapGaps.fairSpeed(size, time));
+    }
+
+    /** Solves a heap whose points have been taken in; false if the impulses are not nearly right. */
+    boolean solve(IntList heap, double scale, double time) {
         int relents = 0;
         for (int k = 0; k < heap.size; k++) {
             relents = Math.max(relents, by.relents[heap.values[k]] - 1);
@@ -65,7 +66,7 @@ final class FreeHeap implements Serializable {
             system.relent();
         }
         boolean done = system.solve(scale, true);
-        if (!done && relents <= 0 && !system.isRough() && !system.isSpared()) {
+        if (!done && relents <= 0 && !system.isSpared()) {
             relents = RELENTS;
             system.again();
             system.relent();
@@ -75,10 +76,20 @@ final class FreeHeap implements Serializable {
             by.relents[heap.values[k]] = relents;
             by.failures[heap.values[k]] += done ? 0 : 1;
         }
-        if (!done && !system.isRough() && system.size() > HeapSolver.MANY) {
-            by.roughen(heap, trajectories.step());
-            notes.roughen(detection, scales);
-        }
+        soften(time);
         return done;
+    }
+
+    /** Solves without regaining gaps, which is to add no energy. */
+    boolean regainNothing(double scale, double time) {
+        boolean done = system.solve(scale, false);
+        soften(time);
+        return done;
+    }
+
+    private void soften(double time) {
+        if (system.tolerance().error() > 0) {
+            notes.soften(detection, scales, system.tolerance().error(), time);
+        }
     }
 }

@@ -57,8 +57,10 @@ final class Heap implements Serializable {
     private final BodyScale scales;
     private final HeapSystem system = new HeapSystem();
     private final HeapStrike striking = new HeapStrike();
+    private final HeapPull pulls;
 
     private final IntList heap = new IntList();
+    private final Regain regain = new Regain();
     private final HeapNotes notes;
     private final DrivenHeap driving;
     private final RubbedHeap rubbing;
@@ -118,8 +120,9 @@ final class Heap implements Serializable {
         this.ledger = ledger;
         this.notes = new HeapNotes(system, ledger);
         this.scales = new BodyScale(state, trajectories);
+        this.pulls = new HeapPull(state, motion);
         this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales);
-        this.free = new FreeHeap(trajectories, detection, by, system, notes, scales);
+        this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
         this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
     }
@@ -151,8 +154,7 @@ final class Heap implements Serializable {
 
     /** Lets a body go on without acceleration: it has got already what the forces give it. */
     void coast(int body) {
-        motion.fall(body, fall, 0);
-        motion.support(body, -fall[0], -fall[1], -fall[2]);
+        pulls.endFor(body);
     }
 
     /** Whether forces may be what they are until their time is over, where the path of a driven body has ended before. */
@@ -183,12 +185,13 @@ final class Heap implements Serializable {
         isResumed = !isFresh;
         gather(tau);
         if (isDriven) {
-            driving.gather(heap, ties, until - tau, scale);
+            driving.gather(heap, ties, regain, scale);
         }
         if (isEven()) {
             strike();
         }
         if (isDriven) {
+            regain.raise(system);
             scale = driving.drive(heap, until - tau, scale);
         }
         solve(tau);
@@ -291,10 +294,11 @@ final class Heap implements Serializable {
         if (!isEven()) {
             free.begin(heap);
         }
-        boolean isPaid = isResumed && isPressed();
+        boolean isPaid = isResumed && pulls.isOnAny(heap); // else what contacts give is given at once
         for (int k = 0; k < heap.size; k++) {
             enter(k, tau, isPaid);
         }
+        regain.set(Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS), trajectories.h(), scale);
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             for (int m = 0; m < detection.pairs().countOf(body); m++) {
@@ -308,16 +312,6 @@ final class Heap implements Serializable {
                 }
             }
         }
-    }
-
-    /** Whether a force acts on a body of the heap: else what contacts give is given at once. */
-    private boolean isPressed() {
-        boolean yes = false;
-        for (int k = 0; k < heap.size && !yes; k++) {
-            motion.fall(heap.values[k], fall, 0);
-            yes = fall[0] != 0 || fall[1] != 0 || fall[2] != 0;
-        }
-        return yes;
     }
 
     private void enter(int k, double tau, boolean isPaid) {
@@ -346,31 +340,32 @@ final class Heap implements Serializable {
             return;
         }
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
-        double left = Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS);
-        double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size, system.isRough());
+        double left = regain.time();
+        double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size);
         detection.marks().setDepth(pair, depth);
-        system.allow(HeapGaps.littleSpeed(depth, left));
+        system.tolerance().allow(HeapGaps.littleSpeed(depth, left));
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
             int p = system.size();
             system.add(number(a), number(b), point);
-            notes.add(pair, k);
+            notes.add(pair, k, manifold.gaps[k]);
             if (isTied && manifold.gaps[k] < -depth) {
                 deep.add(p);
             }
-            double bend = scales.bend(manifold, point, a, b, left) + (isDriven ? size * sag : 0);
-            double least = HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, left, isFresh, isEven());
+            double bend = scales.bend(manifold, point, a, b, left) + (isDriven ? size * regain.sag(sag) : 0);
+            double least = HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven());
             if (isResumed && least > 0) {
                 double now = system.normal(p, courses.before());
                 double lift = (bend - Math.max(0, manifold.gaps[k] + depth)) / left;
                 least = now >= Math.max(0, lift) ? Math.min(least, now) : least; // as it was found; else gaps are noise
             }
             system.bound(p, least);
+            regain.lack(p, bend - Math.max(0, manifold.gaps[k] + depth));
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
-            if (!isEven() && (isFresh || scale > 0)) {
-                notes.start(p, left);
+            if (!isEven()) {
+                free.take(p, size, left, isFresh || scale > 0);
             }
         }
     }
@@ -381,22 +376,22 @@ final class Heap implements Serializable {
 
     /** The acceleration that all but the heap gives to a body. */
     double pull(int body) {
-        if (state.body(body).isFixed()) {
-            return 0;
-        }
-        motion.fall(body, fall, 0);
-        return Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
+        return pulls.of(body);
     }
 
     private void solve(double tau) {
         for (int k = 0; k < heap.size && !isDriven; k++) {
             scale = Math.max(scale, speed(k));
         }
-        boolean done = isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : isDriven ? driving.isRight() : free.solve(heap, scale);
+        boolean done = isDriven ? driving.isRight()
+                : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time());
         double[] from = isResumed ? courses.before() : system.free();
         if (!by.afford(heap, HeapEnergy.gained(system, from))) {
-            done = system.solve(scale, false); // regaining gaps must not add energy
+            done = regainNothing(); // that must not add energy
             by.afford(heap, HeapEnergy.gained(system, from));
+        }
+        if (isDriven && driving.isReleased()) {
+            notes.letBe(detection);
         }
         notes.press(until - tau);
         if (isFresh) {
@@ -409,6 +404,10 @@ final class Heap implements Serializable {
         if (halts) {
             HeapEnergy.halt(system);
         }
+    }
+
+    private boolean regainNothing() {
+        return isDriven ? driving.regainNothing(scale) : isRubbed ? system.solve(scale, false) : free.regainNothing(scale, regain.time());
     }
 
     /** How often something has happened in this step to a body of the heap, at most. */

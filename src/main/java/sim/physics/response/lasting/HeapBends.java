@@ -24,6 +24,7 @@ final class HeapBends implements Serializable {
     private static final int DEPTH = 5;
     private static final int MOST = 6;
 
+    private final Regain regain = new Regain();
     private double[] data = {};
 
     /** The bodies' numbers in the heap, −1 for what cannot move. */
@@ -54,13 +55,14 @@ final class HeapBends implements Serializable {
     /** Raises the least velocities of points that would be too deep at the end of a time; returns whether there are any. */
     boolean raise(HeapSystem s, double[] before, double time) {
         boolean any = false;
+        regain.set(time, time, 0);
         for (int p = 0; p < s.size(); p++) {
             int o = STRIDE * p;
             double turnA = time * turn(2 * p, data[o + RADIUS_A], s.v, before);
             double turnB = time * turn(2 * p + 1, data[o + RADIUS_B], s.v, before);
             double slide = time * Math.max(slide(s, p, s.v), slide(s, p, before));
             double bend = BodyScale.bend(turnA, data[o + RADIUS_A], turnB, data[o + RADIUS_B], slide, data[o + MOST]);
-            double least = HeapGaps.leastSpeed(data[o + GAP], data[o + DEPTH], bend, time, true, true);
+            double least = HeapGaps.leastSpeed(data[o + GAP], data[o + DEPTH], bend, regain, true, true);
             if (least > s.bound(p)) {
                 s.bound(p, least);
                 any = true;

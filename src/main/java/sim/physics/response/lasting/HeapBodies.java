@@ -29,9 +29,6 @@ final class HeapBodies implements Serializable {
     private static final double WIDER = 4;
     private static final double CLOSER = 0.95;
 
-    /** Steps for which a heap is solved roughly that could not be solved. */
-    private static final int ROUGH_STEPS = 20;
-
     /** Whether a body lies in a heap, stands still there, and is to be solved for. */
     boolean[] lies = {};
 
@@ -68,9 +65,6 @@ final class HeapBodies implements Serializable {
     int[] ends = {};
 
     double[] lost = {};
-
-    /** The number of the step before which its heap is solved roughly. */
-    double[] roughUntil = {};
 
     /** How often its heap could not be solved in this step. */
     int[] failures = {};
@@ -112,7 +106,6 @@ final class HeapBodies implements Serializable {
             ends = Arrays.copyOf(ends, n);
             lost = Arrays.copyOf(lost, n);
             relents = Arrays.copyOf(relents, n);
-            roughUntil = Arrays.copyOf(roughUntil, n);
             failures = Arrays.copyOf(failures, n);
             place = Arrays.copyOf(place, n);
         }
@@ -122,22 +115,6 @@ final class HeapBodies implements Serializable {
     void giveUp(int body, double step, boolean isTied) {
         givenUpTimes[body] = Math.min(givenUpTimes[body] + 1, isTied ? LONGEST_TIED : LONGEST);
         givenUp[body] = step + (2 << givenUpTimes[body]);
-    }
-
-    /** Whether a heap is solved roughly for now. */
-    boolean isRough(IntList bodies, double step) {
-        boolean rough = false;
-        for (int k = 0; k < bodies.size; k++) {
-            rough |= roughUntil[bodies.values[k]] > step;
-        }
-        return rough;
-    }
-
-    /** Lets a heap be solved roughly for some steps. */
-    void roughen(IntList bodies, double step) {
-        for (int k = 0; k < bodies.size; k++) {
-            roughUntil[bodies.values[k]] = step + ROUGH_STEPS;
-        }
     }
 
     /** Takes note of a change of velocity. */

@@ -10,8 +10,10 @@ final class HeapGaps {
     /** The same in heaps with driven bodies, whose paths are not quite the motion. */
     private static final double DRIVEN_CUSHION = 1e-7;
 
-    /** The same in heaps that are solved roughly. */
-    private static final double ROUGH_CUSHION = 1e-4;
+    /** The same where a solution was not quite right; and the part of it that it may have been wrong by. */
+    private static final double FAIR_CUSHION = 1e-4;
+
+    private static final double FAIR = 0.25;
 
     /** Part of a missing gap that a solution regains. */
     private static final double REGAIN = 0.2;
@@ -30,14 +32,28 @@ final class HeapGaps {
     }
 
     /** How deep a pair of free bodies may be that is as deep as it is: less and less where it could be deeper before. */
-    static double depth(double gap, double size, boolean isRough) {
-        double most = ROUGH_CUSHION * size;
-        return isRough ? most : Math.max(CUSHION * size, Math.min(most, -gap));
+    static double depth(double gap, double size) {
+        return Math.max(CUSHION * size, Math.min(FAIR_CUSHION * size, -gap));
+    }
+
+    /** The error of velocities over a time with which a solution is kept if there is no better one. */
+    static double fairSpeed(double size, double time) {
+        return FAIR * FAIR_CUSHION * size / time;
+    }
+
+    /** How deep a pair may be whose velocity is wrong by that much. */
+    static double depth(double depth, double size, double error, double time) {
+        return Math.max(depth, Math.min(FAIR_CUSHION * size, error * time / FAIR));
     }
 
     /** An error of velocities over a time that does not matter. */
     static double littleSpeed(double depth, double time) {
         return LITTLE * depth / time;
+    }
+
+    /** The least speed at which the coordinate of a stop is to leave it. */
+    static double leastSpeed(double gap, Regain regain) {
+        return gap >= 0 ? -gap / regain.time() : regain.speed(-REGAIN * gap);
     }
 
     /**
@@ -47,22 +63,22 @@ final class HeapGaps {
      * @param gap that there is
      * @param depth how deep it may be
      * @param bend what turning and sliding may take of the gap in the time
-     * @param time for which the velocity is to hold
+     * @param regain has the time for which the velocity is to hold
      * @param isFresh whether it was not found for a longer time before
      * @param isEven whether the velocity is reached evenly in the time; if not, at once, and the heap is stopped when this
      *     does not do
      */
-    static double leastSpeed(double gap, double depth, double bend, double time, boolean isFresh, boolean isEven) {
-        if (gap * (isEven ? DRIVEN_CUSHION : ROUGH_CUSHION) < -PUT * depth) {
+    static double leastSpeed(double gap, double depth, double bend, Regain regain, boolean isFresh, boolean isEven) {
+        if (gap * (isEven ? DRIVEN_CUSHION : FAIR_CUSHION) < -PUT * depth) {
             return 0;
         }
         double room = depth + bend;
         double least = isFresh ? room : 0.5 * room;
         if (gap >= least) {
-            return (least - gap) / time;
+            return (least - gap) / regain.time();
         }
         double regained = REGAIN * (room - gap);
         double lift = bend - Math.max(0, gap + depth); // or it would be too deep before the time is over
-        return (isEven ? regained + Math.max(0, 2 * lift) : Math.max(regained, lift)) / time;
+        return isEven ? regain.speed(regained) + Math.max(0, 2 * lift) / regain.time() : Math.max(regained, lift) / regain.time();
     }
 }

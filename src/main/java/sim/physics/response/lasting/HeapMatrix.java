@@ -58,6 +58,11 @@ final class HeapMatrix extends HeapRows {
     @Override
     void forget() {
         super.forget();
+        restart();
+    }
+
+    /** Takes note that the last solution is none to begin the next one with. */
+    void restart() {
         if (path != null) {
             path.forget();
         }

@@ -3,6 +3,7 @@
 package sim.physics.response.lasting;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
 
@@ -16,6 +17,9 @@ final class HeapNotes implements Serializable {
     /** Two numbers for each pair. */
     private final IntList origin = new IntList();
 
+    /** Gaps by point. */
+    private double[] gaps = {};
+
     HeapNotes(HeapSystem system, ContactLedger ledger) {
         this.system = system;
         this.ledger = ledger;
@@ -25,8 +29,19 @@ final class HeapNotes implements Serializable {
         origin.clear();
     }
 
-    void add(int pair, int point) {
+    void add(int pair, int point, double gap) {
+        gaps = origin.size < gaps.length ? gaps : Arrays.copyOf(gaps, 2 * gaps.length + 2);
+        gaps[origin.size] = gap;
         origin.add(2 * pair + point);
+    }
+
+    /** Lets all pairs be as deep as they are, and as much deeper as they may be else. */
+    void letBe(CollisionDetection detection) {
+        for (int p = 0; p < system.contacts(); p++) {
+            int pair = origin.values[p] / 2;
+            double depth = detection.marks().depth(pair);
+            detection.marks().setDepth(pair, gaps[p] < 0 ? depth - gaps[p] : depth);
+        }
     }
 
     /** Starts a point from its last forces. */
@@ -36,12 +51,12 @@ final class HeapNotes implements Serializable {
         system.start(p, time * ledger.start(pair, k, false), time * ledger.start(pair, k, true));
     }
 
-    /** Lets the pairs of all points be as deep as in heaps that are solved roughly. */
-    void roughen(CollisionDetection detection, BodyScale scales) {
+    /** Lets the pairs of all points be deeper by what velocities that are wrong by an error may make them in a time. */
+    void soften(CollisionDetection detection, BodyScale scales, double error, double time) {
         for (int p = 0; p < system.contacts(); p++) {
             int pair = origin.values[p] / 2;
             double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
-            detection.marks().setDepth(pair, HeapGaps.depth(0, size, true));
+            detection.marks().setDepth(pair, HeapGaps.depth(detection.marks().depth(pair), size, error, time));
         }
     }
 

@@ -107,21 +107,29 @@ final class HeapPiece {
     }
 
     private void assemble(HeapSystem s, int p, double times) {
+        double along = isStuck(s, p) ? times * tangentStiffness(s, p) : 0;
+        double normal = times * normalStiffness(s, p);
+        assemble(s, p, normal, rub(s, p) * normal, along);
+    }
+
+    /**
+     * Adds what a point does whose impulses answer to its velocities: the normal one to that along the normal, the tangential
+     * one to both.
+     */
+    void assemble(HeapSystem s, int p, double nn, double tn, double tt) {
         ContactRows rows = s.rows();
-        boolean sticks = isStuck(s, p);
-        double rub = rub(s, p);
         double nx = rows.nx(p);
         double ny = rows.ny(p);
         for (int side = 0; side < 2; side++) {
             if (rows.body(p, side) >= 0) {
                 double sign = side == 0 ? -1 : 1;
-                double kn = times * sign * normalStiffness(s, p);
-                double arm = rows.arm(p, side);
-                double lever = rows.lever(p, side) + rub * arm;
-                add(rows, p, side, kn * (nx - rub * ny), kn * (ny + rub * nx), kn * lever, nx, ny, false);
-                if (sticks) {
-                    double kt = times * sign * tangentStiffness(s, p);
-                    add(rows, p, side, -kt * ny, kt * nx, kt * arm, -ny, nx, true);
+                double arm = sign * rows.arm(p, side);
+                double lever = sign * rows.lever(p, side);
+                double x = sign * nx;
+                double y = sign * ny;
+                add(rows, p, side, nn * x - tn * y, nn * y + tn * x, nn * lever + tn * arm, nx, ny, false);
+                if (tt != 0) {
+                    add(rows, p, side, -tt * y, tt * x, tt * arm, -ny, nx, true);
                 }
             }
         }

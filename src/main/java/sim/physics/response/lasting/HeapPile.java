@@ -3,18 +3,15 @@
 package sim.physics.response.lasting;
 
 /**
- * Solves a {@link HeapSystem} whose bodies nothing ties: sweeps of relaxation say roughly what points bear, Newton's method
- * finds it exactly if they said which points are open, stuck, or slide, and else a path of solutions leads there. When that
- * gets lost, more sweeps give it a better start.
+ * Solves a {@link HeapSystem} whose bodies nothing ties: sweeps of relaxation say roughly what points bear, and Newton's method
+ * finds it exactly if they said which points are open, stuck, or slide. Else the central path says that; where it is blocked, a
+ * path of solutions may get there, or more sweeps give a better start.
  */
 final class HeapPile {
-    /** Sweeps before each attempt; and before the only one when rough impulses will do. */
+    /** Sweeps before each attempt. */
     private static final int[] SWEEPS = {20, 100, 300};
 
-    private static final int[] ROUGH_SWEEPS = {60};
-
     private static final int NEWTON_STEPS = 4;
-    private static final int ROUGH_NEWTON_STEPS = 1;
 
     /** Paths in turn, each of which takes from the last one's error what the softness of its springs leaves. */
     private static final int PATHS = 5;
@@ -22,9 +19,13 @@ final class HeapPile {
     /** Part of the error that the next path has to leave at most. */
     private static final double LESS = 0.3;
 
+    /** Error, relative to the largest speed, as of which central paths begin at least. */
+    private static final double OFF = 1e-3;
+
     private final HeapPiece piece = new HeapPiece();
     private final HeapNewton newton = new HeapNewton(piece);
     private final HeapPath path = new HeapPath(piece);
+    private final CentralPath central = new CentralPath(piece);
     private final HeapRelaxation relaxation;
 
     /** Impulses of a start, and the best ones so far, 2 per point; and the error of these. */
@@ -42,33 +43,46 @@ final class HeapPile {
      *
      * @param exact error of velocities at which they are right
      * @param enough error at which the next attempt is not worth its while
-     * @param isRough whether there are to be no paths
-     * @return whether the error is not larger than one of these
+     * @param fair error at which other attempts are not
+     * @param speed of the bodies
+     * @return the error
      */
-    boolean solve(HeapSystem s, double exact, double enough, boolean isRough) {
+    double solve(HeapSystem s, double exact, double enough, double fair, double speed) {
         piece.lay(s);
         newton.begin(s);
         path.begin(s);
+        central.begin(s);
         least = Double.POSITIVE_INFINITY;
-        for (int sweeps : isRough ? ROUGH_SWEEPS : SWEEPS) {
+        for (int sweeps : SWEEPS) {
             if (relaxation.conjugate(s, sweeps) <= exact) {
-                return true;
+                return 0;
             }
             start = s.impulses(start);
-            note(s, newton.solve(s, exact, isRough ? ROUGH_NEWTON_STEPS : NEWTON_STEPS));
-            if (least > exact && !isRough) {
+            note(s, newton.solve(s, exact, NEWTON_STEPS));
+            if (least > enough && !goCentrally(s, exact, OFF * speed, speed)) {
+                goCentrally(s, exact, speed, speed);
+            }
+            if (least > enough && s.size() <= HeapSolver.MANY) {
                 s.put(start);
                 note(s, follow(s, exact));
             }
-            if (least <= enough) {
+            if (least <= enough || least <= fair && s.size() > HeapSolver.MANY) {
                 break;
             }
         }
-        if (least > enough && !isRough && s.size() <= HeapSolver.MANY) {
+        if (least > Math.max(enough, fair) && s.size() <= HeapSolver.MANY) {
             note(s, path.followFromNothing(s) ? follow(s, exact) : least);
         }
         s.put(best);
-        return least <= enough;
+        return least;
+    }
+
+    /** Goes along the central path from the impulses of the start; false if it is blocked. */
+    private boolean goCentrally(HeapSystem s, double exact, double off, double speed) {
+        s.put(start);
+        boolean free = central.follow(s, Math.max(off, Math.min(speed, newton.classify(s))));
+        note(s, newton.solve(s, exact, NEWTON_STEPS));
+        return free;
     }
 
     private void note(HeapSystem s, double error) {

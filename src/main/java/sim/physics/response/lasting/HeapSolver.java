@@ -37,7 +37,7 @@ final class HeapSolver implements Serializable {
 
     private static final double LATE = 10;
 
-    /** Points from which on a heap that is not solved is solved roughly for some steps, and no path begins from nothing. */
+    /** Points from which on no path begins from nothing. */
     static final int MANY = 250;
 
     /** Change of velocity in a sweep, relative to the largest speed, at which the impulses are right. */
@@ -63,6 +63,11 @@ final class HeapSolver implements Serializable {
         matrix.forget();
     }
 
+    /** Takes note that the last solution is none to begin the next one with. */
+    void restart() {
+        matrix.restart();
+    }
+
     /**
      * Solves a system whose velocities are those without impulses, from the impulses that it has.
      *
@@ -80,9 +85,11 @@ final class HeapSolver implements Serializable {
         }
         if (!s.isTied() && s.size() > FEW) {
             pile = pile == null ? new HeapPile(relaxation) : pile;
-            boolean right = pile.solve(s, RIGHT * scale, LATE * enough, s.isRough());
-            if (right || s.isRough()) {
-                return right;
+            double fair = s.tolerance().fair();
+            double error = pile.solve(s, RIGHT * scale, LATE * enough, fair, scale);
+            if (error <= Math.max(LATE * enough, fair)) {
+                s.tolerance().setError(error <= LATE * enough ? 0 : error);
+                return true;
             }
         }
         return relax(s, scale, enough, WORK);
@@ -108,6 +115,8 @@ final class HeapSolver implements Serializable {
             }
             left -= corners-- > 0 ? corner.solve(s) : SWEEPS + face.solve(s, RIGHT * scale);
         }
-        return relaxation.sweep(s, 1, 0) <= NEARLY * scale;
+        double error = relaxation.sweep(s, 1, 0);
+        s.tolerance().setError(error);
+        return error <= NEARLY * scale;
     }
 }

@@ -57,7 +57,8 @@ final class HeapSwitches implements Serializable {
      *
      * @param fall speed that forces give to bodies in the time
      */
-    void gather(SwitchedTies switched, double length, double fall) {
+    void gather(SwitchedTies switched, Regain regain, double fall) {
+        double length = regain.time();
         boolean all = isReadable(switched); // else they go on deciding by themselves
         double sway = 0;
         for (int k = 0; all && k < switched.size(); k++) {
@@ -70,8 +71,8 @@ final class HeapSwitches implements Serializable {
                 add(k, 1, row.speed, length);
             } else {
                 double speed = Math.sqrt(mobility()) * (sway + fall * Math.sqrt(lighterMass()));
-                stop(k, 1, row.aboveLower, length, speed);
-                stop(k, -1, row.belowUpper, length, speed);
+                stop(k, 1, row.aboveLower, regain, speed);
+                stop(k, -1, row.belowUpper, regain, speed);
             }
         }
         ends.add(number.size);
@@ -102,11 +103,12 @@ final class HeapSwitches implements Serializable {
     }
 
     /** Takes in a stop that may be reached; given what forces may change its coordinate's speed by. */
-    private void stop(int k, int way, double gap, double length, double speed) {
+    private void stop(int k, int way, double gap, Regain regain, double speed) {
         if (gap == Double.POSITIVE_INFINITY) {
             return;
         }
-        add(k, way, -gap / length, length);
+        double length = regain.time();
+        add(k, way, HeapGaps.leastSpeed(gap, regain), length);
         int p = system.size() - 1;
         double approach = -system.normal(p);
         if (gap > NEAR * row.size && gap > (TIMES * approach + speed) * length) {

@@ -63,10 +63,9 @@ final class HeapSystem implements Serializable {
     /** Inverse masses of 1. */
     private double[] units = {};
 
-    /** Error of velocities that is good enough in the end; and whether little work is to be spent on that. */
-    private double enough;
+    private final HeapTolerance tolerance = new HeapTolerance();
 
-    private boolean rough;
+    /** Whether little work is to be spent. */
     private boolean spared;
 
     /** The velocities without impulses. */
@@ -83,24 +82,18 @@ final class HeapSystem implements Serializable {
         points = 0;
         contacts = 0;
         tied = false;
-        rough = false;
         spared = false;
         solver.forget();
-        enough = Double.POSITIVE_INFINITY;
+        tolerance.clear();
         count = 0;
         if (replies != null) {
             replies.begin();
         }
     }
 
-    /** Says which error of velocities is good enough in the end; the least that is said counts. */
-    void allow(double error) {
-        enough = Math.min(enough, error);
-    }
-
-    /** Error of velocities that is good enough in the end. */
-    double enough() {
-        return enough;
+    /** Which errors of velocities are good enough, and that of the last solution. */
+    HeapTolerance tolerance() {
+        return tolerance;
     }
 
     /**
@@ -110,7 +103,7 @@ final class HeapSystem implements Serializable {
     void relent() {
         for (int p = 0; p < contacts; p++) {
             double least = data[STRIDE * p + BOUND];
-            data[STRIDE * p + BOUND] = least < 0 && least > -HOVER * enough ? 0 : least;
+            data[STRIDE * p + BOUND] = least < 0 && least > -HOVER * tolerance.enough() ? 0 : least;
         }
     }
 
@@ -157,6 +150,11 @@ final class HeapSystem implements Serializable {
             Arrays.fill(units, 1);
         }
         return units;
+    }
+
+    /** Takes note that the last solution is none to begin the next one with. */
+    void restart() {
+        solver.restart();
     }
 
     /** Puts the velocities in their place that the impulses give. */
@@ -245,15 +243,6 @@ final class HeapSystem implements Serializable {
 
     ContactRows rows() {
         return rows;
-    }
-
-    /** Spends little work from now on. */
-    void roughen() {
-        rough = true;
-    }
-
-    boolean isRough() {
-        return rough;
     }
 
     /** Spends next to no work from now on: it has been in vain. */
@@ -437,16 +426,17 @@ final class HeapSystem implements Serializable {
      */
     boolean solve(double scale, boolean regains) {
         begin(regains);
-        return solver.solve(this, scale, enough);
+        return solver.solve(this, scale, tolerance.enough());
     }
 
     /** The same with little work. */
     boolean solveInTurn(double scale) {
         begin(true);
-        return solver.solveInTurn(this, scale, enough);
+        return solver.solveInTurn(this, scale, tolerance.enough());
     }
 
     private void begin(boolean regains) {
+        tolerance.setError(0);
         if (free.length < v.length) {
             free = new double[v.length];
         }

@@ -17,7 +17,7 @@ class HeapCornerTest {
         SplittableRandom random = new SplittableRandom(seed);
         HeapSystem s = new HeapSystem();
         s.clear();
-        s.allow(0);
+        s.tolerance().allow(0);
         int bodies = 1 + random.nextInt(5);
         double[][] masses = new double[bodies][];
         for (int k = 0; k < bodies; k++) {

@@ -17,7 +17,7 @@ class HeapPileTest {
         SplittableRandom random = new SplittableRandom(seed);
         HeapSystem s = new HeapSystem();
         s.clear();
-        s.allow(0);
+        s.tolerance().allow(0);
         double[][] masses = new double[rows * (rows + 1) / 2][];
         for (int k = 0; k < masses.length; k++) {
             masses[k] = new double[] {0.2 + random.nextDouble(), 3 + 10 * random.nextDouble()};
@@ -62,12 +62,15 @@ class HeapPileTest {
         return most;
     }
 
-    /** Rows, points a pair, and how many of 100 piles are to be solved; relaxation alone solves 96, 38, 12, 0, 0 of all but the first. */
+    /**
+     * Rows, points a pair, and how many of how many piles are to be solved. Relaxation alone solves 96, 38, 12, 0 and 0 of a hundred of the
+     * second to the sixth; without central paths 84 of the sixth are solved, and none that is larger.
+     */
     @ParameterizedTest
-    @CsvSource({"2, 1, 100", "2, 2, 100", "4, 1, 98", "4, 2, 98", "7, 1, 94", "7, 2, 80"})
-    void theConditionsHold(int rows, int points, int least) {
+    @CsvSource({"2, 1, 100, 100", "2, 2, 100, 100", "4, 1, 99, 100", "4, 2, 99, 100", "7, 1, 98, 100", "7, 2, 97, 100", "12, 2, 18, 25", "18, 2, 8, 25"})
+    void theConditionsHold(int rows, int points, int least, int piles) {
         int exact = 0;
-        for (long seed = 0; seed < 100; seed++) {
+        for (long seed = 0; seed < piles; seed++) {
             HeapSystem s = pile(rows, points, seed);
             boolean right = s.solve(1, true);
             assertThat(mismatch(s)).isLessThan(1e-12);

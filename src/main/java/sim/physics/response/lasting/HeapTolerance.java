@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+
+/** Which errors of velocities are good enough for a heap, and that of its last solution. */
+final class HeapTolerance implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private double enough;
+    private double fair;
+    private double error;
+
+    HeapTolerance() {
+        clear();
+    }
+
+    /** Begins to take in the points of a heap. */
+    void clear() {
+        enough = Double.POSITIVE_INFINITY;
+        fair = 0;
+        error = 0;
+    }
+
+    /** Says which error is good enough in the end; the least that is said counts. */
+    void allow(double most) {
+        enough = Math.min(enough, most);
+    }
+
+    double enough() {
+        return enough;
+    }
+
+    /** Says with which error a solution may be kept when there is no better one; the least that is said counts. */
+    void bear(double most) {
+        fair = fair == 0 ? most : Math.min(fair, most);
+    }
+
+    /** What was said, or 0. */
+    double fair() {
+        return fair;
+    }
+
+    /** Error of the velocities that were found last, 0 if they are right. */
+    double error() {
+        return error;
+    }
+
+    void setError(double velocity) {
+        error = velocity;
+    }
+}
