@@ -32,6 +32,9 @@ final class DrivenHeap implements Serializable {
     /** Error of velocities at the end of their time, relative to them, with which forces may go on until then. */
     private static final double DRIFT = 1e-5;
 
+    /** Change of velocities, relative to them, from which it costs too much to regain gaps: stops and friction all but hold them. */
+    private static final double COSTLY = 10;
+
     /**
      * Change of velocities, relative to them, with which impulses that are not right are of no use: where stops and the ground
      * ask for what cannot be, they grow with every turn of the solution, and no integration would bear such forces.
@@ -58,6 +61,9 @@ final class DrivenHeap implements Serializable {
 
     /** Whether missing gaps cannot be regained. */
     private boolean isReleased;
+
+    /** Whether no impulses were found but those of points that are a little soft. */
+    private boolean isSoft;
 
     /** Null while nothing ties bodies of the heap together. */
     private transient Ties ties;
@@ -155,6 +161,7 @@ final class DrivenHeap implements Serializable {
         Extrapolation extrapolation = extrapolation(heap.values[0]);
         extrapolation.begin(heap, length);
         isReleased = false;
+        isSoft = false;
         boolean isSame = false;
         double before = Double.POSITIVE_INFINITY;
         for (int k = 0; k < PROBES && !isSame; k++) {
@@ -164,11 +171,15 @@ final class DrivenHeap implements Serializable {
                 most = Math.max(most, scales.speed(heap.values[b], system.v, 3 * b));
             }
             kept.keep();
-            isRight = system.solve(most, true);
+            isRight = isSoft ? system.solveSoftly(most) : system.solve(most, true);
             double change = kept.change();
-            if (!isRight && !isReleased) {
+            if (!isReleased && !(isRight && change <= COSTLY * most)) {
                 release(most);
                 change = kept.change();
+            }
+            if (!isRight && !(change <= WILD * most)) {
+                stay();
+                break;
             }
             double next = before <= SMALL * most ? change * (change / before) : change; // if changes go on to shrink at least evenly
             isSame = change <= Math.max(SAME * most, system.enough()) || next <= SAME * most;
@@ -188,8 +199,7 @@ final class DrivenHeap implements Serializable {
 
     /**
      * Solves without speeds of parting, with which gaps are regained: where these contradict one another or stops there are no impulses
-     * for them, and what is found grows with every turn. Without them there are always some. If those are not found either,
-     * the forces of before stay.
+     * for them, and what is found grows with every turn. Without them there are always some.
      *
      * @return whether the impulses are right or nearly so
      */
@@ -199,16 +209,26 @@ final class DrivenHeap implements Serializable {
         system.again();
         isRight = system.solve(scale, false);
         isReleased = true;
-        if (!isRight && !(kept.change() <= WILD * scale)) {
-            kept.goBack();
-            system.refresh();
+        if (!isRight) {
+            isRight = system.solveSoftly(scale);
+            isSoft = true;
         }
+    }
+
+    /** Takes the forces of before again. */
+    private void stay() {
+        kept.goBack();
+        system.refresh();
+        system.restart();
     }
 
     /** Solves for impulses that give no energy, which is more than regained gaps are worth; returns whether these are right or nearly so. */
     boolean regainNothing(double scale) {
         kept.keep();
         release(scale);
+        if (!isRight && !(kept.change() <= WILD * scale)) {
+            stay();
+        }
         isProbed &= kept.change() <= EQUAL * scale;
         return isRight;
     }

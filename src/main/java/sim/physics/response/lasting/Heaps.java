@@ -43,6 +43,9 @@ public final class Heaps implements Serializable {
     /** Turn of driven bodies in a step, rad, up to which they may lie on something. */
     private static final double CALM = 0.5;
 
+    /** How many times deeper than it is a pair may be from then on. */
+    private static final double DEEPER = 2;
+
     private static final int NONE = -1;
 
     /** Part of what forces give a body in a step that the speed is at which it is not on its way to or from the ground. */
@@ -403,7 +406,10 @@ public final class Heaps implements Serializable {
      */
     public void again(int body, double tau) {
         by.ends[body]++;
-        if (isTooOften(body)) {
+        if (isTooOften(body) && motion.isTied(body)) {
+            by.isHurried[body] = true;
+            mark(body);
+        } else if (isTooOften(body)) {
             giveUp(body);
             changed.add(body);
         } else if (!by.isDirty[body] && tau < by.paidUntil[body] && trajectories.isDriven(body) && heap.goesOn(body, tau)) {
@@ -417,16 +423,21 @@ public final class Heaps implements Serializable {
      * Takes note that a lasting pair has closed within the step.
      *
      * @param pair number of the pair
+     * @param gap at which it has
      * @return false if it is not to last any more
      */
-    public boolean close(int pair) {
+    public boolean close(int pair, double gap) {
         for (int side = 0; side < 2; side++) {
             int body = side == 0 ? detection.pairs().first(pair) : detection.pairs().second(pair);
             if (has(body)) {
                 by.turns[body]++;
                 by.hasClosed[body] = true;
-                mark(body);
                 changed.add(body); // to be looked at again in any case
+                if (isTooOften(body) && motion.isTied(body)) {
+                    detection.marks().setDepth(pair, Math.max(detection.marks().depth(pair), -DEEPER * gap));
+                    continue; // bounces would cost more, and end nowhere where it is jammed
+                }
+                mark(body);
                 if (isTooOften(body)) {
                     giveUp(body);
                 }
