@@ -32,6 +32,9 @@ final class DrivenHeap implements Serializable {
     /** Error of velocities at the end of their time, relative to them, with which forces may go on until then. */
     private static final double DRIFT = 1e-5;
 
+    /** How many times faster than at the start and than expected bodies are that forces throw about: those balance one another no more. */
+    private static final double FAST = 10;
+
     /** Change of velocities, relative to them, from which it costs too much to regain gaps: stops and friction all but hold them. */
     private static final double COSTLY = 10;
 
@@ -164,12 +167,19 @@ final class DrivenHeap implements Serializable {
         isSoft = false;
         boolean isSame = false;
         double before = Double.POSITIVE_INFINITY;
+        double expected = scale;
+        for (int b = 0; b < heap.size; b++) {
+            expected = Math.max(expected, scales.speed(heap.values[b], trajectories.data(), heap.values[b] * Trajectories.STRIDE + Trajectories.VX));
+        }
         for (int k = 0; k < PROBES && !isSame; k++) {
-            probe(heap, length);
-            extrapolation.next(system.w, system.v);
-            for (int b = 0; b < heap.size; b++) {
-                most = Math.max(most, scales.speed(heap.values[b], system.v, 3 * b));
+            if (!(probe(heap, length) <= FAST * expected)) {
+                isReleased |= k > 0; // or what the forces of before held in balance is not there any more
+                isSoft |= k > 0;
+                forget();
+                probe(heap, length);
             }
+            extrapolation.next(system.w, system.v);
+            most = Math.max(most, speed(heap));
             kept.keep();
             isRight = isSoft ? system.solveSoftly(most) : system.solve(most, true);
             double change = kept.change();
@@ -181,6 +191,7 @@ final class DrivenHeap implements Serializable {
                 stay();
                 break;
             }
+            expected = Math.max(expected, speed(heap));
             double next = before <= SMALL * most ? change * (change / before) : change; // if changes go on to shrink at least evenly
             isSame = change <= Math.max(SAME * most, system.enough()) || next <= SAME * most;
             before = change;
@@ -213,6 +224,23 @@ final class DrivenHeap implements Serializable {
             isRight = system.solveSoftly(scale);
             isSoft = true;
         }
+    }
+
+    /** The largest speed of the system's velocities. */
+    private double speed(IntList heap) {
+        double most = 0;
+        for (int k = 0; k < heap.size; k++) {
+            most = Math.max(most, scales.speed(heap.values[k], system.v, 3 * k));
+        }
+        return most;
+    }
+
+    /** Begins without any impulses. */
+    private void forget() {
+        for (int p = 0; p < system.size(); p++) {
+            system.start(p, 0, 0);
+        }
+        system.restart();
     }
 
     /** Takes the forces of before again. */
@@ -300,18 +328,23 @@ final class DrivenHeap implements Serializable {
         return goesOn;
     }
 
-    /** Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces. */
-    private void probe(IntList heap, double length) {
+    /**
+     * Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces; returns the
+     * largest speed that they have with these.
+     */
+    private double probe(IntList heap, double length) {
         double[] d = trajectories.data();
         double[] pushes = pushes(heap);
         support(heap, length, pushes);
         double share = 1;
+        double most = 0;
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             int o = body * Trajectories.STRIDE + Trajectories.VX;
             if (isFirst(body)) {
                 share = Math.min(MOST_SHARE, length / probes.probe(body, length)); // it may end early, at a stop
             }
+            most = trajectories.isDriven(body) ? Math.max(most, scales.speed(body, state.v(), State.BLOCK * body)) : most;
             motion.fall(body, fall, 0);
             for (int c = 0; c < State.BLOCK; c++) {
                 double gained = trajectories.isDriven(body)
@@ -321,6 +354,7 @@ final class DrivenHeap implements Serializable {
             }
         }
         system.unpush();
+        return most;
     }
 
     /** Lets driven bodies, and their motors and stops, be pushed evenly over a time. */

@@ -40,13 +40,8 @@ public final class Heaps implements Serializable {
 
     private static final int MOST_ENDS_TIED = 300;
 
-    /** Turn of driven bodies in a step, rad, up to which they may lie on something. */
-    private static final double CALM = 0.5;
-
     /** How many times deeper than it is a pair may be from then on. */
     private static final double DEEPER = 2;
-
-    private static final int NONE = -1;
 
     /** Part of what forces give a body in a step that the speed is at which it is not on its way to or from the ground. */
     private static final double STANDING = 1e-5;
@@ -59,6 +54,7 @@ public final class Heaps implements Serializable {
     private final RestingContacts resting;
     private final HeapBodies by = new HeapBodies();
     private final Heap heap;
+    private final HeapCalm calm;
     private final IntList members = new IntList();
 
     /** Bodies to which something has happened, and those whose courses have changed. */
@@ -96,6 +92,7 @@ public final class Heaps implements Serializable {
         this.points = points;
         this.resting = resting;
         this.heap = new Heap(state, trajectories, motion, detection, points, by, ledger);
+        this.calm = new HeapCalm(trajectories, motion, detection, heap);
     }
 
     /**
@@ -151,7 +148,7 @@ public final class Heaps implements Serializable {
             return false;
         }
         boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
-        return !paused && (!isDriven(body) || isCalm(motion.companions(body), body));
+        return !paused && (!isDriven(body) || calm.isCalm(motion.companions(body), body));
     }
 
     /** Whether so much has happened to a body in this step that it is to lie on nothing. */
@@ -166,30 +163,6 @@ public final class Heaps implements Serializable {
     /** Whether the integrator moves a body also when it lies on others. */
     private boolean isDriven(int body) {
         return trajectories.isDriven(body) && (motion.isTied(body) || !motion.ground().isRough());
-    }
-
-    /**
-     * Whether those of some bodies that move together which lie on something, or are to, turn so little in a step that forces
-     * may be constant for it.
-     */
-    private boolean isCalm(IntList group, int body) {
-        double most = 0;
-        for (int k = 0; k < group.size; k++) {
-            boolean round = heap.scales().isRound(group.values[k]);
-            double spin = trajectories.data()[group.values[k] * Trajectories.STRIDE + Trajectories.OMEGA];
-            boolean counts = !round && (group.values[k] == body || liesItself(group.values[k]));
-            most = Math.max(most, counts ? Math.abs(spin) : 0);
-        }
-        return most * trajectories.h() <= CALM;
-    }
-
-    /** Whether a body has a lasting pair, not only those that move with it. */
-    private boolean liesItself(int body) {
-        boolean yes = false;
-        for (int k = 0; k < detection.pairs().countOf(body) && !yes; k++) {
-            yes = lasts(detection.pairs().of(body, k));
-        }
-        return yes;
     }
 
     /** Ends the lasting of all pairs of a body, and of those that move with it, for some steps. */
@@ -488,7 +461,7 @@ public final class Heaps implements Serializable {
                 part(body); // since it came to lie there a force has been added that couples bodies
                 motion.support(body, 0, 0, 0);
                 changed.add(body);
-            } else if (by.lies[body] && isDriven(body) && !isCalm(motion.companions(body), NONE)) {
+            } else if (by.lies[body] && isDriven(body) && !calm.isCalm(motion.companions(body), HeapCalm.NONE)) {
                 giveUp(body);
                 changed.add(body);
             } else if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {
