@@ -25,6 +25,9 @@ public final class Tolerances {
     /** Part of the step that a search for an impact moves on at least when it got stuck in a sustained contact. */
     public static final double FORCED_PROGRESS = 1e-4;
 
+    /** Penetration, relative to the smaller body, in which no heap leaves a pair: its bodies were put into one another. */
+    public static final double PUT = 1e-3;
+
     /** Penetration, relative to the bodies, that no impact leaves: they were put into one another, or a heap has let go of them. */
     public static final double OVERLAP = 1e-8;
 

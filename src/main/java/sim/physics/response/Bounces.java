@@ -29,9 +29,6 @@ final class Bounces implements Serializable {
     /** Time, relative to the step, in which no force brings bodies back together that have parted. */
     private static final double INSTANT = 1e-9;
 
-    /** Way in a step at the speed of a rattling pair's bounces, in their greatest lengths: the force may have been misjudged. */
-    private static final double RATTLE_WAY = 16;
-
     private final Trajectories trajectories;
     private final Motion motion;
 
@@ -103,7 +100,7 @@ final class Bounces implements Serializable {
             double size = Math.min(trajectories.radius(a), trajectories.radius(b));
             double longest = Math.sqrt(2 * Tolerances.RATTLE_SIZE * size / acceleration);
             double length = Math.min(Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h, longest);
-            double hop = Math.min(0.5 * length * acceleration, RATTLE_WAY * Tolerances.RATTLE_SIZE * size / h);
+            double hop = Math.min(0.5 * length * acceleration, mostHop(a, b, Tolerances.RATTLE_SIZE * size));
             boolean isForce = trajectories.offset(a) - lastTau[pair] > INSTANT * h; // else an impact somewhere else has driven them together
             hop = isForce ? hop : Math.min(hop, regained(pair, approach, c));
             c.restitution = Math.max(Tolerances.RATTLE, Math.min(HUGE, hop / approach));
@@ -111,6 +108,14 @@ final class Bounces implements Serializable {
         lastSpeed[pair] = c.restitution * Math.max(0, approach);
         lastTau[pair] = trajectories.offset(a);
         return count > 0;
+    }
+
+    /**
+     * The greatest speed of a rattling pair's bounces, of which the force may have been misjudged: with it they go by so much in a step, or
+     * as high by the forces that there are.
+     */
+    private double mostHop(int a, int b, double way) {
+        return Math.max(way / h, Math.sqrt(2 * way * (pull(a) + pull(b))));
     }
 
     /** Counts that a pair has come to rest. */

@@ -202,6 +202,10 @@ public final class CollisionResponse implements Serializable {
     /** Loads the impact of a pair, unless it is let be as deep as it is, or left to its heap. */
     private boolean isLetBe(int pair, int a, int b, double tau) {
         impact.sticky = false;
+        if (jointed != null && jointed.areInOneAnother(a, b, manifold.gap, heaps.size(a, b)) && !heaps.lasts(pair)) {
+            letPass(pair, a, b);
+            return true;
+        }
         load(a, b, 0);
         if (isWedged(pair, a, b, tau)) {
             goOn(a, b);
@@ -230,7 +234,7 @@ public final class CollisionResponse implements Serializable {
         if (bounds) {
             heaps.end(pair);
         }
-        return !bounds && heaps.close(pair);
+        return !bounds && heaps.close(pair, manifold.gap);
     }
 
     /** Lets a pair lie on one another from now on if its bounces have become too many and too short. */

@@ -4,6 +4,7 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Tolerances;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
@@ -23,6 +24,14 @@ final class JointedBodies implements Serializable {
         this.trajectories = trajectories;
         this.motion = motion;
         this.ties = ties;
+    }
+
+    /**
+     * Whether two bodies, both of them tied, are so deep in one another that no impact or heap would have left them so: they were
+     * put there. Impulses at their points, which would drive each other, do not part what ties hold there.
+     */
+    boolean areInOneAnother(int a, int b, double gap, double size) {
+        return gap < -Tolerances.PUT * size && ties.isTied(a) && ties.isTied(b);
     }
 
     boolean has(int a, int b) {

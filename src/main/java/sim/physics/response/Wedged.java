@@ -63,6 +63,7 @@ final class Wedged implements Serializable {
             return false;
         }
         times[pair] = 0;
+        atOnce[pair]++;
         double deeper = DEEPER * (1L << Math.max(0, Math.min(atOnce[pair] - MOST_AT_ONCE, MOST_DOUBLINGS)));
         if (!(detection.marks().depth(pair) > 0)) {
             pairs.add(pair);

@@ -32,6 +32,12 @@ final class DrivenHeap implements Serializable {
     /** Error of velocities at the end of their time, relative to them, with which forces may go on until then. */
     private static final double DRIFT = 1e-5;
 
+    /** How many times faster than at the start and than expected bodies are that forces throw about: those balance one another no more. */
+    private static final double FAST = 10;
+
+    /** Change of velocities, relative to them, from which it costs too much to regain gaps: stops and friction all but hold them. */
+    private static final double COSTLY = 10;
+
     /**
      * Change of velocities, relative to them, with which impulses that are not right are of no use: where stops and the ground
      * ask for what cannot be, they grow with every turn of the solution, and no integration would bear such forces.
@@ -58,6 +64,9 @@ final class DrivenHeap implements Serializable {
 
     /** Whether missing gaps cannot be regained. */
     private boolean isReleased;
+
+    /** Whether no impulses were found but those of points that are a little soft. */
+    private boolean isSoft;
 
     /** Null while nothing ties bodies of the heap together. */
     private transient Ties ties;
@@ -155,21 +164,34 @@ final class DrivenHeap implements Serializable {
         Extrapolation extrapolation = extrapolation(heap.values[0]);
         extrapolation.begin(heap, length);
         isReleased = false;
+        isSoft = false;
         boolean isSame = false;
         double before = Double.POSITIVE_INFINITY;
+        double expected = scale;
+        for (int b = 0; b < heap.size; b++) {
+            expected = Math.max(expected, scales.speed(heap.values[b], trajectories.data(), heap.values[b] * Trajectories.STRIDE + Trajectories.VX));
+        }
         for (int k = 0; k < PROBES && !isSame; k++) {
-            probe(heap, length);
-            extrapolation.next(system.w, system.v);
-            for (int b = 0; b < heap.size; b++) {
-                most = Math.max(most, scales.speed(heap.values[b], system.v, 3 * b));
+            if (!(probe(heap, length) <= FAST * expected)) {
+                isReleased |= k > 0; // or what the forces of before held in balance is not there any more
+                isSoft |= k > 0;
+                forget();
+                probe(heap, length);
             }
+            extrapolation.next(system.w, system.v);
+            most = Math.max(most, speed(heap));
             kept.keep();
-            isRight = system.solve(most, true);
+            isRight = isSoft ? system.solveSoftly(most) : system.solve(most, true);
             double change = kept.change();
-            if (!isRight && !isReleased) {
+            if (!isReleased && !(isRight && change <= COSTLY * most)) {
                 release(most);
                 change = kept.change();
             }
+            if (!isRight && !(change <= WILD * most)) {
+                stay();
+                break;
+            }
+            expected = Math.max(expected, speed(heap));
             double next = before <= SMALL * most ? change * (change / before) : change; // if changes go on to shrink at least evenly
             isSame = change <= Math.max(SAME * most, system.tolerance().enough()) || next <= SAME * most;
             before = change;
@@ -188,8 +210,7 @@ final class DrivenHeap implements Serializable {
 
     /**
      * Solves without speeds of parting, with which gaps are regained: where these contradict one another or stops there are no impulses
-     * for them, and what is found grows with every turn. Without them there are always some. If those are not found either,
-     * the forces of before stay.
+     * for them, and what is found grows with every turn. Without them there are always some.
      *
      * @return whether the impulses are right or nearly so
      */
@@ -199,16 +220,43 @@ final class DrivenHeap implements Serializable {
         system.again();
         isRight = system.solve(scale, false);
         isReleased = true;
-        if (!isRight && !(kept.change() <= WILD * scale)) {
-            kept.goBack();
-            system.refresh();
+        if (!isRight) {
+            isRight = system.solveSoftly(scale);
+            isSoft = true;
         }
+    }
+
+    /** The largest speed of the system's velocities. */
+    private double speed(IntList heap) {
+        double most = 0;
+        for (int k = 0; k < heap.size; k++) {
+            most = Math.max(most, scales.speed(heap.values[k], system.v, 3 * k));
+        }
+        return most;
+    }
+
+    /** Begins without any impulses. */
+    private void forget() {
+        for (int p = 0; p < system.size(); p++) {
+            system.start(p, 0, 0);
+        }
+        system.restart();
+    }
+
+    /** Takes the forces of before again. */
+    private void stay() {
+        kept.goBack();
+        system.refresh();
+        system.restart();
     }
 
     /** Solves for impulses that give no energy, which is more than regained gaps are worth; returns whether these are right or nearly so. */
     boolean regainNothing(double scale) {
         kept.keep();
         release(scale);
+        if (!isRight && !(kept.change() <= WILD * scale)) {
+            stay();
+        }
         isProbed &= kept.change() <= EQUAL * scale;
         return isRight;
     }
@@ -280,18 +328,23 @@ final class DrivenHeap implements Serializable {
         return goesOn;
     }
 
-    /** Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces. */
-    private void probe(IntList heap, double length) {
+    /**
+     * Finds the velocities with which the bodies would be at the end without the heap, from those with its last forces; returns the
+     * largest speed that they have with these.
+     */
+    private double probe(IntList heap, double length) {
         double[] d = trajectories.data();
         double[] pushes = pushes(heap);
         support(heap, length, pushes);
         double share = 1;
+        double most = 0;
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             int o = body * Trajectories.STRIDE + Trajectories.VX;
             if (isFirst(body)) {
                 share = Math.min(MOST_SHARE, length / probes.probe(body, length)); // it may end early, at a stop
             }
+            most = trajectories.isDriven(body) ? Math.max(most, scales.speed(body, state.v(), State.BLOCK * body)) : most;
             motion.fall(body, fall, 0);
             for (int c = 0; c < State.BLOCK; c++) {
                 double gained = trajectories.isDriven(body)
@@ -301,6 +354,7 @@ final class DrivenHeap implements Serializable {
             }
         }
         system.unpush();
+        return most;
     }
 
     /** Lets driven bodies, and their motors and stops, be pushed evenly over a time. */

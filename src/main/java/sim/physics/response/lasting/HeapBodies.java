@@ -54,6 +54,9 @@ final class HeapBodies implements Serializable {
     /** How much the gaps of driven bodies change while forces hold, relative to the smaller body of a pair. */
     double[] sag = {};
 
+    /** Whether its forces have been found too often in this step, and hold for the rest of it. */
+    boolean[] isHurried = {};
+
     /** The number of the step before which it does not lie on anything, because it was struck too often. */
     double[] givenUp = {};
 
@@ -100,6 +103,7 @@ final class HeapBodies implements Serializable {
             pace = Arrays.copyOf(pace, n);
             hasClosed = Arrays.copyOf(hasClosed, n);
             sag = Arrays.copyOf(sag, n);
+            isHurried = Arrays.copyOf(isHurried, n);
             givenUp = Arrays.copyOf(givenUp, n);
             givenUpTimes = Arrays.copyOf(givenUpTimes, n);
             turns = Arrays.copyOf(turns, n);
@@ -152,9 +156,11 @@ final class HeapBodies implements Serializable {
         double least = h;
         double most = 0;
         boolean closed = false;
+        boolean hurried = false;
         for (int k = 0; k < bodies.size; k++) {
             int body = bodies.values[k];
             closed |= hasClosed[body];
+            hurried |= isHurried[body];
             most = Math.max(most, sag[body]);
             least = Math.min(least, pace[body] == 0 ? h : pace[body]);
         }
@@ -166,7 +172,7 @@ final class HeapBodies implements Serializable {
             sag[bodies.values[k]] = most;
             hasClosed[bodies.values[k]] = false;
         }
-        return least;
+        return hurried ? h : least;
     }
 
     /** Whether bodies have lost as much energy before in the step as they would gain now; takes note of it then. */
@@ -186,6 +192,7 @@ final class HeapBodies implements Serializable {
         paidUntil[body] = 0;
         givenUpTimes[body] = turns[body] + ends[body] < QUIET ? 0 : givenUpTimes[body];
         turns[body] = 0;
+        isHurried[body] = false;
         ends[body] = 0;
         failures[body] = 0;
         lost[body] = 0;

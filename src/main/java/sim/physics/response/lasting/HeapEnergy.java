@@ -18,6 +18,16 @@ final class HeapEnergy {
         return s.isTied() ? sum : gainedAlone(s, from);
     }
 
+    /** Twice the kinetic energy of the bodies that can move, with some velocities. */
+    static double of(HeapSystem s, double[] v) {
+        double sum = 0;
+        for (int k = 0; k < s.bodyCount(); k++) {
+            double way = v[3 * k] * v[3 * k] + v[3 * k + 1] * v[3 * k + 1];
+            sum += s.w[2 * k] == 0 ? 0 : way / s.w[2 * k] + v[3 * k + 2] * v[3 * k + 2] / s.w[2 * k + 1];
+        }
+        return sum;
+    }
+
     private static double gainedAlone(HeapSystem s, double[] from) {
         double sum = 0;
         for (int k = 0; k < s.bodyCount(); k++) {

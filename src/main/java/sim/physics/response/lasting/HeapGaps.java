@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.response.lasting;
 
+import sim.physics.internal.Tolerances;
+
 /** The gaps of lasting pairs: how deep they may be, which gap is kept for that, and how a missing one is regained. */
 final class HeapGaps {
     /** How deep a pair may be, relative to the smaller body. */
@@ -20,9 +22,6 @@ final class HeapGaps {
 
     /** Part of the depth that a solution may be wrong by, if it has to be. */
     private static final double LITTLE = 1e-2;
-
-    /** Depth, relative to the smaller body, in which no solution leaves a pair: its bodies were put into one another. */
-    private static final double PUT = 1e-3;
 
     private HeapGaps() {}
 
@@ -69,7 +68,7 @@ final class HeapGaps {
      *     does not do
      */
     static double leastSpeed(double gap, double depth, double bend, Regain regain, boolean isFresh, boolean isEven) {
-        if (gap * (isEven ? DRIVEN_CUSHION : FAIR_CUSHION) < -PUT * depth) {
+        if (gap * (isEven ? DRIVEN_CUSHION : FAIR_CUSHION) < -Tolerances.PUT * depth) {
             return 0;
         }
         double room = depth + bend;

@@ -42,6 +42,9 @@ final class HeapMatrix extends HeapRows {
     /** Error at which the impulses may start the next solution, as a part of the scale. */
     private static final double NEARLY = 1e-6;
 
+    /** By how much softer than stiff points are, relative to what an impulse does to them. */
+    private static final double SOFT = 0x1p-10;
+
     /** The bound at which a row is, −1 or +1, 0 for none. */
     private double[] side = {};
 
@@ -101,6 +104,25 @@ final class HeapMatrix extends HeapRows {
         }
         give(s);
         return least <= NEARLY * scale;
+    }
+
+    /**
+     * The same of a system that is heavier on its diagonal, as if points were a little soft: there are always impulses for that which no
+     * lever makes large, and if no point has to part they give no energy.
+     *
+     * @return whether they are right, or nearly so, for what is that soft
+     */
+    boolean solveSoftly(HeapSystem s, double exact, double scale) {
+        restart();
+        for (int i = 0; i < rows; i++) {
+            replies[i * rows + i] *= 1 + SOFT;
+        }
+        boolean right = solve(s, exact, 0, scale);
+        for (int i = 0; i < rows; i++) {
+            replies[i * rows + i] /= 1 + SOFT;
+        }
+        restart();
+        return right;
     }
 
     /** Newton's method, until some steps were in vain; returns the least error so far. */

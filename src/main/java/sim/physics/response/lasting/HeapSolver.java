@@ -95,6 +95,14 @@ final class HeapSolver implements Serializable {
         return relax(s, scale, enough, WORK);
     }
 
+    /** The same of points that are a little soft, where there are no bounded impulses, or none are found, that make them right. */
+    boolean solveSoftly(HeapSystem s, double scale, double enough) {
+        if (s.isTied() && matrix.assemble(s)) {
+            return matrix.solveSoftly(s, RIGHT * scale, scale);
+        }
+        return solve(s, scale, enough);
+    }
+
     /** The same with little work. */
     boolean solveInTurn(HeapSystem s, double scale, double enough) {
         if (s.isTied() && matrix.assemble(s)) {

@@ -8,6 +8,9 @@ import java.io.Serializable;
 final class HeapStrike implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Part of the energy that a strike may add to it, where points have to part. */
+    private static final double GAIN = 1e-3;
+
     /** Least normal velocities, while others are in their place. */
     private double[] kept = {};
 
@@ -40,7 +43,10 @@ final class HeapStrike implements Serializable {
             double least = kept[p] > 0 && !s.isMotor(p) ? lift * kept[p] : Math.min(0, kept[p]);
             s.bound(p, p < s.contacts() ? least : Math.max(least, rebounds[p - s.contacts()]));
         }
-        s.solve(scale, true);
+        boolean right = s.solve(scale, true);
+        if (!right || !(HeapEnergy.gained(s, s.free()) <= GAIN * HeapEnergy.of(s, s.free()))) {
+            s.solveSoftly(scale);
+        }
         for (int p = 0; p < s.size(); p++) {
             s.bound(p, kept[p]);
         }

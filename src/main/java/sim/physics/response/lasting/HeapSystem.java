@@ -429,6 +429,15 @@ final class HeapSystem implements Serializable {
         return solver.solve(this, scale, tolerance.enough());
     }
 
+    /** The same with impulses that are bounded in any case: no point has to part, and all are a little soft. Begins without any impulses. */
+    boolean solveSoftly(double scale) {
+        for (int p = 0; p < points; p++) {
+            start(p, 0, 0);
+        }
+        begin(false);
+        return solver.solveSoftly(this, scale, enough);
+    }
+
     /** The same with little work. */
     boolean solveInTurn(double scale) {
         begin(true);

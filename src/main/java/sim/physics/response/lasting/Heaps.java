@@ -40,10 +40,8 @@ public final class Heaps implements Serializable {
 
     private static final int MOST_ENDS_TIED = 300;
 
-    /** Turn of driven bodies in a step, rad, up to which they may lie on something. */
-    private static final double CALM = 0.5;
-
-    private static final int NONE = -1;
+    /** How many times deeper than it is a pair may be from then on. */
+    private static final double DEEPER = 2;
 
     /** Part of what forces give a body in a step that the speed is at which it is not on its way to or from the ground. */
     private static final double STANDING = 1e-5;
@@ -56,6 +54,7 @@ public final class Heaps implements Serializable {
     private final RestingContacts resting;
     private final HeapBodies by = new HeapBodies();
     private final Heap heap;
+    private final HeapCalm calm;
     private final IntList members = new IntList();
 
     /** Bodies to which something has happened, and those whose courses have changed. */
@@ -93,6 +92,7 @@ public final class Heaps implements Serializable {
         this.points = points;
         this.resting = resting;
         this.heap = new Heap(state, trajectories, motion, detection, points, by, ledger);
+        this.calm = new HeapCalm(trajectories, motion, detection, heap);
     }
 
     /**
@@ -148,7 +148,7 @@ public final class Heaps implements Serializable {
             return false;
         }
         boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
-        return !paused && (!isDriven(body) || isCalm(motion.companions(body), body));
+        return !paused && (!isDriven(body) || calm.isCalm(motion.companions(body), body));
     }
 
     /** Whether so much has happened to a body in this step that it is to lie on nothing. */
@@ -163,30 +163,6 @@ public final class Heaps implements Serializable {
     /** Whether the integrator moves a body also when it lies on others. */
     private boolean isDriven(int body) {
         return trajectories.isDriven(body) && (motion.isTied(body) || !motion.ground().isRough());
-    }
-
-    /**
-     * Whether those of some bodies that move together which lie on something, or are to, turn so little in a step that forces
-     * may be constant for it.
-     */
-    private boolean isCalm(IntList group, int body) {
-        double most = 0;
-        for (int k = 0; k < group.size; k++) {
-            boolean round = heap.scales().isRound(group.values[k]);
-            double spin = trajectories.data()[group.values[k] * Trajectories.STRIDE + Trajectories.OMEGA];
-            boolean counts = !round && (group.values[k] == body || liesItself(group.values[k]));
-            most = Math.max(most, counts ? Math.abs(spin) : 0);
-        }
-        return most * trajectories.h() <= CALM;
-    }
-
-    /** Whether a body has a lasting pair, not only those that move with it. */
-    private boolean liesItself(int body) {
-        boolean yes = false;
-        for (int k = 0; k < detection.pairs().countOf(body) && !yes; k++) {
-            yes = lasts(detection.pairs().of(body, k));
-        }
-        return yes;
     }
 
     /** Ends the lasting of all pairs of a body, and of those that move with it, for some steps. */
@@ -403,7 +379,10 @@ public final class Heaps implements Serializable {
      */
     public void again(int body, double tau) {
         by.ends[body]++;
-        if (isTooOften(body)) {
+        if (isTooOften(body) && motion.isTied(body)) {
+            by.isHurried[body] = true;
+            mark(body);
+        } else if (isTooOften(body)) {
             giveUp(body);
             changed.add(body);
         } else if (!by.isDirty[body] && tau < by.paidUntil[body] && trajectories.isDriven(body) && heap.goesOn(body, tau)) {
@@ -417,16 +396,21 @@ public final class Heaps implements Serializable {
      * Takes note that a lasting pair has closed within the step.
      *
      * @param pair number of the pair
+     * @param gap at which it has
      * @return false if it is not to last any more
      */
-    public boolean close(int pair) {
+    public boolean close(int pair, double gap) {
         for (int side = 0; side < 2; side++) {
             int body = side == 0 ? detection.pairs().first(pair) : detection.pairs().second(pair);
             if (has(body)) {
                 by.turns[body]++;
                 by.hasClosed[body] = true;
-                mark(body);
                 changed.add(body); // to be looked at again in any case
+                if (isTooOften(body) && motion.isTied(body)) {
+                    detection.marks().setDepth(pair, Math.max(detection.marks().depth(pair), -DEEPER * gap));
+                    continue; // bounces would cost more, and end nowhere where it is jammed
+                }
+                mark(body);
                 if (isTooOften(body)) {
                     giveUp(body);
                 }
@@ -477,7 +461,7 @@ public final class Heaps implements Serializable {
                 part(body); // since it came to lie there a force has been added that couples bodies
                 motion.support(body, 0, 0, 0);
                 changed.add(body);
-            } else if (by.lies[body] && isDriven(body) && !isCalm(motion.companions(body), NONE)) {
+            } else if (by.lies[body] && isDriven(body) && !calm.isCalm(motion.companions(body), HeapCalm.NONE)) {
                 giveUp(body);
                 changed.add(body);
             } else if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {
