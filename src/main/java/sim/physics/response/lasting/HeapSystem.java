@@ -435,7 +435,7 @@ final class HeapSystem implements Serializable {
             start(p, 0, 0);
         }
         begin(false);
-        return solver.solveSoftly(this, scale, enough);
+        return solver.solveSoftly(this, scale, tolerance.enough());
     }
 
     /** The same with little work. */
