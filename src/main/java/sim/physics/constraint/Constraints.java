@@ -234,8 +234,15 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public int equations(IntList bodies) {
-        return Grouping.equations(of(bodies), state);
+    public boolean pass(IntList bodies, double[] change) {
+        if (stabilization.isFeedback()) {
+            return false;
+        }
+        List<Island> those = of(bodies);
+        for (int k = 0; k < those.size(); k++) {
+            solver.correct(those.get(k), state.w().values(), change, null);
+        }
+        return true;
     }
 
     @Override

@@ -42,6 +42,9 @@ public abstract class AdaptiveIntegrator implements Integrator {
 
     private static final double SHARE_OF_STOP = 0.5;
 
+    /** Part of the step that a method wants, below which one is cut short by where the engine's ends. */
+    private static final double CUT = 0.5;
+
     /** Rounding of a coordinate, below which no step is made smaller. */
     private static final double ROUNDING = 2 * 0x1p-52;
 
@@ -104,7 +107,6 @@ public abstract class AdaptiveIntegrator implements Integrator {
         Stages stages = path.stages;
         stages.load(coordinates, state, bodies, tolerance, ROUNDING);
         stages.isOpen = isOpen;
-        stages.freedom = stages.isTied() ? 1 : equations.freedom(bodies);
         stages.begin(t, path);
         int first = bodies.values[0];
         double wanted = path.next[first];
@@ -117,6 +119,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
             stages.isRetry = rejections > 0;
             stages.most = isOpen ? Double.MAX_VALUE : Math.max(1, Math.abs(h) / length);
             stages.haste = haste(path, first, t, length);
+            stages.isCut = length < CUT * wanted;
             stages.time = Math.max(length, time);
             boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
             double proposal = length * stages.factor;

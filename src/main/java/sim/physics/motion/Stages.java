@@ -63,11 +63,17 @@ final class Stages implements Serializable {
     /** Whether the step was tried before, longer. */
     boolean isRetry;
 
+    /** Whether it had to be much shorter than the method wanted. */
+    boolean isCut;
+
     /** The time in which velocities change as much as they are: for so long an error of a velocity counts. */
     double time;
 
     /** How fast the accelerations change from one place to another, over their distance. */
     double rate;
+
+    /** The part of an error that counts although ties take it away. */
+    private double turn = 1;
 
     /** How much longer than this one steps were before, if much; else 1. */
     double haste;
@@ -85,9 +91,6 @@ final class Stages implements Serializable {
 
     /** The same for steps that need not end where the engine's does. */
     private int[] openRows = {};
-
-    /** How much of an error is left when joints are closed again. */
-    double freedom = 1;
 
     /** Whether this is such a step. */
     boolean isOpen;
@@ -150,7 +153,49 @@ final class Stages implements Serializable {
         return most;
     }
 
-    /** The same of places alone. */
+    /**
+     * Finds out what part of an error counts although ties take it away again: the directions in which they act turn within
+     * a step, and what was theirs to take at its start is not at its end. It is twice the part of the way of the step that
+     * they do not let pass at its end.
+     *
+     * @param endX coordinates at the end, where accelerations were asked for last, or near to it
+     */
+    void turn(double[] endX) {
+        for (int m = 0; m < size; m++) {
+            byX[m] = endX[m] - x0[m];
+            byV[m] = byX[m];
+        }
+        turn = 1;
+        if (!coordinates.pass(byV)) {
+            return;
+        }
+        double whole = 0;
+        double taken = 0;
+        for (int m = 0; m < size; m++) {
+            whole = Math.max(whole, weight[m] * Math.abs(byX[m]));
+            taken = Math.max(taken, weight[m] * Math.abs(byX[m] - byV[m]));
+        }
+        turn = taken < whole ? taken / whole : 1;
+    }
+
+    /** The {@link #norm} of an error, of what ties let pass of it; it is changed. */
+    double passed(double[] errorX, double[] errorV, double time) {
+        double all = norm(errorX, errorV, time);
+        if (turn == 1) {
+            return all;
+        }
+        coordinates.pass(errorX);
+        coordinates.pass(errorV);
+        return Math.max(norm(errorX, errorV, time), turn * all);
+    }
+
+    /** The same of an error of places, or of velocities, alone. */
+    double passed(double[] error) {
+        double all = norm(error);
+        return turn == 1 || !coordinates.pass(error) ? all : Math.max(norm(error), turn * all);
+    }
+
+    /** The largest of some changes of places alone. */
     double norm(double[] changeX) {
         double[] dx = coordinates.spread(changeX, null, byX, byV) ? byX : changeX;
         double most = 0;

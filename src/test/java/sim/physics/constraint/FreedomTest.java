@@ -56,24 +56,6 @@ class FreedomTest {
         return rod;
     }
 
-    @Test
-    void theEquationsOfALoopAreCountedUnlessSomeDependOnOthers() {
-        State state = new State();
-        IntList indices = new IntList();
-        Body left = rod(0, -0.5, Math.PI / 2);
-        Body right = rod(1, -0.5, Math.PI / 2);
-        Body coupler = rod(0.5, -1, 0);
-        for (Body body : List.of(left, right, coupler)) {
-            indices.add(state.add(body));
-        }
-        Island island = new Island(indices, List.of(
-                new PinJoint(left, null, 0, 0), new PinJoint(right, null, 1, 0), new PinJoint(coupler, left, 0, -1),
-                new PinJoint(coupler, right, 1, -1)));
-        assertThat(Grouping.equations(List.of(island), state)).isEqualTo(8);
-        island.redundantRows = 1;
-        assertThat(Grouping.equations(List.of(island), state)).isZero();
-    }
-
     /**
      * Windows in a row: cranks and couplers swing as one pendulum, however many they are. Joints take nearly all that a
      * larger number is off, so that a tolerance is met in about as many steps, and to about the same part.
