@@ -206,6 +206,11 @@ public abstract class AdaptiveIntegrator implements Integrator {
         return SHARE_OF_STOP;
     }
 
+    /** The same at most, if the estimates of the parts before allow it. */
+    double mostOfStop() {
+        return shareOfStop();
+    }
+
     /**
      * Makes the dense output of the step that was just made, whose end the state vectors hold, and keeps them.
      *

@@ -112,7 +112,7 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
     private static final double SAFETY = 0.7;
 
     /** The error that steps leave, over the estimate: where the method is used in earnest, in the mean of our scenes. */
-    private static final double CALIBRATION = 0.2;
+    private static final double CALIBRATION = 0.16;
 
     /** The same in the angles of a tree of pins. */
     private static final double TIED_CALIBRATION = 0.17;

@@ -57,6 +57,8 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     private static final int MOST_NODES = 7;
     private static final double OUTPUT = 2;
 
+    private static final double MOST_OF_STOP = 0.9;
+
     /** How much longer than the engine's a step must be for that to be cheaper. */
     private static final double WORTHWHILE = 6;
 
@@ -73,6 +75,11 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     @Override
     boolean takesTiedCoordinates(IntList bodies, Path path) {
         return true;
+    }
+
+    @Override
+    double mostOfStop() {
+        return MOST_OF_STOP;
     }
 
     @Override

@@ -155,8 +155,9 @@ final class Stages implements Serializable {
 
     /**
      * Finds out what part of an error counts although ties take it away again: the directions in which they act turn within
-     * a step, and what was theirs to take at its start is not at its end. It is twice the part of the way of the step that
-     * they do not let pass at its end.
+     * a step by an angle δ, so that of what was theirs to take when it arose they leave up to δ at the end, δ / 2 in the mean.
+     * That is the part of the way of the step, a chord, that they do not let pass at its end. Near a pose in which ties depend
+     * on one another, where directions turn fast, it is all that tells such errors.
      *
      * @param endX coordinates at the end, where accelerations were asked for last, or near to it
      */
