@@ -235,14 +235,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean pass(IntList bodies, double[] change) {
-        if (stabilization.isFeedback()) {
-            return false;
-        }
-        List<Island> those = of(bodies);
-        for (int k = 0; k < those.size(); k++) {
-            solver.correct(those.get(k), state.w().values(), change, null);
-        }
-        return true;
+        return !stabilization.isFeedback() && solver.pass(of(bodies), state.w().values(), change);
     }
 
     @Override

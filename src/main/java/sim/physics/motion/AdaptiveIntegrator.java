@@ -42,7 +42,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
 
     private static final double SHARE_OF_STOP = 0.5;
 
-    /** Part of the step that a method wants, below which one is cut short by where the engine's ends. */
+    /** Part of the step that a method wants, and of the last one, below which one is cut short by where the engine's ends. */
     private static final double CUT = 0.5;
 
     /** Rounding of a coordinate, below which no step is made smaller. */
@@ -109,6 +109,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
         stages.isOpen = isOpen;
         stages.begin(t, path);
         int first = bodies.values[0];
+        stages.freedom = path.freedom[first];
         double wanted = path.next[first];
         double length = wanted > 0 && wanted < Math.abs(h) ? fit(wanted, Math.abs(h)) : Math.abs(h);
         double longest = coordinates.longest();
@@ -119,7 +120,8 @@ public abstract class AdaptiveIntegrator implements Integrator {
             stages.isRetry = rejections > 0;
             stages.most = isOpen ? Double.MAX_VALUE : Math.max(1, Math.abs(h) / length);
             stages.haste = haste(path, first, t, length);
-            stages.isCut = length < CUT * wanted;
+            stages.forgetShare();
+            stages.isCut = length < CUT * Math.min(wanted, path.made[first]);
             stages.time = Math.max(length, time);
             boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
             double proposal = length * stages.factor;
@@ -127,6 +129,8 @@ public abstract class AdaptiveIntegrator implements Integrator {
                 if (!stages.isTied()) {
                     stages.join(state, bodies, h < 0 ? -length : length, path);
                 }
+                path.freedom[first] = stages.freedom();
+                path.made[first] = length;
                 path.proposed[first] = proposal;
                 path.next[first] = length == Math.abs(h) && !isOpen ? Math.max(wanted, proposal) : proposal;
                 remember(path, first, t, isOpen ? proposal : Math.min(proposal, Math.abs(h)));

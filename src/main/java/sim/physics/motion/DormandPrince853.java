@@ -232,7 +232,6 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
     private static double error(Stages s, double h) {
         double time = Math.max(s.haste, Math.min(LONGEST, s.time / Math.abs(h)));
         double[] work = s.work;
-        s.turn(s.x);
         double[] x3 = s.x; // has been used
         double[] v3 = s.v;
         for (int m = 0, size = s.size; m < size; m++) {
@@ -252,11 +251,12 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
             x3[m] = sumX3;
             v3[m] = sumV3;
         }
-        double fifth = s.passed(s.offX, s.offV, time);
-        double third = s.passed(x3, v3, time);
+        double third = s.norm(x3, v3, time);
+        double fifth = s.norm(s.offX, s.offV, time);
+        double left = s.left(s.offX, s.offV, time);
         double both = fifth * fifth + 0.01 * third * third;
         double calibration = s.isOpen ? OPEN_CALIBRATION : s.isTied() ? TIED_CALIBRATION : CALIBRATION;
-        return both == 0 ? 0 : calibration * h * h * fifth * fifth / Math.sqrt(both);
+        return both == 0 ? 0 : calibration * h * h * left * fifth / Math.sqrt(both);
     }
 
     @Override

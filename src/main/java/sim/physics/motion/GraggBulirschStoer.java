@@ -120,9 +120,9 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
                 s.factor = Math.max(LEAST_STABLE, SAFETY * STABLE * aim / fast);
                 return false;
             }
-            if ((count >= aim - 1 || s.isCut) && error <= 1) {
+            if (count >= aim - 1 && error <= 1) {
                 int next = next(s, count, Math.min(count, aim));
-                s.rows()[bodies.values[0]] = s.isCut ? aim : next; // those of a step that ends where it must say little of others
+                s.rows()[bodies.values[0]] = s.isCut ? aim : next; // those of what was left of a step say little of the next one
                 finish(s);
                 return true;
             }
@@ -256,12 +256,11 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     private static double error(Stages s) {
         double[] y = s.work;
         int n = s.size;
-        s.turn(s.x);
         for (int m = 0; m < n; m++) {
             s.offX[m] = y[m] - y[2 * n + m];
             s.offV[m] = y[n + m] - y[3 * n + m];
         }
-        return (s.isTied() ? TIED_CAUTION : CAUTION) * s.passed(s.offX, s.offV, s.time);
+        return (s.isTied() ? TIED_CAUTION : CAUTION) * s.left(s.offX, s.offV, s.time);
     }
 
     private static void finish(Stages s) {

@@ -289,11 +289,7 @@ public final class RadauIIA extends AdaptiveIntegrator {
             w.rightV[0][m] = dot(DIFFERENCE, w.stageV, m) / h;
         }
         w.solveReal(GAMMA / h, w.rightX[0], w.rightV[0]);
-        for (int m = 0; m < s.size; m++) {
-            w.partX[0][m] = s.x0[m] + w.stageX[2][m];
-        }
-        s.turn(w.partX[0]);
-        double third = s.passed(w.rightX[0]) * s.passed(w.rightV[0]);
+        double third = norm(s, w.rightX[0]) * norm(s, w.rightV[0]);
         for (int m = 0; m < s.size; m++) {
             w.errorX[m] = dot(ERROR, w.stageX, m) / h;
             w.errorV[m] = dot(ERROR, w.stageV, m) / h;
@@ -325,13 +321,24 @@ public final class RadauIIA extends AdaptiveIntegrator {
      * products tell the step times its frequency; and what a velocity is off counts for one over that, not for the step.
      */
     private static double smooth(Stages s, Implicit w, double h, double third) {
-        System.arraycopy(w.rightX[0], 0, w.rightX[1], 0, s.size);
-        System.arraycopy(w.rightV[0], 0, w.rightV[1], 0, s.size);
-        double x = s.passed(w.rightX[1]);
-        double v = s.passed(w.rightV[1]);
+        double x = norm(s, w.rightX[0]);
+        double v = norm(s, w.rightV[0]);
         double turn = x * v < third ? Math.max(LEAST_TURN, Math.min(1, SMOOTH * Math.sqrt(x * v / third))) : 1;
         w.turn = turn;
-        return (s.isOpen ? OPEN_CALIBRATION : CALIBRATION) * turn * Math.max(x, Math.abs(h) * v / turn);
+        if (s.isOpen) { // what is read on the way had better be near to where ties want it
+            return OPEN_CALIBRATION * turn * Math.max(x, Math.abs(h) * v / turn);
+        }
+        System.arraycopy(w.rightX[0], 0, w.rightX[1], 0, s.size);
+        System.arraycopy(w.rightV[0], 0, w.rightV[1], 0, s.size);
+        return CALIBRATION * turn * s.left(w.rightX[1], w.rightV[1], h / turn);
+    }
+
+    private static double norm(Stages s, double[] values) {
+        double most = 0;
+        for (int m = 0; m < s.size; m++) {
+            most = Math.max(most, s.weight[m] * Math.abs(values[m]));
+        }
+        return most;
     }
 
     private static void place(State state, IntList bodies, Stages s, double[] x, double[] v) {

@@ -10,6 +10,12 @@ import sim.physics.internal.IntList;
 final class Stages implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Part of what is free of an error that counts at least, however small that was in the steps before. */
+    private static final double PLAIN = 0.5;
+
+    /** What the last step counts for in the mean of those of late. */
+    private static final double NEW = 0.125;
+
     /** Positions and velocities at the start of the step. */
     double[] x0 = {};
 
@@ -63,7 +69,7 @@ final class Stages implements Serializable {
     /** Whether the step was tried before, longer. */
     boolean isRetry;
 
-    /** Whether it had to be much shorter than the method wanted. */
+    /** Whether it is much shorter than the method wants and than the one before: what is left of the engine's step. */
     boolean isCut;
 
     /** The time in which velocities change as much as they are: for so long an error of a velocity counts. */
@@ -72,8 +78,11 @@ final class Stages implements Serializable {
     /** How fast the accelerations change from one place to another, over their distance. */
     double rate;
 
-    /** The part of an error that counts although ties take it away. */
-    private double turn = 1;
+    /** The part of errors that ties let pass, in the mean (of logarithms) of the steps of late; 0: not known. */
+    double freedom;
+
+    /** The same of the last error; 0 if that was not asked for, or nothing ties the bodies. */
+    private double share;
 
     /** How much longer than this one steps were before, if much; else 1. */
     double haste;
@@ -154,49 +163,34 @@ final class Stages implements Serializable {
     }
 
     /**
-     * Finds out what part of an error counts although ties take it away again: the directions in which they act turn within
-     * a step by an angle δ, so that of what was theirs to take when it arose they leave up to δ at the end, δ / 2 in the mean.
-     * That is the part of the way of the step, a chord, that they do not let pass at its end. Near a pose in which ties depend
-     * on one another, where directions turn fast, it is all that tells such errors.
+     * The {@link #norm} of an error as it is, times the part of errors that ties let pass, {@link #freedom}. It is that in the
+     * mean of late: what is free of a single estimate vanishes now and then where what is free of the error does not, and
+     * steps had better go by all of it. Near a pose in which ties depend on one another the part is larger, at once.
      *
-     * @param endX coordinates at the end, where accelerations were asked for last, or near to it
+     * @param errorX of the end, where accelerations were asked for last, or near to it; changed
+     * @param errorV of the rates; changed
      */
-    void turn(double[] endX) {
-        for (int m = 0; m < size; m++) {
-            byX[m] = endX[m] - x0[m];
-            byV[m] = byX[m];
-        }
-        turn = 1;
-        if (!coordinates.pass(byV)) {
-            return;
-        }
-        double whole = 0;
-        double taken = 0;
-        for (int m = 0; m < size; m++) {
-            whole = Math.max(whole, weight[m] * Math.abs(byX[m]));
-            taken = Math.max(taken, weight[m] * Math.abs(byX[m] - byV[m]));
-        }
-        turn = taken < whole ? taken / whole : 1;
-    }
-
-    /** The {@link #norm} of an error, of what ties let pass of it; it is changed. */
-    double passed(double[] errorX, double[] errorV, double time) {
+    double left(double[] errorX, double[] errorV, double time) {
         double all = norm(errorX, errorV, time);
-        if (turn == 1) {
+        if (!(all > 0 && all < Double.POSITIVE_INFINITY) || !coordinates.pass(errorX)) {
             return all;
         }
-        coordinates.pass(errorX);
         coordinates.pass(errorV);
-        return Math.max(norm(errorX, errorV, time), turn * all);
+        share = Math.min(1, norm(errorX, errorV, time) / all);
+        return all * (freedom > 0 ? Math.max(freedom, PLAIN * share) : share);
     }
 
-    /** The same of an error of places, or of velocities, alone. */
-    double passed(double[] error) {
-        double all = norm(error);
-        return turn == 1 || !coordinates.pass(error) ? all : Math.max(norm(error), turn * all);
+    /** Begins an attempt, in which it may be that nobody asks what ties let pass. */
+    void forgetShare() {
+        share = 0;
     }
 
-    /** The largest of some changes of places alone. */
+    /** The part that ties let pass, with that of the step that was just made; 0 if it is not known. */
+    double freedom() {
+        return share == 0 ? freedom : freedom == 0 ? share : freedom * StrictMath.pow(share / freedom, NEW);
+    }
+
+    /** The same of places alone. */
     double norm(double[] changeX) {
         double[] dx = coordinates.spread(changeX, null, byX, byV) ? byX : changeX;
         double most = 0;
