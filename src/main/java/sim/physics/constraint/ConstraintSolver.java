@@ -33,12 +33,24 @@ public abstract class ConstraintSolver implements Serializable {
      */
     abstract void correct(Island island, double[] w, double[] u, double[] g);
 
-    /** Takes from changes of places or velocities of some islands, which are evaluated, what their rows do not allow. */
-    boolean pass(List<Island> islands, double[] w, double[] change) {
+    /**
+     * Takes from changes of places or velocities of some islands, which are evaluated, what their rows do not allow; false if
+     * some of these depend on others, so that what they do is not to be relied on.
+     */
+    final boolean pass(List<Island> islands, double[] w, double[] change) {
+        boolean well = true;
         for (int k = 0; k < islands.size(); k++) {
-            correct(islands.get(k), w, change, null);
+            well &= islands.get(k).redundantRows == 0;
         }
-        return true;
+        for (int k = 0; k < islands.size() && well; k++) {
+            takeAway(islands.get(k), w, change);
+        }
+        return well;
+    }
+
+    /** The same for one island, to a few digits. */
+    void takeAway(Island island, double[] w, double[] change) {
+        correct(island, w, change, null);
     }
 
     /**

@@ -121,7 +121,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
             stages.most = isOpen ? Double.MAX_VALUE : Math.max(1, Math.abs(h) / length);
             stages.haste = haste(path, first, t, length);
             stages.forgetShare();
-            stages.isCut = length < CUT * Math.min(wanted, path.made[first]);
+            stages.isCut = !stages.isTied() && length < CUT * Math.min(wanted, path.made[first]);
             stages.time = Math.max(length, time);
             boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
             double proposal = length * stages.factor;

@@ -73,7 +73,7 @@ public interface Coordinates {
      * them.
      *
      * @param change of coordinates or of rates, near to where accelerations were asked for last
-     * @return false if nothing is taken away of any change
+     * @return false if nothing is taken away of any change, or nobody knows what; then nothing has changed
      */
     default boolean pass(double[] change) {
         return false; // ties let any change of their coordinates pass

@@ -21,7 +21,7 @@ public interface EquationsOfMotion {
      *
      * @param bodies the bodies, where accelerations were evaluated last
      * @param change [x, y, θ] per body of the state
-     * @return false if nothing is taken away of any change
+     * @return false if nothing is taken away of any change, or nobody knows what; then nothing has changed
      */
     default boolean pass(IntList bodies, double[] change) {
         return false; // nothing ties the bodies

@@ -13,9 +13,6 @@ final class Stages implements Serializable {
     /** Part of what is free of an error that counts at least, however small that was in the steps before. */
     private static final double PLAIN = 0.5;
 
-    /** What the last step counts for in the mean of those of late. */
-    private static final double NEW = 0.125;
-
     /** Positions and velocities at the start of the step. */
     double[] x0 = {};
 
@@ -185,9 +182,12 @@ final class Stages implements Serializable {
         share = 0;
     }
 
-    /** The part that ties let pass, with that of the step that was just made; 0 if it is not known. */
+    /** The mean part that ties let pass, with that of the step that was just made; 0 if it is not known. */
     double freedom() {
-        return share == 0 ? freedom : freedom == 0 ? share : freedom * StrictMath.pow(share / freedom, NEW);
+        if (share == 0 || freedom == 0) {
+            return Math.max(share, freedom);
+        }
+        return freedom * Math.sqrt(Math.sqrt(Math.sqrt(share / freedom))); // counts for an eighth
     }
 
     /** The same of places alone. */

@@ -62,7 +62,7 @@ public interface Ties extends Serializable {
      *
      * @param bodies all bodies of an island, or of several and others, where accelerations were evaluated last
      * @param change [x, y, θ] per body of the state
-     * @return false if nothing brings the bodies back
+     * @return false if nothing brings the bodies back, or nobody knows how; then nothing has changed
      */
     boolean pass(IntList bodies, double[] change);
 
