@@ -28,10 +28,14 @@ public final class Honesty {
     private static final double CAP = 2;
 
     private final Map<Verdict, Integer> counts = new EnumMap<>(Verdict.class);
+    private final Map<Held.By, Integer> smaller = new EnumMap<>(Held.By.class);
 
     Honesty() {
         for (Verdict verdict : Verdict.values()) {
             counts.put(verdict, 0);
+        }
+        for (Held.By by : Held.By.values()) {
+            smaller.put(by, 0);
         }
     }
 
@@ -47,7 +51,14 @@ public final class Honesty {
     }
 
     /** A row of the table. */
-    record Row(String what, double low, double high, boolean isMet) {}
+    record Row(String what, double low, double high, boolean isMet, Map<Held.By, Integer> smaller) {
+        /** What holds the points whose errors are smaller, in words; empty if there are none. */
+        String held() {
+            List<String> words = new ArrayList<>();
+            smaller.forEach((by, count) -> words.add(count + " " + name(by)));
+            return String.join(", ", words);
+        }
+    }
 
     /**
      * Prints the table of some scenes.
@@ -64,7 +75,7 @@ public final class Honesty {
                 Measurement measurement = new Measurement(scene, new PythonPeers("none"), CAP);
                 measurement.sweepTolerances();
                 for (Row row : honesty.add(scene, measurement.points)) {
-                    System.out.printf(Locale.ROOT, "%s: %.1e … %.1e %s%n", row.what, row.low, row.high, row.isMet ? "" : "no");
+                    System.out.printf(Locale.ROOT, "%s: %.1e … %.1e %s%n", row.what, row.low, row.high, row.held());
                 }
             }
         }
@@ -103,10 +114,16 @@ public final class Honesty {
     private Row row(ReportScene scene, Curve curve, List<Point> points, double grown) {
         double low = Double.POSITIVE_INFINITY;
         double high = 0;
+        Map<Held.By, Integer> held = new EnumMap<>(Held.By.class);
+        Held why = null;
         for (Point point : points) {
             if (point.setting > LEAST_TOLERANCE) {
                 Verdict verdict = verdict(point.error, point.setting, grown, scene.unit);
                 counts.merge(verdict, 1, Integer::sum);
+                if (verdict == Verdict.SMALLER) {
+                    why = why == null ? new Held(scene, curve) : why;
+                    held.merge(why.by(point, points, grown), 1, Integer::sum);
+                }
                 if (verdict != Verdict.LOST && verdict != Verdict.SCENE) {
                     double ratio = point.error * scene.unit / (point.setting * grown);
                     low = Math.min(low, ratio);
@@ -115,11 +132,27 @@ public final class Honesty {
             }
         }
         String what = String.format(Locale.ROOT, "%s, %s: error / (tolerance × %.2g)", scene.title, curve.method(), grown);
-        return new Row(what, low, high, low >= LOW && high <= HIGH);
+        held.forEach((by, count) -> smaller.merge(by, count, Integer::sum));
+        return new Row(what, low, high, low >= LOW && high <= HIGH, held);
     }
 
     int count(Verdict verdict) {
         return counts.get(verdict);
+    }
+
+    /** Those smaller ones that something else than the tolerance holds. */
+    int held() {
+        return count(Verdict.SMALLER) - smaller.get(Held.By.NOTHING);
+    }
+
+    /** Words for what holds some. */
+    private static String name(Held.By by) {
+        return switch (by) {
+            case NOTHING -> "held by nothing";
+            case COARSEST -> "which no coarser tolerance does for less";
+            case STABILITY -> "held by stability";
+            case OUTPUT -> "held by the engine's step";
+        };
     }
 
     int counted() {
@@ -131,8 +164,11 @@ public final class Honesty {
     }
 
     String summary() {
-        return count(Verdict.WITHIN) + " of " + counted() + ", " + count(Verdict.SMALLER) + " smaller, "
-                + count(Verdict.LARGER) + " larger; not counted: " + count(Verdict.SCENE)
+        StringBuilder why = new StringBuilder();
+        smaller.forEach((by, count) -> why.append(why.isEmpty() ? "" : ", ").append(count).append(' ').append(name(by)));
+        return count(Verdict.WITHIN) + " of " + counted() + ", " + count(Verdict.SMALLER) + " smaller (" + why + "), "
+                + count(Verdict.LARGER) + " larger; without those that are held " + count(Verdict.WITHIN) + " of "
+                + (counted() - held()) + "; not counted: " + count(Verdict.SCENE)
                 + " where the tolerance allows errors as large as the scene, " + count(Verdict.LOST) + " lost in rounding";
     }
 }

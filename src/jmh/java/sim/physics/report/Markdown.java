@@ -50,12 +50,13 @@ final class Markdown {
             }
         }
         if (worse != null) {
-            String setting = curve.isAdaptive() ? "tolerance " : "step ";
-            double factor = curve.isAdaptive() ? 1 : scene.duration / scene.samples;
-            breakdowns.add("* " + scene.id + ", " + curve.method() + ": error " + number(best.error) + " at " + setting
-                    + number(curve.isAdaptive() ? best.setting : factor / best.setting) + ", but " + number(worse.error) + " at "
-                    + number(curve.isAdaptive() ? worse.setting : factor / worse.setting));
+            breakdowns.add("* " + scene.id + ", " + curve.method() + ": error " + number(best.error) + " at "
+                    + setting(scene, curve, best.setting) + ", but " + number(worse.error) + " at " + setting(scene, curve, worse.setting));
         }
+    }
+
+    private static String setting(ReportScene scene, Curve curve, double setting) {
+        return curve.isAdaptive() ? "tolerance " + number(setting) : "step " + number(scene.duration / scene.samples / setting);
     }
 
     private void line(String text) {
@@ -140,6 +141,12 @@ final class Markdown {
             line("");
             line("Failed at one setting or more: " + String.join("; ", failed) + ".");
         }
+        List<String> left = new ArrayList<>();
+        measurement.omitted.forEach((curve, from) -> left.add(curve.name() + " from " + setting(scene, curve, from[0]) + " on"));
+        if (!left.isEmpty()) {
+            line("");
+            line("Left out, as a run would take too long: " + String.join(", ", left) + ".");
+        }
     }
 
     String text(String mode, double cap, boolean python, Profile profile, MethodGuide guide, Goals goals, double seconds) {
@@ -148,7 +155,7 @@ final class Markdown {
         text.append("Generated, all figures from one run in the setting *").append(mode).append("*, with\n\n```\n");
         text.append("mvn -q -ntp -Pbench test-compile exec:exec -Dbench.main=sim.physics.report.SpeedVsError -Djmh.args=\"")
                 .append(mode).append("\"\n```\n\n");
-        text.append("`quick` takes minutes, `full` hours; `python=…` names an interpreter that has mujoco and pymunk, and names of\n"
+        text.append("`quick` takes some five minutes, `full` half an hour; `python=…` names an interpreter that has mujoco and pymunk, and names of\n"
                 + "scenes as further words limit the run. ");
         text.append(String.format(Locale.ROOT, "This run took %.0f s on %d processors with JDK %s%s.%n%n",
                 seconds, Runtime.getRuntime().availableProcessors(), System.getProperty("java.version"),

@@ -17,12 +17,28 @@ final class Measurement {
     private static final long LEAST_NANOS = 1_000_000;
     private static final long WARM_UP_NANOS = 100_000_000;
 
+    /** Part of the most CPU seconds of a run from which runs are timed in fewer rounds. */
+    private static final double LONG = 0.1;
+
+    private static final int FEW_ROUNDS = 3;
+
+    /** How much longer than predicted a run may take before it is stopped, and steps after which that is asked. */
+    private static final double SURPRISE = 2;
+
+    private static final int LOOK = 256;
+
+    /** Part of the time of a scene that the untimed runs take, for the progress bar. */
+    private static final double SWEEPS = 0.3;
+
     private final ReportScene scene;
     private final PythonPeers python;
     private final double cap;
     private final double[][] reference;
     final Map<Curve, List<Point>> points = new LinkedHashMap<>();
     final Map<Curve, String> failures = new LinkedHashMap<>();
+
+    /** What was not run, since it would take too long: the setting from which on, and how many CPU seconds were predicted. */
+    final Map<Curve, double[]> omitted = new LinkedHashMap<>();
 
     /**
      * A measurement.
@@ -36,27 +52,47 @@ final class Measurement {
         reference = scene.expected == null ? null : scene.expected.get();
     }
 
-    void run(int rounds, Progress progress) {
+    /** An estimate of the CPU seconds that {@link #run} takes. */
+    static double expected(ReportScene scene, PythonPeers python, double cap, int rounds) {
+        double sum = 0;
         for (Curve curve : Curve.all(scene, python)) {
-            progress.show(scene.id + " " + curve.name());
-            points.put(curve, sweep(curve));
+            sum += cap * (curve.isAdaptive() ? 0.3 : curve.order() == 1 ? 1 : 1.5);
         }
+        return sum * (1 + Math.min(rounds, FEW_ROUNDS));
+    }
+
+    void run(int rounds, Progress progress) {
+        List<Curve> curves = Curve.all(scene, python);
         Map<Point, double[]> times = new LinkedHashMap<>();
+        double whole = 0;
+        for (int k = 0; k < curves.size(); k++) {
+            progress.show(scene.id + " " + curves.get(k).name(), SWEEPS * k / curves.size());
+            List<Point> found = sweep(curves.get(k));
+            points.put(curves.get(k), found);
+            for (Point point : found) {
+                times.put(point, new double[point.spent > LONG * cap ? Math.min(FEW_ROUNDS, rounds) : rounds]);
+                whole += times.get(point).length * point.spent;
+            }
+        }
+        double done = 0;
         for (int round = -1; round < rounds; round++) {
-            progress.show(scene.id + " round " + (round + 1) + " of " + rounds);
             for (Map.Entry<Curve, List<Point>> entry : points.entrySet()) {
+                progress.show(scene.id + " round " + (round + 1) + " of " + rounds, SWEEPS + (1 - SWEEPS) * done / whole);
                 if (round < 0) {
                     warmUp(entry.getKey(), entry.getValue());
                     continue;
                 }
                 for (Point point : entry.getValue()) {
-                    times.computeIfAbsent(point, p -> new double[rounds])[round] = time(entry.getKey(), point.setting);
+                    if (round < times.get(point).length) {
+                        times.get(point)[round] = time(entry.getKey(), point.setting);
+                        done += point.spent;
+                    }
                 }
             }
         }
         times.forEach((point, all) -> {
             Arrays.sort(all);
-            point.cpu = all[rounds / 2] / scene.duration;
+            point.cpu = all[all.length / 2] / scene.duration;
         });
     }
 
@@ -69,16 +105,42 @@ final class Measurement {
         }
     }
 
-    /** From coarse to fine until a run costs too much, or nothing is gained any more. */
+    /** Error and counts of one setting of our own; null if it is too coarse for the method. */
+    static Point untimed(ReportScene scene, Curve curve, double setting, double[][] reference) {
+        Point point = new Point(setting);
+        double[][] states = new double[scene.samples][Model.BLOCK * scene.model.parts.size()];
+        try (World world = curve.world(scene, setting, true)) {
+            for (double[] state : states) {
+                for (int k = 0; k < curve.steps(setting); k++) {
+                    world.step();
+                }
+                world.read(state);
+            }
+            point.counts = world.counts();
+        } catch (RuntimeException problem) {
+            return null;
+        }
+        point.error = scene.error(states, reference);
+        return Double.isFinite(point.error) ? point : null;
+    }
+
+    /** From coarse to fine until a run would cost too much, or nothing is gained any more. */
     private List<Point> sweep(Curve curve) {
         List<Point> found = new ArrayList<>();
         double best = Double.POSITIVE_INFINITY;
+        double predicted = 0;
         int idle = 0;
         for (double setting : curve.settings(scene)) {
+            if (predicted > cap) {
+                omitted.put(curve, new double[] {setting, predicted});
+                break;
+            }
             Point point = new Point(setting);
-            double spent;
             try {
-                spent = accuracy(curve, point);
+                accuracy(curve, point);
+            } catch (TooLong surprise) {
+                omitted.put(curve, new double[] {setting, point.spent});
+                break;
             } catch (RuntimeException | LinkageError problem) {
                 // a coarse step may be too coarse for a method: the finer ones count
                 failures.put(curve, brief(problem));
@@ -89,12 +151,22 @@ final class Measurement {
             }
             idle = point.error < 0.7 * best ? 0 : idle + 1;
             best = Math.min(best, point.error);
-            double next = spent * (curve.isAdaptive() ? 1.5 : curve.order() == 1 ? 4 : 2);
-            if (next > cap || best < 1e-8 && idle >= 2) {
+            predicted = predict(curve, point.spent);
+            if (best < 1e-8 && idle >= 2) {
                 break;
             }
         }
         return found;
+    }
+
+    /** CPU seconds of the next finer setting. */
+    private static double predict(Curve curve, double spent) {
+        return spent * (curve.isAdaptive() ? 1.5 : curve.order() == 1 ? 4 : 2);
+    }
+
+    /** A run takes much longer than was to be expected. */
+    private static final class TooLong extends RuntimeException {
+        private static final long serialVersionUID = 1L;
     }
 
     private static String brief(Throwable problem) {
@@ -102,27 +174,27 @@ final class Measurement {
         return words.length() > 120 ? words.substring(0, 120) + "…" : words;
     }
 
-    private double accuracy(Curve curve, Point point) {
+    private void accuracy(Curve curve, Point point) {
         double[][] states = new double[scene.samples][Model.BLOCK * scene.model.parts.size()];
-        double spent;
         if (Curve.isPython(curve.engine())) {
-            spent = python.run(curve, scene, point.setting, states);
+            point.spent = python.run(curve, scene, point.setting, states);
         } else {
             long begun = cpu();
             try (World world = curve.world(scene, point.setting, true)) {
                 int steps = curve.steps(point.setting);
+                long all = 0;
                 for (double[] state : states) {
-                    for (int k = 0; k < steps; k++) {
+                    for (int k = 0; k < steps; k++, all++) {
                         world.step();
+                        if (all % LOOK == 0 || k == 0) {
+                            lookAtClock(begun, point);
+                        }
                     }
                     world.read(state);
-                    if ((cpu() - begun) * 1e-9 > 4 * cap) {
-                        throw new IllegalStateException("stopped, as it took too long at " + point.setting);
-                    }
                 }
                 point.counts = world.counts();
             }
-            spent = (cpu() - begun) * 1e-9;
+            point.spent = (cpu() - begun) * 1e-9;
         }
         point.error = scene.error(states, reference);
         point.energy = scene.energyError(states);
@@ -136,7 +208,13 @@ final class Measurement {
                 point.penetration = larger(point.penetration, Math.max(0, scene.model.penetration(state)));
             }
         }
-        return spent;
+    }
+
+    private void lookAtClock(long begun, Point point) {
+        point.spent = (cpu() - begun) * 1e-9;
+        if (point.spent > SURPRISE * cap) {
+            throw new TooLong();
+        }
     }
 
     private static double larger(double a, double b) {

@@ -8,6 +8,9 @@ import java.util.Map;
 final class Point {
     final double setting;
 
+    /** CPU seconds of the run that is not timed. */
+    double spent;
+
     /** CPU seconds for a simulated second. */
     double cpu;
 

@@ -54,7 +54,8 @@ public final class SpeedVsError {
 
     private void run(String mode) throws IOException {
         boolean full = mode.equals("full");
-        double cap = full ? 2 : 0.3;
+        double cap = full ? 0.6 : 0.3;
+        int rounds = full ? 7 : 3;
         long begun = System.nanoTime();
         List<ReportScene> scenes = new ArrayList<>(JointScenes.all(full));
         scenes.addAll(OtherScenes.all(full));
@@ -68,14 +69,15 @@ public final class SpeedVsError {
         Profile profile = new Profile();
         Goals goals = new Goals();
         MethodGuide guide = new MethodGuide();
-        Progress progress = new Progress(scenes.size());
         try (PythonPeers peers = new PythonPeers(python);
                 Writer data = Files.newBufferedWriter(docs.resolve("data/speed-vs-error.csv"))) {
             data.write("scene,engine,method,setting,value,cpu_s_per_s,error,energy,momentum,gap_m,penetration_m,"
                     + "steps,force_evaluations,impacts,narrow_phase_looks\n");
+            Progress progress = new Progress(
+                    scenes.stream().mapToDouble(scene -> Measurement.expected(scene, peers, cap, rounds)).toArray());
             for (ReportScene scene : scenes) {
                 Measurement measurement = new Measurement(scene, peers, cap);
-                measurement.run(full ? 7 : 3, progress);
+                measurement.run(rounds, progress);
                 write(data, scene, measurement);
                 charts.workPrecision(measurement, scene);
                 text.scene(scene, measurement, charts.tolerance(measurement, scene));

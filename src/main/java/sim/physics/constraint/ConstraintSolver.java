@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import java.util.List;
 import sim.physics.motion.State;
 
 /** Solves J W Jᵀ λ = −J W F − J̇ ẋ, (41): {@link DirectSolver} or {@link GlobalSolver}. */
@@ -31,6 +32,26 @@ public abstract class ConstraintSolver implements Serializable {
      * @param g 2 per node; null: zero
      */
     abstract void correct(Island island, double[] w, double[] u, double[] g);
+
+    /**
+     * Takes from changes of places or velocities of some islands, which are evaluated, what their rows do not allow; false if
+     * some of these depend on others, so that what they do is not to be relied on.
+     */
+    final boolean pass(List<Island> islands, double[] w, double[] change) {
+        boolean well = true;
+        for (int k = 0; k < islands.size(); k++) {
+            well &= islands.get(k).redundantRows == 0;
+        }
+        for (int k = 0; k < islands.size() && well; k++) {
+            takeAway(islands.get(k), w, change);
+        }
+        return well;
+    }
+
+    /** The same for one island, to a few digits. */
+    void takeAway(Island island, double[] w, double[] change) {
+        correct(island, w, change, null);
+    }
 
     /**
      * Whether an island's equations are well enough conditioned to be solved without refinement, in what order ever.

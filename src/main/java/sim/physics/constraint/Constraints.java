@@ -234,8 +234,8 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public int equations(IntList bodies) {
-        return Grouping.equations(of(bodies), state);
+    public boolean pass(IntList bodies, double[] change) {
+        return !stabilization.isFeedback() && solver.pass(of(bodies), state.w().values(), change);
     }
 
     @Override

@@ -111,6 +111,13 @@ public final class DirectSolver extends ConstraintSolver {
     }
 
     @Override
+    void takeAway(Island island, double[] w, double[] change) {
+        island.residual(change, null, island.lambda);
+        island.solve(island.lambda);
+        island.apply(w, island.lambda, change);
+    }
+
+    @Override
     void prepareAndCorrect(Island island, double[] w, double[] u, double[] g) {
         if (!isPlain(island, w)) {
             super.prepareAndCorrect(island, w, u, g);

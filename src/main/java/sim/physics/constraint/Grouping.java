@@ -87,21 +87,6 @@ final class Grouping {
         return yes;
     }
 
-    /** Number of equations that islands keep now; 0 if some depend on others, so that their number says little. */
-    static int equations(List<Island> islands, State state) {
-        int sum = 0;
-        for (int k = 0; k < islands.size(); k++) {
-            Island one = islands.get(k).switches.active(state);
-            if (one.redundantRows > 0) {
-                return 0;
-            }
-            for (Constraint constraint : one.constraints) {
-                sum += constraint.getRows();
-            }
-        }
-        return sum;
-    }
-
     /** Whether some joint of some island can break. */
     static boolean areBreakable(List<Island> islands) {
         boolean found = false;

@@ -42,6 +42,9 @@ public abstract class AdaptiveIntegrator implements Integrator {
 
     private static final double SHARE_OF_STOP = 0.5;
 
+    /** Part of the step that a method wants, and of the last one, below which one is cut short by where the engine's ends. */
+    private static final double CUT = 0.5;
+
     /** Rounding of a coordinate, below which no step is made smaller. */
     private static final double ROUNDING = 2 * 0x1p-52;
 
@@ -104,9 +107,9 @@ public abstract class AdaptiveIntegrator implements Integrator {
         Stages stages = path.stages;
         stages.load(coordinates, state, bodies, tolerance, ROUNDING);
         stages.isOpen = isOpen;
-        stages.freedom = stages.isTied() ? 1 : equations.freedom(bodies);
         stages.begin(t, path);
         int first = bodies.values[0];
+        stages.freedom = path.freedom[first];
         double wanted = path.next[first];
         double length = wanted > 0 && wanted < Math.abs(h) ? fit(wanted, Math.abs(h)) : Math.abs(h);
         double longest = coordinates.longest();
@@ -117,6 +120,8 @@ public abstract class AdaptiveIntegrator implements Integrator {
             stages.isRetry = rejections > 0;
             stages.most = isOpen ? Double.MAX_VALUE : Math.max(1, Math.abs(h) / length);
             stages.haste = haste(path, first, t, length);
+            stages.forgetShare();
+            stages.isCut = !stages.isTied() && length < CUT * Math.min(wanted, path.made[first]);
             stages.time = Math.max(length, time);
             boolean done = attempt(equations, state, bodies, t, h < 0 ? -length : length, path);
             double proposal = length * stages.factor;
@@ -124,6 +129,8 @@ public abstract class AdaptiveIntegrator implements Integrator {
                 if (!stages.isTied()) {
                     stages.join(state, bodies, h < 0 ? -length : length, path);
                 }
+                path.freedom[first] = stages.freedom();
+                path.made[first] = length;
                 path.proposed[first] = proposal;
                 path.next[first] = length == Math.abs(h) && !isOpen ? Math.max(wanted, proposal) : proposal;
                 remember(path, first, t, isOpen ? proposal : Math.min(proposal, Math.abs(h)));
@@ -201,6 +208,11 @@ public abstract class AdaptiveIntegrator implements Integrator {
     /** Part of the time to the rest of a sliding body that is integrated at once, if the tolerance allows it. */
     double shareOfStop() {
         return SHARE_OF_STOP;
+    }
+
+    /** The same at most, if the estimates of the parts before allow it. */
+    double mostOfStop() {
+        return shareOfStop();
     }
 
     /**

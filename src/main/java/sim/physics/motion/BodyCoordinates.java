@@ -81,6 +81,21 @@ final class BodyCoordinates implements Coordinates, Serializable {
     }
 
     @Override
+    public boolean pass(double[] change) {
+        double[] byBlock = path.sumX;
+        for (int k = 0; k < bodies.size; k++) {
+            copy(change, State.BLOCK * k, byBlock, State.BLOCK * bodies.values[k]);
+        }
+        if (!equations.pass(bodies, byBlock)) {
+            return false;
+        }
+        for (int k = 0; k < bodies.size; k++) {
+            copy(byBlock, State.BLOCK * bodies.values[k], change, State.BLOCK * k);
+        }
+        return true;
+    }
+
+    @Override
     public boolean spread(double[] x, double[] v, double[] byX, double[] byV) {
         return false;
     }

@@ -67,4 +67,15 @@ public interface Coordinates {
      * @return whether there is something in them; false if coordinates are the bodies' own, so that x and v say it
      */
     boolean spread(double[] x, double[] v, double[] byX, double[] byV);
+
+    /**
+     * Takes from small changes, such as errors, what is taken away when the bodies are brought back to where their ties want
+     * them.
+     *
+     * @param change of coordinates or of rates, near to where accelerations were asked for last
+     * @return false if nothing is taken away of any change, or nobody knows what; then nothing has changed
+     */
+    default boolean pass(double[] change) {
+        return false; // ties let any change of their coordinates pass
+    }
 }

@@ -16,14 +16,15 @@ public interface EquationsOfMotion {
     void acceleration(IntList bodies, double time, double[] a);
 
     /**
-     * How much of an error constraints let pass: what is left of a change of places at random that is brought back onto
-     * them, in the mean.
+     * Takes from small changes of places or velocities, such as errors, what constraints do not let pass: what is left when
+     * the bodies are brought back onto them.
      *
-     * @param bodies the bodies
-     * @return the root of the share of coordinates that are free; 1 if nothing ties the bodies, or nobody knows
+     * @param bodies the bodies, where accelerations were evaluated last
+     * @param change [x, y, θ] per body of the state
+     * @return false if nothing is taken away of any change, or nobody knows what; then nothing has changed
      */
-    default double freedom(IntList bodies) {
-        return 1;
+    default boolean pass(IntList bodies, double[] change) {
+        return false; // nothing ties the bodies
     }
 
     /**

@@ -57,6 +57,8 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     private static final int MOST_NODES = 7;
     private static final double OUTPUT = 2;
 
+    private static final double MOST_OF_STOP = 0.9;
+
     /** How much longer than the engine's a step must be for that to be cheaper. */
     private static final double WORTHWHILE = 6;
 
@@ -73,6 +75,11 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     @Override
     boolean takesTiedCoordinates(IntList bodies, Path path) {
         return true;
+    }
+
+    @Override
+    double mostOfStop() {
+        return MOST_OF_STOP;
     }
 
     @Override
@@ -114,7 +121,8 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
                 return false;
             }
             if (count >= aim - 1 && error <= 1) {
-                s.rows()[bodies.values[0]] = next(s, count, Math.min(count, aim));
+                int next = next(s, count, Math.min(count, aim));
+                s.rows()[bodies.values[0]] = s.isCut ? aim : next; // those of what was left of a step say little of the next one
                 finish(s);
                 return true;
             }
@@ -252,7 +260,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
             s.offX[m] = y[m] - y[2 * n + m];
             s.offV[m] = y[n + m] - y[3 * n + m];
         }
-        return (s.isTied() ? TIED_CAUTION : CAUTION) * s.freedom * s.norm(s.offX, s.offV, s.time);
+        return (s.isTied() ? TIED_CAUTION : CAUTION) * s.left(s.offX, s.offV, s.time);
     }
 
     private static void finish(Stages s) {

@@ -480,8 +480,8 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     @Override
-    public double freedom(IntList bodies) {
-        return isTiedGroup(bodies) ? ties.freedom(bodies) : 1;
+    public boolean pass(IntList bodies, double[] change) {
+        return isTiedGroup(bodies) && ties.pass(bodies, change);
     }
 
     @Override

@@ -56,6 +56,12 @@ public final class Path implements Serializable {
 
     double[] push = {};
 
+    /** The part of errors that ties let pass, in the mean of late; 0: not known. */
+    double[] freedom = {};
+
+    /** The length of the last step. */
+    double[] made = {};
+
     /** Number of steps since then that were much shorter. */
     int[] hasty = {};
 
@@ -85,6 +91,8 @@ public final class Path implements Serializable {
             pace = Arrays.copyOf(pace, next.length);
             speed = Arrays.copyOf(speed, next.length);
             push = Arrays.copyOf(push, next.length);
+            freedom = Arrays.copyOf(freedom, next.length);
+            made = Arrays.copyOf(made, next.length);
             hasty = Arrays.copyOf(hasty, next.length);
             paceTime = Arrays.copyOf(paceTime, next.length);
         }

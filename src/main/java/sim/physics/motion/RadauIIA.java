@@ -325,7 +325,12 @@ public final class RadauIIA extends AdaptiveIntegrator {
         double v = norm(s, w.rightV[0]);
         double turn = x * v < third ? Math.max(LEAST_TURN, Math.min(1, SMOOTH * Math.sqrt(x * v / third))) : 1;
         w.turn = turn;
-        return (s.isOpen ? OPEN_CALIBRATION : CALIBRATION) * turn * Math.max(x, Math.abs(h) * v / turn);
+        if (s.isOpen) { // what is read on the way had better be near to where ties want it
+            return OPEN_CALIBRATION * turn * Math.max(x, Math.abs(h) * v / turn);
+        }
+        System.arraycopy(w.rightX[0], 0, w.rightX[1], 0, s.size);
+        System.arraycopy(w.rightV[0], 0, w.rightV[1], 0, s.size);
+        return CALIBRATION * turn * s.left(w.rightX[1], w.rightV[1], h / turn);
     }
 
     private static double norm(Stages s, double[] values) {

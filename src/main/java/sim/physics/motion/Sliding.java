@@ -80,6 +80,10 @@ final class Sliding implements Serializable {
             double part = Math.min(left, Math.max(share * rest, least));
             DrivenMotion.cover(motion, state, group, t + done, part, path);
             done = part == left ? length : done + part;
+            if (!isPressed && rest < Double.POSITIVE_INFINITY && motion.getIntegrator() instanceof AdaptiveIntegrator chosen) {
+                // what is left is the same motion on a smaller scale: what was allowed of the rest is allowed again
+                share = Math.max(share, Math.min(chosen.mostOfStop(), path.proposed[group.values[0]] / rest));
+            }
         }
         for (int c = 0; c < State.BLOCK; c++) {
             double mean = (state.x()[b + c] - start[c]) / done;

@@ -10,6 +10,9 @@ import sim.physics.internal.IntList;
 final class Stages implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Part of what is free of an error that counts at least, however small that was in the steps before. */
+    private static final double PLAIN = 0.5;
+
     /** Positions and velocities at the start of the step. */
     double[] x0 = {};
 
@@ -63,11 +66,20 @@ final class Stages implements Serializable {
     /** Whether the step was tried before, longer. */
     boolean isRetry;
 
+    /** Whether it is much shorter than the method wants and than the one before: what is left of the engine's step. */
+    boolean isCut;
+
     /** The time in which velocities change as much as they are: for so long an error of a velocity counts. */
     double time;
 
     /** How fast the accelerations change from one place to another, over their distance. */
     double rate;
+
+    /** The part of errors that ties let pass, in the mean (of logarithms) of the steps of late; 0: not known. */
+    double freedom;
+
+    /** The same of the last error; 0 if that was not asked for, or nothing ties the bodies. */
+    private double share;
 
     /** How much longer than this one steps were before, if much; else 1. */
     double haste;
@@ -85,9 +97,6 @@ final class Stages implements Serializable {
 
     /** The same for steps that need not end where the engine's does. */
     private int[] openRows = {};
-
-    /** How much of an error is left when joints are closed again. */
-    double freedom = 1;
 
     /** Whether this is such a step. */
     boolean isOpen;
@@ -148,6 +157,37 @@ final class Stages implements Serializable {
             most = Math.max(most, weight[m] * Math.max(Math.abs(dx[m]), Math.abs(time * dv[m])));
         }
         return most;
+    }
+
+    /**
+     * The {@link #norm} of an error as it is, times the part of errors that ties let pass, {@link #freedom}. It is that in the
+     * mean of late: what is free of a single estimate vanishes now and then where what is free of the error does not, and
+     * steps had better go by all of it. Near a pose in which ties depend on one another the part is larger, at once.
+     *
+     * @param errorX of the end, where accelerations were asked for last, or near to it; changed
+     * @param errorV of the rates; changed
+     */
+    double left(double[] errorX, double[] errorV, double time) {
+        double all = norm(errorX, errorV, time);
+        if (!(all > 0 && all < Double.POSITIVE_INFINITY) || !coordinates.pass(errorX)) {
+            return all;
+        }
+        coordinates.pass(errorV);
+        share = Math.min(1, norm(errorX, errorV, time) / all);
+        return all * (freedom > 0 ? Math.max(freedom, PLAIN * share) : share);
+    }
+
+    /** Begins an attempt, in which it may be that nobody asks what ties let pass. */
+    void forgetShare() {
+        share = 0;
+    }
+
+    /** The mean part that ties let pass, with that of the step that was just made; 0 if it is not known. */
+    double freedom() {
+        if (share == 0 || freedom == 0) {
+            return Math.max(share, freedom);
+        }
+        return freedom * Math.sqrt(Math.sqrt(Math.sqrt(share / freedom))); // counts for an eighth
     }
 
     /** The same of places alone. */

@@ -57,23 +57,14 @@ public interface Ties extends Serializable {
     IntList island(int body);
 
     /**
-     * Number of equations between some bodies.
+     * Takes from small changes of places or velocities what the ties do not let pass: what is left when the bodies are
+     * brought back onto them.
      *
-     * @param bodies all bodies of an island, or of several and others
-     * @return those that are kept now; 0 if some depend on others
+     * @param bodies all bodies of an island, or of several and others, where accelerations were evaluated last
+     * @param change [x, y, θ] per body of the state
+     * @return false if nothing brings the bodies back, or nobody knows how; then nothing has changed
      */
-    int equations(IntList bodies);
-
-    /**
-     * The part of an error at random that joints let pass.
-     *
-     * @param bodies as above
-     * @return the root of the share of freedoms that are left, but not less than 0.15: errors of bodies that move alike are not at random
-     */
-    default double freedom(IntList bodies) {
-        int all = State.BLOCK * bodies.size;
-        return Math.max(0.15, Math.sqrt(Math.max(0, all - equations(bodies)) / (double) all));
-    }
+    boolean pass(IntList bodies, double[] change);
 
     /**
      * Adds what the ties' forces do to the accelerations of some bodies, at the positions and velocities of the state
