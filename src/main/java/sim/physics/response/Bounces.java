@@ -26,6 +26,9 @@ final class Bounces implements Serializable {
     /** Length of a bounce, relative to the step, that rounding makes where bodies are put on one another. */
     private static final double TINY = 1e-5;
 
+    /** Bounces of a rattling pair after which they may be faster, the more there are: or a method beyond its stability made them endless. */
+    private static final double PATIENCE = 256;
+
     /** Time, relative to the step, in which no force brings bodies back together that have parted. */
     private static final double INSTANT = 1e-9;
 
@@ -100,7 +103,7 @@ final class Bounces implements Serializable {
             double size = Math.min(trajectories.radius(a), trajectories.radius(b));
             double longest = Math.sqrt(2 * Tolerances.RATTLE_SIZE * size / acceleration);
             double length = Math.min(Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h, longest);
-            double hop = Math.min(0.5 * length * acceleration, mostHop(a, b, Tolerances.RATTLE_SIZE * size));
+            double hop = Math.min(0.5 * length * acceleration, mostHop(a, b, Tolerances.RATTLE_SIZE * size) * Math.max(1, count / PATIENCE));
             boolean isForce = trajectories.offset(a) - lastTau[pair] > INSTANT * h; // else an impact somewhere else has driven them together
             hop = isForce ? hop : Math.min(hop, regained(pair, approach, c));
             c.restitution = Math.max(Tolerances.RATTLE, Math.min(HUGE, hop / approach));
