@@ -9,6 +9,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.collision.Overlap;
 import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
@@ -66,6 +69,65 @@ class OverlapTest {
         engine.step(); // closes joints: there was nothing left to close
         assertThat(wheel.getY()).isCloseTo(y, within(1e-12));
         assertThat(engine.contains(pin)).isTrue();
+    }
+
+    /** Two bodies that lie in one another part by the least way, which their masses share; nothing else changes. */
+    private static void assertParted(PhysicsEngine engine, Body a, Body b, double depth) {
+        double energy = engine.kineticEnergy();
+        double middleX = a.getMass() * a.getX() + b.getMass() * b.getX();
+        double middleY = a.getMass() * a.getY() + b.getMass() * b.getY();
+        double[] from = {a.getX(), a.getY(), b.getX(), b.getY()};
+        double mass = a.getMass() + b.getMass();
+        assertThat(engine.overlaps()).hasSize(1);
+        assertThat(engine.overlaps().get(0).depth()).isCloseTo(depth, within(1e-14 * depth));
+        assertThat(engine.separate()).isEqualTo(1);
+        assertThat(engine.overlaps()).isEmpty();
+        assertThat(engine.kineticEnergy()).isEqualTo(energy);
+        double wayA = StrictMath.hypot(a.getX() - from[0], a.getY() - from[1]);
+        double wayB = StrictMath.hypot(b.getX() - from[2], b.getY() - from[3]);
+        assertThat(wayA + wayB).isCloseTo(depth, within(1e-9 * depth));
+        assertThat(wayA).isCloseTo(depth * b.getMass() / mass, within(1e-9 * depth));
+        assertThat(a.getMass() * a.getX() + b.getMass() * b.getX()).isCloseTo(middleX, within(1e-13 * mass));
+        assertThat(a.getMass() * a.getY() + b.getMass() * b.getY()).isCloseTo(middleY, within(1e-13 * mass));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 0", "1, 0.3", "0.1, 0", "1e-3, 0.3", "1e-9, 0"})
+    void aBodyWithinAnotherIsPartedFromIt(double size, double off) {
+        PhysicsEngine discs = new PhysicsEngine();
+        Body disc = discs.add(new Body(new Circle(2)).at(0, 0).moving(1, 2, 3));
+        assertParted(discs, disc, discs.add(new Body(new Circle(size)).at(off, 0)), 2 + size - off);
+        PhysicsEngine squares = new PhysicsEngine();
+        Body square = squares.add(new Body(new Rectangle(4, 4)).at(0, 0).moving(1, 2, 3));
+        assertParted(squares, square, squares.add(new Body(new Rectangle(size, size)).at(off, 0)), 2 + size / 2 - off);
+    }
+
+    @Test
+    void twoBodiesInOnePlaceArePartedTheShortestWay() {
+        PhysicsEngine engine = new PhysicsEngine();
+        Body disc = engine.add(new Body(new Circle(1)).at(3, 4).moving(1, 0));
+        assertParted(engine, disc, engine.add(new Body(new Circle(1)).at(3, 4).moving(1, 0)), 2);
+        PhysicsEngine rods = new PhysicsEngine();
+        Body rod = rods.add(new Body(new Rectangle(1, 2)).at(30, 4));
+        assertParted(rods, rod, rods.add(new Body(new Rectangle(1, 2)).at(30, 4)), 1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {3, 5, 20})
+    void manyBodiesInOnePlaceAreParted(int count) {
+        PhysicsEngine engine = new PhysicsEngine();
+        for (int k = 0; k < count; k++) {
+            engine.add(new Body(k % 2 == 0 ? new Circle(1) : new Rectangle(2, 0.5)).at(3, 4).moving(1, 2));
+        }
+        double energy = engine.kineticEnergy();
+        assertThat(engine.overlaps()).hasSize(count * (count - 1) / 2);
+        engine.separate();
+        assertThat(engine.overlaps()).isEmpty();
+        assertThat(engine.kineticEnergy()).isEqualTo(energy);
+        double mass = engine.bodies().stream().mapToDouble(Body::getMass).sum();
+        double x = engine.bodies().stream().mapToDouble(body -> body.getMass() * body.getX()).sum() / mass;
+        assertThat(x).isCloseTo(3, within(1e-12));
+        assertThat(Scenes.smallestGap(engine)).isGreaterThan(0);
     }
 
     @Test

@@ -401,4 +401,24 @@ class AuditTest {
         engine.setAudited(false);
         assertThatThrownBy(engine::getRunReport).isInstanceOf(IllegalStateException.class);
     }
+
+    /** Hard case J13: two discs whose centres are pinned keep the momentum and lose the energy of their relative velocity. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.01, 0.5, 30})
+    void theEnergyThatAssemblingCostsIsReported(double open) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.01);
+        engine.add(new Gravity(0, -9.81));
+        Body light = engine.add(new Body(new Circle(1)).at(0, 0).moving(3, 4));
+        Body heavy = engine.add(new Body(new Circle(1)).at(open, 0).moving(-1, 1));
+        light.setMass(2, 5);
+        heavy.setMass(6, 5);
+        light.setCollisionGroup(1, 0);
+        engine.setAudited(true);
+        engine.step();
+        engine.assemble(new PinJoint(light, 0, 0, heavy, 0, 0));
+        assertThat(light.getX()).isCloseTo(heavy.getX(), within(1e-13));
+        engine.step();
+        assertThat(engine.getStepReport().authored()).isCloseTo(-0.5 * (2 * 6 / 8.0) * (4 * 4 + 3 * 3), within(1e-11));
+    }
 }

@@ -70,6 +70,9 @@ public final class CellGrid implements BroadPhase {
     private int changesSinceLayout;
     private int countAtLayout = 8;
 
+    /** Boxes looked at so far, and bodies filed anew. */
+    private long looks;
+
     /** Makes an empty grid; the first boxes decide the size of its cells. */
     public CellGrid() {
         // bodies come by add
@@ -121,6 +124,11 @@ public final class CellGrid implements BroadPhase {
         count--;
     }
 
+    /** Work done so far: boxes compared, and bodies sorted or filed anew. */
+    long looks() {
+        return looks;
+    }
+
     /** Lays the grid anew when it is crowded or too many movable bodies do not fit; seldom enough to cost little. */
     private void layAnewIfNeeded(Boxes boxes) {
         changesSinceLayout++;
@@ -158,12 +166,15 @@ public final class CellGrid implements BroadPhase {
         for (int k = 0; k < apart; k++) {
             pairs.end(found[k]);
         }
+        looks += pairs.countOf(body) + apart;
     }
 
     /** Begins the pairs of a body with all whose boxes overlap its box, but for those that are marked. */
     private void collect(int body, Boxes boxes, Pairs pairs) {
         mark[body] = marking;
-        int count = fresh(body, around(body), boxes);
+        int near = around(body);
+        looks += near;
+        int count = fresh(body, near, boxes);
         for (int k = 0; k < count; k++) {
             int other = found[k];
             if (!(boxes.isFixed(body) && boxes.isFixed(other))) {
@@ -333,6 +344,7 @@ public final class CellGrid implements BroadPhase {
         largeMovable = 0;
         changesSinceLayout = 0;
         countAtLayout = count;
+        looks += count;
         for (int body = 0; body < bucket.length; body++) {
             if (bucket[body] != OUTSIDE) {
                 file(body, place(body, boxes), boxes);
