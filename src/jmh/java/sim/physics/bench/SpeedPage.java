@@ -72,6 +72,6 @@ public final class SpeedPage {
         if (process.waitFor() != 0) {
             throw new IllegalStateException(String.join(" ", words) + " ended with " + process.exitValue());
         }
-        return output.lines().map(String::stripTrailing).filter(line -> !line.isEmpty()).toList();
+        return output.lines().map(String::stripTrailing).filter(line -> !line.isEmpty() && !line.startsWith("#")).toList();
     }
 }

@@ -13,6 +13,9 @@ final class HeapPile {
 
     private static final int NEWTON_STEPS = 4;
 
+    /** Points up to which the first attempt is to do with a path of pivots, since that is cheaper then. */
+    private static final int SMALL = 100;
+
     /** Paths in turn, each of which takes from the last one's error what the softness of its springs leaves. */
     private static final int PATHS = 5;
 
@@ -59,7 +62,8 @@ final class HeapPile {
             }
             start = s.impulses(start);
             note(s, newton.solve(s, exact, NEWTON_STEPS));
-            if (least > enough && !goCentrally(s, exact, OFF * speed, speed)) {
+            boolean isCheap = s.size() <= SMALL && sweeps == SWEEPS[0];
+            if (least > enough && !isCheap && !goCentrally(s, exact, OFF * speed, speed)) {
                 goCentrally(s, exact, speed, speed);
             }
             if (least > enough && s.size() <= HeapSolver.MANY) {
