@@ -13,7 +13,7 @@ final class HeapPile {
 
     private static final int NEWTON_STEPS = 4;
 
-    /** Points up to which the first attempt is to do with a path of pivots, since that is cheaper then. */
+    /** Points up to which the central path is tried in the second attempt only, since paths of pivots are cheaper then. */
     private static final int SMALL = 100;
 
     /** Paths in turn, each of which takes from the last one's error what the softness of its springs leaves. */
@@ -62,8 +62,8 @@ final class HeapPile {
             }
             start = s.impulses(start);
             note(s, newton.solve(s, exact, NEWTON_STEPS));
-            boolean isCheap = s.size() <= SMALL && sweeps == SWEEPS[0];
-            if (least > enough && !isCheap && !goCentrally(s, exact, OFF * speed, speed)) {
+            boolean isTime = sweeps == SWEEPS[s.size() <= SMALL ? 1 : 0];
+            if (least > enough && isTime && !goCentrally(s, exact, OFF * speed, speed)) {
                 goCentrally(s, exact, speed, speed);
             }
             if (least > enough && s.size() <= HeapSolver.MANY) {
