@@ -13,7 +13,7 @@ final class HeapPile {
 
     private static final int NEWTON_STEPS = 4;
 
-    /** Points up to which the central path is tried in the second attempt only, since paths of pivots are cheaper then. */
+    /** Points up to which central paths have to do with the second attempt only, since paths of pivots are cheaper then. */
     private static final int SMALL = 100;
 
     /** Paths in turn, each of which takes from the last one's error what the softness of its springs leaves. */
@@ -62,8 +62,7 @@ final class HeapPile {
             }
             start = s.impulses(start);
             note(s, newton.solve(s, exact, NEWTON_STEPS));
-            boolean isTime = sweeps == SWEEPS[s.size() <= SMALL ? 1 : 0];
-            if (least > enough && isTime && !goCentrally(s, exact, OFF * speed, speed)) {
+            if (least > enough && isCentral(s, sweeps) && !goCentrally(s, exact, OFF * speed, speed)) {
                 goCentrally(s, exact, speed, speed);
             }
             if (least > enough && s.size() <= HeapSolver.MANY) {
@@ -79,6 +78,11 @@ final class HeapPile {
         }
         s.put(best);
         return least;
+    }
+
+    /** Whether an attempt is to do with central paths, once: from another start they seldom get farther, and then it takes long. */
+    private static boolean isCentral(HeapSystem s, int sweeps) {
+        return sweeps == SWEEPS[s.size() <= SMALL ? 1 : 0];
     }
 
     /** Goes along the central path from the impulses of the start; false if it is blocked. */
