@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.SplittableRandom;
 import sim.physics.PhysicsEngine;
+import sim.physics.Witness;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.RodJoint;
 import sim.physics.motion.Body;
@@ -24,7 +25,8 @@ import sim.physics.shape.Shape;
 final class OwnWorld implements World {
     private final PhysicsEngine engine = new PhysicsEngine();
     private final Body[] bodies;
-    private final Counter counter;
+    /** Counts evaluations of forces, in the run that is not timed; null in others. */
+    private final Witness counter;
     private long steps;
 
     OwnWorld(Model model, Integrator integrator, double dt, boolean count) {
@@ -60,7 +62,7 @@ final class OwnWorld implements World {
                     s.length(), s.stiffness(), s.damping()));
         }
         boolean driven = model.surfaceFriction > 0 || !model.pins.isEmpty() || !model.rods.isEmpty() || !model.springs.isEmpty();
-        counter = count && driven ? new Counter(bodies[0]) : null;
+        counter = count && driven ? new Witness(bodies[0], true) : null;
         if (counter != null) {
             engine.add(counter);
         }
@@ -137,37 +139,10 @@ final class OwnWorld implements World {
     public Map<String, Long> counts() {
         Map<String, Long> counts = new LinkedHashMap<>();
         counts.put("steps", steps);
-        counts.put("forces", counter == null ? 0 : counter.calls);
+        counts.put("forces", counter == null ? 0 : counter.calls());
         counts.put("impacts", engine.getImpacts());
         counts.put("looks", engine.getNarrowPhaseEvaluations());
         return counts;
-    }
-
-    /** Counts evaluations of forces, in the run that is not timed. */
-    private static final class Counter implements ForceGenerator {
-        private static final long serialVersionUID = 1L;
-
-        private final Body watched;
-        private long calls;
-
-        Counter(Body watched) {
-            this.watched = watched;
-        }
-
-        @Override
-        public boolean actsOn(Body body) {
-            return body == watched;
-        }
-
-        @Override
-        public boolean isAutonomous() {
-            return true;
-        }
-
-        @Override
-        public void addForce(Body body, double time, Forces forces) {
-            calls++;
-        }
     }
 
     /** A constant torque. */

@@ -8,11 +8,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import sim.physics.PhysicsEngine;
+import sim.physics.Witness;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.DormandPrince853;
-import sim.physics.motion.ForceGenerator;
-import sim.physics.motion.Forces;
 import sim.physics.motion.GraggBulirschStoer;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Integrator;
@@ -22,33 +21,6 @@ import sim.physics.shape.Rectangle;
 /** What joints let pass of an error: what is left of it when the bodies are brought back onto them. */
 class FreedomTest {
     private static final double G = 9.81;
-
-    /** Counts evaluations. */
-    private static final class Counter implements ForceGenerator {
-        private static final long serialVersionUID = 1L;
-
-        private final Body watched;
-        private int calls;
-
-        Counter(Body watched) {
-            this.watched = watched;
-        }
-
-        @Override
-        public boolean actsOn(Body body) {
-            return body == watched;
-        }
-
-        @Override
-        public boolean isAutonomous() {
-            return true;
-        }
-
-        @Override
-        public void addForce(Body body, double time, Forces forces) {
-            calls++;
-        }
-    }
 
     private static Body rod(double x, double y, double angle) {
         Body rod = new Body(new Rectangle(1, 0.02)).at(x, y, angle);
@@ -114,7 +86,7 @@ class FreedomTest {
     /** Evaluations, and how far the place is off after 5 s. */
     private static double[] swing(int windows, Integrator method) {
         double[] place = new double[2];
-        int calls = 0;
+        long calls = 0;
         for (int way = 0; way < 2; way++) {
             PhysicsEngine engine = new PhysicsEngine();
             engine.setTimeStep(5);
@@ -123,7 +95,7 @@ class FreedomTest {
             double x = 0.5;
             double y = -StrictMath.sqrt(0.75);
             Body before = null;
-            Counter counter = null;
+            Witness counter = null;
             for (int k = 0; k <= windows; k++) {
                 Body crank = engine.add(rod(k + x / 2, y / 2, StrictMath.atan2(y, x)));
                 engine.add(new PinJoint(crank, null, k, 0));
@@ -132,14 +104,14 @@ class FreedomTest {
                     engine.add(new PinJoint(coupler, before, k - 1 + x, y));
                     engine.add(new PinJoint(coupler, crank, k + x, y));
                 } else {
-                    counter = new Counter(crank);
+                    counter = new Witness(crank, true);
                     engine.add(counter);
                 }
                 before = crank;
             }
             engine.step();
             place[way] = before.getX();
-            calls = way == 0 ? counter.calls : calls;
+            calls = way == 0 ? counter.calls() : calls;
         }
         return new double[] {calls, Math.abs(place[0] - place[1])};
     }

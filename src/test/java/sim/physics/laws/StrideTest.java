@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
+import sim.physics.Witness;
 import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Automatic;
 import sim.physics.motion.Body;
@@ -62,37 +63,6 @@ class StrideTest {
         }
     }
 
-    /** No force; counts the evaluations, and notes the last instant of one. */
-    private static final class Witness implements ForceGenerator {
-        private static final long serialVersionUID = 1L;
-
-        private final Body watched;
-        private final boolean autonomous;
-        private long calls;
-        private double last;
-
-        Witness(Body watched, boolean autonomous) {
-            this.watched = watched;
-            this.autonomous = autonomous;
-        }
-
-        @Override
-        public boolean actsOn(Body body) {
-            return body == watched;
-        }
-
-        @Override
-        public boolean isAutonomous() {
-            return autonomous;
-        }
-
-        @Override
-        public void addForce(Body body, double time, Forces forces) {
-            calls++;
-            last = Math.max(last, time);
-        }
-    }
-
     /** A scene, its body, and what counts its evaluations. */
     private record Setup(PhysicsEngine engine, Body body, ForceGenerator counter) implements Serializable {
         /** A planet on an ellipse, or the lower one of two rods. */
@@ -113,7 +83,7 @@ class StrideTest {
         }
 
         long calls() {
-            return counter instanceof Sun sun ? sun.calls : ((Witness) counter).calls;
+            return counter instanceof Sun sun ? sun.calls : ((Witness) counter).calls();
         }
     }
 
@@ -254,12 +224,12 @@ class StrideTest {
         engines[0].add(witness);
         int still = 0;
         for (int k = 0; k < 1000; k++) {
-            long before = witness.calls;
+            long before = witness.calls();
             for (int e = 0; e < 2; e++) {
                 write(engines[e], bobs[e], pegs[e], springs[e], k);
                 engines[e].step();
             }
-            still += witness.calls == before ? 1 : 0;
+            still += witness.calls() == before ? 1 : 0;
             assertThat(bobs[0].getX()).as("step %d", k).isCloseTo(bobs[1].getX(), within(1e-8));
             assertThat(bobs[0].getY()).as("step %d", k).isCloseTo(bobs[1].getY(), within(1e-8));
             assertThat(bobs[0].getVelocityY()).as("step %d", k).isCloseTo(bobs[1].getVelocityY(), within(1e-7));
@@ -306,10 +276,10 @@ class StrideTest {
             engine.add(witness);
             double beyond = 0;
             for (int k = 0; k < 500; k++) {
-                long before = witness.calls;
+                long before = witness.calls();
                 engine.step();
-                assertThat(autonomous || witness.calls > before).isTrue();
-                beyond = Math.max(beyond, witness.last - engine.getTime());
+                assertThat(autonomous || witness.calls() > before).isTrue();
+                beyond = Math.max(beyond, witness.last() - engine.getTime());
             }
             assertThat(beyond > 1e-12).isEqualTo(autonomous);
         }

@@ -36,6 +36,7 @@ final class CentralPath {
 
     /** Part of the bounds of friction within which the way begins. */
     private static final double INSIDE = 0.9;
+
     /** Part of the first error that is near the end. */
     private static final double NEAR = 1e-3;
 

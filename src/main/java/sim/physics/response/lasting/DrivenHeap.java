@@ -211,8 +211,6 @@ final class DrivenHeap implements Serializable {
     /**
      * Solves without speeds of parting, with which gaps are regained: where these contradict one another or stops there are no impulses
      * for them, and what is found grows with every turn. Without them there are always some.
-     *
-     * @return whether the impulses are right or nearly so
      */
     private void release(double scale) {
         kept.goBack();
@@ -237,9 +235,7 @@ final class DrivenHeap implements Serializable {
 
     /** Begins without any impulses. */
     private void forget() {
-        for (int p = 0; p < system.size(); p++) {
-            system.start(p, 0, 0);
-        }
+        system.startFromNothing();
         system.restart();
     }
 

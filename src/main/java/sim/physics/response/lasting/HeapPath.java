@@ -70,9 +70,7 @@ final class HeapPath {
     /** Follows the path from no impulses, where points first have to come near. */
     boolean followFromNothing(HeapSystem s) {
         double most = 0;
-        for (int p = 0; p < s.size(); p++) {
-            s.start(p, 0, 0);
-        }
+        s.startFromNothing();
         s.refresh();
         for (int p = 0; p < s.size(); p++) {
             most = Math.max(most, s.bound(p) - s.normal(p));

@@ -4,8 +4,8 @@ package sim.physics.response.lasting;
 
 /**
  * Solves a {@link HeapSystem} whose bodies nothing ties: sweeps of relaxation say roughly what points bear, and Newton's method
- * finds it exactly if they said which points are open, stuck, or slide. Else the central path says that; where it is blocked, a
- * path of solutions may get there, or more sweeps give a better start.
+ * finds it exactly if they said which points are open, stuck, or slide. Else the central path says that, or a path of solutions
+ * gets there, or more sweeps give a better start.
  */
 final class HeapPile {
     /** Sweeps before each attempt. */

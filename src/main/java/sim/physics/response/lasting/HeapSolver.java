@@ -37,7 +37,7 @@ final class HeapSolver implements Serializable {
 
     private static final double LATE = 10;
 
-    /** Points from which on no path begins from nothing. */
+    /** Points up to which paths of pivots are followed. */
     static final int MANY = 250;
 
     /** Change of velocity in a sweep, relative to the largest speed, at which the impulses are right. */

@@ -324,6 +324,13 @@ final class HeapSystem implements Serializable {
         data[STRIDE * p + IMPULSE_T] = tangential;
     }
 
+    /** Starts all points from no impulses. */
+    void startFromNothing() {
+        for (int p = 0; p < points; p++) {
+            start(p, 0, 0);
+        }
+    }
+
     double normalImpulse(int p) {
         return data[STRIDE * p + IMPULSE_N];
     }
@@ -431,9 +438,7 @@ final class HeapSystem implements Serializable {
 
     /** The same with impulses that are bounded in any case: no point has to part, and all are a little soft. Begins without any impulses. */
     boolean solveSoftly(double scale) {
-        for (int p = 0; p < points; p++) {
-            start(p, 0, 0);
-        }
+        startFromNothing();
         begin(false);
         return solver.solveSoftly(this, scale, tolerance.enough());
     }
