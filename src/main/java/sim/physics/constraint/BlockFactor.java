@@ -12,15 +12,6 @@ import java.util.Arrays;
 final class BlockFactor implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Pivots below this part of their diagonal are noise. */
-    static final double NOISE = 1e-14;
-
-    /** Pivots below this part of their diagonal are known to few digits only, if they are not redundant. */
-    static final double NEAR = 1e-7;
-
-    /** Pivots below this part of their diagonal are those of a pose that is within sight of a singular one. */
-    private static final double WEAK = 1e-3;
-
     private final int n;
 
     /** Blocks below the diagonal by columns: those of column p are start[p] … start[p + 1] − 1, with their rows. */
@@ -50,20 +41,9 @@ final class BlockFactor implements Serializable {
     /** The first of {@link #target} of each column. */
     private final int[] firstTarget;
 
-    /** The rows that depended on others in the last factorization; and those that do so always, null if none are known. */
-    private final boolean[] isRedundant;
+    final Pivots pivots;
 
-    private boolean[] isLasting;
-    private int lasting;
-
-    /** The diagonal values of the rows that are always redundant. */
-    private double[] whole = {};
-
-    private int redundant;
-    private int near;
-    private int weak;
-    private int strays;
-    private double noise;
+    /** Pivots not above this part of their diagonal are small. */
     private double floor;
 
     /**
@@ -90,8 +70,8 @@ final class BlockFactor implements Serializable {
         areAllPairs = all;
         firstTarget = new int[n + 1];
         diagonal = new double[3 * n];
-        size = new double[2 * n];
-        isRedundant = new boolean[2 * n];
+        pivots = new Pivots(2 * n);
+        size = pivots.size;
         below = new double[4 * row.length];
         target = targets();
     }
@@ -142,48 +122,6 @@ final class BlockFactor implements Serializable {
         return below;
     }
 
-    /** Number of rows that depend on others. */
-    int redundant() {
-        return redundant;
-    }
-
-    /** Number of pivots that are redundant or nearly so. */
-    int near() {
-        return near;
-    }
-
-    /** Whether some pivot is redundant, or within sight of being so. */
-    boolean isWeak() {
-        return weak > 0;
-    }
-
-    /** Number of rows that are known to depend on others always. */
-    int lasting() {
-        return lasting;
-    }
-
-    /** Number of those that did not depend on others in the last factorization. */
-    int strays() {
-        return strays;
-    }
-
-    boolean isLasting(int k) {
-        return lasting > 0 && isLasting[k];
-    }
-
-    /** Notes that the rows that are redundant now are so always, and need no multiplier: the others imply them. */
-    void keepRedundant() {
-        isLasting = isRedundant.clone();
-        whole = new double[isLasting.length];
-        lasting = redundant;
-    }
-
-    /** Forgets which rows are always redundant. */
-    void forgetRedundant() {
-        isLasting = null;
-        lasting = 0;
-    }
-
     void clear() {
         Arrays.fill(below, 0);
     }
@@ -201,8 +139,8 @@ final class BlockFactor implements Serializable {
         for (int k = 0; relaxation > 0 && k < size.length; k++) {
             most = Math.max(most, size[k]);
         }
-        if (lasting > 0 && !whole) {
-            setAside();
+        if (!whole) {
+            pivots.setAside();
         }
         for (int p = 0, u = 0; p < n && areAllPairs; p++) {
             invertPair(p, relaxation * most);
@@ -226,9 +164,7 @@ final class BlockFactor implements Serializable {
      */
     void factor(double[] x, double least) {
         start(least);
-        if (lasting > 0) {
-            setAside();
-        }
+        pivots.setAside();
         if (areAllPairs) {
             factorPairs(x);
             return;
@@ -299,29 +235,11 @@ final class BlockFactor implements Serializable {
 
     /** Keeps the diagonal values, by which small pivots are known. */
     private void start(double least) {
-        noise = least;
-        floor = Math.max(least, WEAK);
-        if (redundant > 0) {
-            Arrays.fill(isRedundant, false);
-        }
-        redundant = 0;
-        near = 0;
-        weak = 0;
-        strays = 0;
+        floor = pivots.start(least);
         double[] d = diagonal;
         for (int p = 0; p < n; p++) {
             size[2 * p] = d[3 * p];
             size[2 * p + 1] = d[3 * p + 2];
-        }
-    }
-
-    /** Makes the pivots of rows that are always redundant small, whatever they are. */
-    private void setAside() {
-        for (int k = 0; k < isLasting.length; k++) {
-            if (isLasting[k]) {
-                whole[k] = size[k];
-                size[k] = Double.POSITIVE_INFINITY;
-            }
         }
     }
 
@@ -332,7 +250,7 @@ final class BlockFactor implements Serializable {
             return;
         }
         double d00 = diagonal[3 * p] + extra;
-        diagonal[3 * p] = d00 > floor * size[2 * p] ? 1 / d00 : invertSmall(d00, 2 * p);
+        diagonal[3 * p] = d00 > floor * size[2 * p] ? 1 / d00 : pivots.invert(d00, 2 * p);
     }
 
     private void invertPair(int p, double extra) {
@@ -340,29 +258,13 @@ final class BlockFactor implements Serializable {
         double d00 = d[3 * p] + extra;
         double d01 = d[3 * p + 1];
         double d11 = d[3 * p + 2] + extra;
-        double i0 = d00 > floor * size[2 * p] ? 1 / d00 : invertSmall(d00, 2 * p);
+        double i0 = d00 > floor * size[2 * p] ? 1 / d00 : pivots.invert(d00, 2 * p);
         double q = d01 * i0;
         double s = d11 - d01 * q;
-        double i1 = s > floor * size[2 * p + 1] ? 1 / s : invertSmall(s, 2 * p + 1);
+        double i1 = s > floor * size[2 * p + 1] ? 1 / s : pivots.invert(s, 2 * p + 1);
         d[3 * p] = i0 + q * q * i1;
         d[3 * p + 1] = -q * i1;
         d[3 * p + 2] = i1;
-    }
-
-    private double invertSmall(double pivot, int k) {
-        weak++;
-        if (!(pivot > Math.max(noise, NEAR) * size[k])) {
-            near++;
-        }
-        if (pivot > noise * size[k]) {
-            return 1 / pivot;
-        }
-        if (lasting > 0 && size[k] == Double.POSITIVE_INFINITY && pivot > NEAR * whole[k]) {
-            strays++;
-        }
-        redundant++;
-        isRedundant[k] = true;
-        return 0;
     }
 
     /** The same as {@link #eliminate(int, int, int, int)} where all nodes have one row. */

@@ -54,14 +54,17 @@ public final class DirectSolver extends ConstraintSolver {
     @Override
     void prepare(Island island, double[] w) {
         island.factor(w, 0, least(island, w), false);
-        boolean redundant = island.redundant() > island.factor.lasting();
-        boolean damped = redundant && isDamped(island, w);
-        island.isRedundant = island.redundant() > 0 && !damped;
+        Pivots pivots = island.factor.pivots;
+        // beside a pose in which more rows are redundant, those that always are do not follow from the others any more
+        boolean isShared = pivots.lasting() > 0 && pivots.isBeside();
+        boolean redundant = isShared || island.redundant() > pivots.lasting();
+        boolean damped = redundant && !isShared && isDamped(island, w);
+        island.isRedundant = island.redundant() > 0 && !damped || isShared;
         if (!island.isProjected) {
             island.redundantRows = island.redundant();
         }
         if (redundant) {
-            island.factor(w, damped ? DAMPING : RELAXATION, BlockFactor.NOISE, !damped);
+            island.factor(w, damped ? DAMPING : RELAXATION, Pivots.NOISE, !damped);
         }
     }
 
@@ -70,7 +73,7 @@ public final class DirectSolver extends ConstraintSolver {
     }
 
     private double least(Island island, double[] w) {
-        return isDamped(island, w) ? SINGULAR : BlockFactor.NOISE;
+        return isDamped(island, w) ? SINGULAR : Pivots.NOISE;
     }
 
     @Override
@@ -144,7 +147,16 @@ public final class DirectSolver extends ConstraintSolver {
 
     @Override
     void accelerate(Island island, State state, double[] a) {
+        Passage passage = island.passage;
+        boolean isEven = !(island.spread(state.w().values()) > SPREAD);
+        boolean isMoved = isEven && passage.isBeside() && passage.close(state, this);
         solve(island, state, a);
+        if (isEven) {
+            passage.noteStage();
+        }
+        if (isMoved) {
+            passage.open(state);
+        }
         if (island.redundantRows > 0 && island.passage.stands(state, this, a)) {
             for (int k = 0; k < island.bodies.size; k++) {
                 int s = State.BLOCK * island.bodies.values[k];
@@ -163,7 +175,7 @@ public final class DirectSolver extends ConstraintSolver {
         if (island.redundantRows > 0 && island.passage.learns(state, this)) {
             prepare(island, w);
         }
-        if (island.factor.lasting() > 0) {
+        if (island.factor.pivots.lasting() > 0) {
             accelerateBesides(island, state, a, isSpread);
             return;
         }
@@ -198,7 +210,7 @@ public final class DirectSolver extends ConstraintSolver {
         }
         boolean was = island.isRedundant;
         island.isRedundant = true;
-        island.factor(w, RELAXATION, BlockFactor.NOISE, true);
+        island.factor(w, RELAXATION, Pivots.NOISE, true);
         correct(island, w, pull, null);
         island.isRedundant = was;
     }

@@ -64,6 +64,7 @@ final class Invariants implements Serializable {
 
     /** Notes the values at the start of a step. */
     void begin(State state, boolean free) {
+        island.passage.begin();
         isFree = free && island.switches.isEmpty();
         isWatched = !free && island.switches.isEmpty() && island.isOwn;
         isNoted = false;
@@ -170,7 +171,7 @@ final class Invariants implements Serializable {
      * @return false if the energy has grown so much that the step was wrong
      */
     boolean restore(State state, boolean isEnd) {
-        if (isEnd && isWatched && isNoted && island.factor.isWeak()) {
+        if (isEnd && isWatched && isNoted && island.factor.pivots.isWeak()) {
             return isWithinWork(state);
         }
         if (isFree && before[0] != 0) {

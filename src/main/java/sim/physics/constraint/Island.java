@@ -459,12 +459,12 @@ final class Island implements Serializable {
 
     /** Number of rows that depend on others, as the last factorization found. */
     int redundant() {
-        return factor.redundant();
+        return factor.pivots.redundant();
     }
 
     /** Number of rows that depend on others, or nearly so, as the last factorization found. */
     int near() {
-        return factor.near();
+        return factor.pivots.near();
     }
 
     /** Solves A λ = b in place. */

@@ -12,16 +12,21 @@ import sim.physics.motion.State;
  *
  * <p>Near such a pose λ grows like 1/φ, where φ is how far it is, and the force W Jᵀ λ stays what it is; but of the digits of
  * a deviation y from the motion, J W Jᵀ λ = … makes y/φ². So the force is not computed there: it is extrapolated from those at
- * poses on the way, a little before and a little after. Their mean is an even function of the way, so that three of them
- * leave an error of its sixth power.
+ * poses on the way, a little before and a little after. Their mean is an even function of the way, so that four of them
+ * leave an error of its eighth power.
  *
- * <p>Rows that depend on one another there, too, do so always; they are left to the solver.
+ * <p>Beside such a pose, where λ is still known to some digits, a stage's deviation y makes an error of y/φ² in the motion. There the
+ * force is that of the place on the constraints next to the stage, with the velocities that they allow, which is as smooth
+ * through the pose as the motion is. Steps are taken altogether so, or not at all, since what a method's stages cancel of one
+ * another's errors they do for one field of forces only.
+ *
+ * <p>Rows that depend on one another on the way, too, do so always; they are left to the solver.
  */
 final class Passage implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** The way to either side, in rad or relative to the size of the bodies. */
-    private static final double WAY = 1e-3;
+    private static final double WAY = 5e-3;
 
     /** Error of C, in units of its rounding, up to which the constraints count as closed. */
     private static final double CLOSED = 1e3;
@@ -31,8 +36,8 @@ final class Passage implements Serializable {
 
     private static final int LENGTHENINGS = 4;
 
-    /** What the means at one, two and three ways weigh: the parabola in the square of the way through them, at 0. */
-    private static final double[] WEIGHTS = {1.5, -0.6, 0.1};
+    /** What the means at one to four ways weigh: the cubic in the square of the way through them, at 0. */
+    private static final double[] WEIGHTS = {1.6, -0.8, 8.0 / 35, -1.0 / 35};
 
     /** Change of the mean from the first way to the second one, relative, from which the motion is too slow for this. */
     private static final double SMOOTH = 1e-2;
@@ -53,6 +58,16 @@ final class Passage implements Serializable {
     /** What the island does if it can go no other way. */
     final Creep creep;
 
+    /** Whether the step began beside a singular pose. */
+    private boolean isBeside;
+
+    /** Whether one of its stages was within sight of such a pose. */
+    private boolean isMet;
+
+    /** A stage's positions and velocities. */
+    private double[] stageX = {};
+
+    private double[] stageV = {};
     private double[] place = {};
     private int examinations;
 
@@ -79,6 +94,60 @@ final class Passage implements Serializable {
         return near > lasting;
     }
 
+    /** A step begins. */
+    void begin() {
+        isMet = false;
+    }
+
+    /** A stage is where the matrix was factored last. */
+    void noteStage() {
+        isMet |= island.factor.pivots.isWeakHere();
+    }
+
+    /**
+     * A step ends where the matrix was factored last. Says whether it met a pose beside which it did not begin, and is to be
+     * taken again as one that did.
+     */
+    boolean endsUnawares() {
+        boolean yes = isMet && !isBeside;
+        isBeside = yes || island.factor.pivots.isBeside();
+        return yes;
+    }
+
+    /** Whether the step began beside a singular pose. */
+    boolean isBeside() {
+        return isBeside;
+    }
+
+    /**
+     * Moves the island from where a stage has it to the place on its constraints next to that; false, and nothing done, if it is
+     * there or there is none.
+     */
+    boolean close(State state, DirectSolver solver) {
+        if (!(Slack.error(island, state, Projection.ROUNDING) > 1)) {
+            return false;
+        }
+        keep(state);
+        if (stageX.length == 0) {
+            stageX = new double[x.length];
+            stageV = new double[x.length];
+        }
+        System.arraycopy(x, 0, stageX, 0, x.length);
+        System.arraycopy(v, 0, stageV, 0, x.length);
+        boolean isClosed = projection.project(island, state, solver, false);
+        if (!isClosed) {
+            restore(state);
+        }
+        island.evaluate(state);
+        return isClosed;
+    }
+
+    /** Moves the island back to where the stage has it. */
+    void open(State state) {
+        put(state, stageX, stageV);
+        island.evaluate(state);
+    }
+
     /**
      * Finds out which rows are redundant always: those that are so on the way before and after, too. Says whether that has
      * become known, or is not true any more, so that the matrix is to be factored again.
@@ -86,16 +155,16 @@ final class Passage implements Serializable {
      * <p>Rows of motors and stops come and go, and what is redundant with them.
      */
     boolean learns(State state, DirectSolver solver) {
-        BlockFactor factor = island.factor;
-        boolean isKnown = factor.lasting() > 0;
-        if (isKnown && factor.strays() == 0 || !island.switches.isEmpty() || lessons >= MOST_LESSONS) {
+        Pivots pivots = island.factor.pivots;
+        boolean isKnown = pivots.lasting() > 0;
+        if (isKnown && pivots.strays() == 0 || !island.switches.isEmpty() || lessons >= MOST_LESSONS) {
             return false;
         }
         if (Slack.error(island, state, Projection.ROUNDING) > CLOSED) {
             return false;
         }
         if (isKnown) {
-            factor.forgetRedundant();
+            pivots.forgetRedundant();
             lasting = 0;
             return true;
         }
@@ -107,7 +176,7 @@ final class Passage implements Serializable {
         int before = go(state, solver, -WAY / speed) ? redundant(state) : 0;
         int after = before > 0 && go(state, solver, WAY / speed) ? redundant(state) : 0;
         if (after > 0 && after == before) {
-            factor.keepRedundant();
+            pivots.keepRedundant();
             lasting = after;
         }
         restore(state);
@@ -130,7 +199,7 @@ final class Passage implements Serializable {
         if (isBack(state)) {
             return 0;
         }
-        island.factor(state.w().values(), 0, BlockFactor.NOISE, false);
+        island.factor(state.w().values(), 0, Pivots.NOISE, false);
         return island.redundant();
     }
 
@@ -197,6 +266,8 @@ final class Passage implements Serializable {
     /** Forgets what was found: bodies were moved. */
     void forget() {
         stands = false;
+        isBeside = false;
+        isMet = false;
         examinations = 0;
         creep.forget();
     }
@@ -324,10 +395,14 @@ final class Passage implements Serializable {
     }
 
     private void restore(State state) {
-        for (int k = 0; k < x.length; k++) {
+        put(state, x, v);
+    }
+
+    private void put(State state, double[] positions, double[] velocities) {
+        for (int k = 0; k < positions.length; k++) {
             int s = slot(k);
-            state.x()[s] = x[k];
-            state.v()[s] = v[k];
+            state.x()[s] = positions[k];
+            state.v()[s] = velocities[k];
         }
     }
 }

@@ -127,7 +127,7 @@ final class Projection implements Serializable {
         boolean done = close(island, state, solver, gentle) && (island.invariants.restore(state, gentle) || !gentle);
         note(state);
         island.isProjected = false;
-        return done;
+        return done && !(gentle && island.passage.endsUnawares());
     }
 
     /**

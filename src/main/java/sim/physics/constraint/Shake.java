@@ -162,7 +162,7 @@ final class Shake implements Serializable {
             island.writeRows();
             assemble(state.w().values());
             for (int m = 0; m < n; m++) {
-                push[m] = island.factor.isLasting(m) ? 0 : -island.c[m];
+                push[m] = island.factor.pivots.isLasting(m) ? 0 : -island.c[m];
             }
             if (!(error < Double.POSITIVE_INFINITY) || !DenseFactor.factor(dense, n, pivots)) {
                 return false;
@@ -178,7 +178,7 @@ final class Shake implements Serializable {
         int n = push.length;
         for (int row = 0; row < n; row++) {
             double most = 0;
-            boolean isLasting = island.factor.isLasting(row);
+            boolean isLasting = island.factor.pivots.isLasting(row);
             for (int column = 0; column < n; column++) {
                 double sum = 0;
                 for (int sides = 0; !isLasting && sides < 4; sides++) {

@@ -118,7 +118,8 @@ class SingularPoseTest {
                 worst = Math.max(worst, StrictMath.hypot(dx, dy));
             }
         }
-        assertThat(Math.abs(energy() - before) / depth).as("energy").isLessThan(Math.max(1e-12, worst));
+        // what the last pass took has not become an error of place yet
+        assertThat(Math.abs(energy() - before) / depth).as("energy").isLessThan(Math.max(1e-12, 3 * worst));
         return worst;
     }
 
@@ -186,6 +187,15 @@ class SingularPoseTest {
         assertThat(error(40, 2)).isLessThan(1000 * tolerance);
     }
 
+    /** IFToMM's benchmark A02 whole: some 40 passes through the pose. */
+    @ParameterizedTest
+    @ValueSource(doubles = {3e-13, 1e-13, 3e-14})
+    void fortyWindowsTurnRightForTwentySeconds(double tolerance) {
+        engine.setTimeStep(0.05);
+        engine.setIntegrator(new GraggBulirschStoer(tolerance));
+        assertThat(error(40, 20)).isLessThan(1e-10);
+    }
+
     /** A bar on three cranks: one is too many, and in line all are. */
     @ParameterizedTest
     @ValueSource(doubles = {1e-2, 1e-3, 1e-4})
@@ -207,6 +217,20 @@ class SingularPoseTest {
         engine.setTimeStep(step);
         engine.setIntegrator(method);
         assertThat(errorOfThreeCranks()).isLessThan(3e-8);
+    }
+
+    /** How near to the pose a step ends is chance: many settings say more than one. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-8, 1e-9, 1e-10, 1e-11, 1e-12})
+    void aBarOnThreeCranksTurnsWhereverStepsEnd(double tolerance) {
+        for (double step : new double[] {0.05, 0.04, 0.025, 0.02, 0.01, 0.005}) {
+            for (Integrator method : new Integrator[] {new DormandPrince853(tolerance), new GraggBulirschStoer(tolerance)}) {
+                SingularPoseTest run = new SingularPoseTest();
+                run.engine.setTimeStep(step);
+                run.engine.setIntegrator(method);
+                assertThat(run.errorOfThreeCranks()).as("%s, step %s", method, step).isLessThan(300 * tolerance);
+            }
+        }
     }
 
     private double errorOfThreeCranks() {
