@@ -255,10 +255,16 @@ final class TimeOfImpact {
                 closestRate = rate;
             }
             double onEdge = Math.max(0, Math.min(owner.length(edge), along));
-            if (!wholeLine && j > 0 && g <= tolerance && onEdge != along) {
-                // the edges lie flush, and this vertex beyond the end: what counts is the end of the stretch
+            // where edges lie flush, one beyond the end that does not rise: what counts is the end of the stretch
+            boolean isOutside = !wholeLine && j > 0 && g <= tolerance && onEdge != along && rate <= slowness;
+            if (isOutside && rate < -slowness) {
+                advanceFlush(owner, along < 0 ? edge : (edge + 1) % owner.n, other, closest, k, -side);
+                return;
+            }
+            if (isOutside) {
                 double share = (onEdge - closestAlong) / (along - closestAlong);
-                limitSlowly(g, closestRate + share * (rate - closestRate), 2 * bound);
+                double least = closestRate + share * (rate - closestRate);
+                limitSlowly(g, least, 2 * Math.max(bound, boundOfEnd(owner, other, side * ex, side * ey)));
             } else {
                 limit(g, rate, bound, curvature);
             }
@@ -268,12 +274,35 @@ final class TimeOfImpact {
         }
     }
 
+    /**
+     * A vertex comes down on the line of an edge beyond its end, from where it lies flush: that line parts the bodies no
+     * more, but the line of the vertex's own edge does, which rises over the end.
+     *
+     * @param end the vertex at that end
+     * @param closest the other end of the vertex's edge, and the vertex
+     */
+    private void advanceFlush(Pose.Placed owner, int end, Pose.Placed other, int closest, int vertex, int side) {
+        int edge = vertex == (closest + 1) % other.n ? closest : vertex;
+        s = INFINITE;
+        wholeLine = true;
+        advanceToEdge(other, edge, owner, end, side);
+        wholeLine = false;
+    }
+
     /** Like {@link #limit}, without a bound of the third derivative. */
     private void limitSlowly(double gap, double rate, double bound) {
         double known = third;
         third = INFINITE;
         limit(gap, rate, bound, 0);
         third = known;
+    }
+
+    /** Bound M of |g''| of the end of an edge over the flush edge of the other body. */
+    private double boundOfEnd(Pose.Placed owner, Pose.Placed other, double nx, double ny) {
+        double known = third;
+        double bound = boundNearEdge(other, owner, nx, ny);
+        third = known;
+        return bound;
     }
 
     /** Bound M of |g''| of the vertices of one body over a spinning edge of the other, until they part. */
