@@ -73,6 +73,21 @@ public final class IntList implements Serializable {
         return k;
     }
 
+    /**
+     * Whether a value is in the list.
+     *
+     * @param value any
+     * @return found by a look at all
+     */
+    public boolean contains(int value) {
+        for (int k = 0; k < size; k++) {
+            if (values[k] == value) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Removes all values and keeps the array. */
     public void clear() {
         size = 0;

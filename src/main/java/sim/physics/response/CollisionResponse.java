@@ -176,7 +176,7 @@ public final class CollisionResponse implements Serializable {
         }
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
-        boolean canRest = canRest(pair, a, b);
+        boolean canRest = canRest(pair, a, b, tau, true);
         if (bounces.dampRattle(pair, a, b, impact)) {
             bounces.spend(pair, impact);
         } else if (canRest || heaps.has(a) || heaps.has(b) || bounces.areCounted(a, b, impact)) {
@@ -247,16 +247,14 @@ public final class CollisionResponse implements Serializable {
         return true;
     }
 
-    /** Whether one of two bodies is fixed and can bear the other one at the points of the manifold. */
-    private boolean canRest(int pair, int a, int b) {
+    /** Whether one of two bodies is fixed and can bear the other one at the points of the manifold, by itself or with others. */
+    private boolean canRest(int pair, int a, int b, double tau, boolean alone) {
         boolean fixedA = state.body(a).isFixed();
         int body = fixedA ? b : a;
-        return fixedA != state.body(b).isFixed()
-                && !trajectories.isDriven(body)
-                && !resting.rests(body)
-                && !heaps.has(body)
-                && bounces.mayRest(pair)
-                && manifold.bears(fixedA);
+        if (fixedA == state.body(b).isFixed() || trajectories.isDriven(body) || heaps.has(body) || !bounces.mayRest(pair)) {
+            return false;
+        }
+        return alone && !resting.rests(body) && manifold.bears(fixedA) || resting.isShared(body, tau);
     }
 
     /**
@@ -459,7 +457,7 @@ public final class CollisionResponse implements Serializable {
         boolean restsNow = !rattles;
         bounces.count(pair);
         bounces.writeOff(pair);
-        boolean canRest = alone && canRest(pair, a, b);
+        boolean canRest = canRest(pair, a, b, tau, alone);
         boolean lies = !rattles && !canRest && startsToLie(pair, a, b);
         restsNow &= !lies;
         for (int point = 0; point < manifold.count; point++) {

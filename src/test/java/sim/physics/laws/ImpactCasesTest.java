@@ -162,6 +162,34 @@ class ImpactCasesTest {
         assertThat(engine.getImpacts()).isPositive();
     }
 
+    /** Under gravity it slides on as over one floor, with friction on the parabola of a block that friction brakes. */
+    @ParameterizedTest
+    @CsvSource({
+        "0.3, 0, 0.0125", "0.7, 0, 0.0125", "1, 0, 0.01", "2.1, 0, 0.0125", "0.3, 0.2, 0.0125", "0.5, 0.2, 0.0125",
+        "1, 0.2, 0.01", "1.3, 0.2, 0.0125", "3.7, 0.2, 0.01"
+    })
+    void aBoxThatLiesOnTilesFeelsNoSeam(double width, double friction, double step) {
+        engine.setTimeStep(step);
+        engine.add(new Gravity(0, -10));
+        for (int k = -3; k < 10 / width; k++) {
+            Body tile = engine.add(Body.fixed(new Rectangle(width, 0.5)).at(width * k, -0.25));
+            tile.setFriction(friction);
+            tile.setRestitution(0);
+        }
+        Body box = engine.add(new Body(new Rectangle(1, 1)).at(0.1, 0.5).moving(4, 0));
+        box.setFriction(friction);
+        box.setRestitution(0);
+        while (engine.getTime() < 1.5) {
+            engine.step();
+            double t = engine.getTime();
+            assertThat(box.getVelocityX()).isCloseTo(4 - 10 * friction * t, within(1e-12));
+            assertThat(box.getX()).isCloseTo(0.1 + 4 * t - 5 * friction * t * t, within(1e-8));
+            assertThat(box.getVelocityY()).isCloseTo(0, within(1e-12));
+            assertThat(box.getY()).isCloseTo(0.5, within(1e-13));
+            assertThat(box.getAngularVelocity()).isCloseTo(0, within(1e-12));
+        }
+    }
+
     /** A step of 10⁻⁶ of the box is one. */
     @Test
     void aTileThatStandsOutStopsABox() {

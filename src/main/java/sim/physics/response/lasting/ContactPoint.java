@@ -3,6 +3,7 @@
 package sim.physics.response.lasting;
 
 import java.io.Serializable;
+import sim.physics.collision.narrow.Manifold;
 
 /** A point at which two bodies rest or lie on one another. Filled again for each point by {@link ContactPoints#load}. */
 public final class ContactPoint implements Serializable {
@@ -50,5 +51,13 @@ public final class ContactPoint implements Serializable {
     /** Makes an empty point. */
     public ContactPoint() {
         // filled again for each point
+    }
+
+    /** The normal acceleration of the points that comes from the turning of their bodies. */
+    double turning(Manifold manifold, int k) {
+        double arm = manifold.roundA ? 0 : manifold.rAx[k] * manifold.nx + manifold.rAy[k] * manifold.ny;
+        double sum = omegaA * omegaA * arm;
+        arm = manifold.roundB ? 0 : manifold.rBx[k] * manifold.nx + manifold.rBy[k] * manifold.ny;
+        return sum - omegaB * omegaB * arm;
     }
 }

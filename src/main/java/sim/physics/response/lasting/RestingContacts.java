@@ -19,7 +19,7 @@ import sim.physics.motion.Trajectories;
  * body, when it stops sliding, and at each step in which it moves; one that stands still costs nothing.
  *
  * <p>Bodies that pairs at rest connect form a cluster that is solved as one. So far the collision response lets a body rest
- * on one fixed body only.
+ * on one fixed body only, or on several of the same normal.
  */
 public final class RestingContacts implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -50,6 +50,7 @@ public final class RestingContacts implements Serializable {
     private final ContactLedger ledger;
     private final ContactSystem system = new ContactSystem();
     private final EvenGround ground = new EvenGround();
+    private final FlushGround flush;
 
     /** Bodies that rest on something, with their clusters to be solved, and at a standstill; by body. */
     private boolean[] rests = new boolean[8];
@@ -101,6 +102,7 @@ public final class RestingContacts implements Serializable {
         this.detection = detection;
         this.points = points;
         this.ledger = ledger;
+        flush = new FlushGround(state, trajectories, detection);
     }
 
     /**
@@ -120,6 +122,17 @@ public final class RestingContacts implements Serializable {
      */
     public boolean rests(int body) {
         return body < rests.length && rests[body];
+    }
+
+    /**
+     * Whether a body lies on several fixed ones, as on tiles in a row, so that it may rest on each of them.
+     *
+     * @param body index
+     * @param tau offset in the present step
+     * @return false if it touches anything else
+     */
+    public boolean isShared(int body, double tau) {
+        return flush.isShared(body, tau);
     }
 
     /**
@@ -199,20 +212,11 @@ public final class RestingContacts implements Serializable {
         }
         for (int k = 0; k < detection.pairs().countOf(body); k++) {
             int pair = detection.pairs().of(body, k);
-            if (detection.marks().isHeld(pair) && !isFresh(pair)) {
+            if (detection.marks().isHeld(pair) && !fresh.contains(pair)) {
                 release(pair);
             }
         }
         mark(body);
-    }
-
-    private boolean isFresh(int pair) {
-        for (int k = 0; k < fresh.size; k++) {
-            if (fresh.values[k] == pair) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /**
@@ -306,6 +310,9 @@ public final class RestingContacts implements Serializable {
         for (int k = 0; k < cluster.size; k++) {
             trajectories.bring(cluster.values[k], tau);
             detection.unplan(cluster.values[k]);
+        }
+        if (cluster.size == 1) {
+            flush.hold(cluster.values[0], tau, ledger);
         }
         collect(tau);
         double none = STILL * scale * trajectories.h();
@@ -482,19 +489,11 @@ public final class RestingContacts implements Serializable {
             points.load(manifold, pair, k, point);
             origin.add(2 * pair + k);
             worstGap = Math.max(worstGap, Math.abs(manifold.gaps[k]));
-            system.add(number(a), number(b), point, manifold.gaps[k], turning(k));
+            system.add(number(a), number(b), point, manifold.gaps[k], point.turning(manifold, k));
         }
     }
 
     private int number(int body) {
         return state.body(body).isFixed() ? -1 : place[body] - 1;
-    }
-
-    /** The normal acceleration of the points that comes from the turning of their bodies. */
-    private double turning(int k) {
-        double arm = manifold.roundA ? 0 : manifold.rAx[k] * manifold.nx + manifold.rAy[k] * manifold.ny;
-        double sum = point.omegaA * point.omegaA * arm;
-        arm = manifold.roundB ? 0 : manifold.rBx[k] * manifold.nx + manifold.rBy[k] * manifold.ny;
-        return sum - point.omegaB * point.omegaB * arm;
     }
 }

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import sim.physics.collision.CollisionDetection;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.collision.narrow.Manifold;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+
+/** Fixed bodies side by side that bear a body together, as tiles in a row do: where one ends the next one goes on. */
+final class FlushGround implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Cosine between normals that are the same. */
+    private static final double PARALLEL = 1 - 1e-12;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final CollisionDetection detection;
+    private transient Manifold manifold;
+
+    /** The normal of the ground that was looked at last, towards the body. */
+    private double nx;
+
+    private double ny;
+
+    FlushGround(State state, Trajectories trajectories, CollisionDetection detection) {
+        this.state = state;
+        this.trajectories = trajectories;
+        this.detection = detection;
+    }
+
+    /** Lets a body that rests lie also on what goes on flush with that, from the instant on at which it touches it. */
+    void hold(int body, double tau, ContactLedger ledger) {
+        Pairs pairs = detection.pairs();
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            int pair = pairs.of(body, k);
+            if (!detection.marks().isUnseen(pair) && isGround(pair, body) && touches(pair, body, tau) && goesOn(pair, body, tau)) {
+                detection.hold(pair, true);
+                ledger.begin(pair);
+            }
+        }
+    }
+
+    private boolean goesOn(int pair, int body, double tau) {
+        Pairs pairs = detection.pairs();
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            if (detection.marks().isHeld(pairs.of(body, k))) {
+                look(pair, body, tau);
+                return isSame(pairs.of(body, k), body, tau);
+            }
+        }
+        return false;
+    }
+
+    /** Whether a body touches several fixed ones, all of the same normal, and nothing else. */
+    boolean isShared(int body, double tau) {
+        if (!hasSeveral(body)) {
+            return false;
+        }
+        Pairs pairs = detection.pairs();
+        int count = 0;
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            int pair = pairs.of(body, k);
+            if (!detection.marks().isIgnored(pair) && touches(pair, body, tau)) {
+                if (!isGround(pair, body) || count > 0 && !isSame(pair, body, tau)) {
+                    return false;
+                }
+                look(pair, body, tau);
+                count++;
+            }
+        }
+        return count > 1;
+    }
+
+    private boolean hasSeveral(int body) {
+        Pairs pairs = detection.pairs();
+        int count = 0;
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            count += isGround(pairs.of(body, k), body) ? 1 : 0;
+        }
+        return count > 1;
+    }
+
+    private boolean isGround(int pair, int body) {
+        return state.body(detection.pairs().other(pair, body)).isFixed();
+    }
+
+    private boolean touches(int pair, int body, double tau) {
+        trajectories.bring(detection.pairs().other(pair, body), tau);
+        return detection.narrowPhase().touches(pair, tau);
+    }
+
+    private boolean isSame(int pair, int body, double tau) {
+        double x = nx;
+        double y = ny;
+        look(pair, body, tau);
+        return x * nx + y * ny > PARALLEL;
+    }
+
+    private void look(int pair, int body, double tau) {
+        manifold = manifold == null ? new Manifold() : manifold;
+        detection.narrowPhase().contact(pair, tau, manifold);
+        double side = detection.pairs().first(pair) == body ? -1 : 1;
+        nx = side * manifold.nx;
+        ny = side * manifold.ny;
+    }
+}
