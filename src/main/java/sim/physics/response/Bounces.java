@@ -272,7 +272,7 @@ final class Bounces implements Serializable {
     }
 
     /** The acceleration of two bodies towards one another. */
-    private double pressing(int a, int b, Impact c) {
+    double pressing(int a, int b, Impact c) {
         double[] d = trajectories.bends();
         int mask = trajectories.bendMask();
         int oa = a * Trajectories.STRIDE;

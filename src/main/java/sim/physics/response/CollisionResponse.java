@@ -254,7 +254,8 @@ public final class CollisionResponse implements Serializable {
         if (fixedA == state.body(b).isFixed() || trajectories.isDriven(body) || heaps.has(body) || !bounces.mayRest(pair)) {
             return false;
         }
-        return alone && !resting.rests(body) && manifold.bears(fixedA) || resting.isShared(body, tau);
+        return alone && !resting.rests(body) && manifold.bears(fixedA)
+                || bounces.pressing(a, b, impact) > 0 && resting.isShared(body, tau);
     }
 
     /**

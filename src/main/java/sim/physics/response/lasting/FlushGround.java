@@ -7,7 +7,6 @@ import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.motion.State;
-import sim.physics.motion.Trajectories;
 
 /** Fixed bodies side by side that bear a body together, as tiles in a row do: where one ends the next one goes on. */
 final class FlushGround implements Serializable {
@@ -17,7 +16,6 @@ final class FlushGround implements Serializable {
     private static final double PARALLEL = 1 - 1e-12;
 
     private final State state;
-    private final Trajectories trajectories;
     private final CollisionDetection detection;
     private transient Manifold manifold;
 
@@ -26,9 +24,8 @@ final class FlushGround implements Serializable {
 
     private double ny;
 
-    FlushGround(State state, Trajectories trajectories, CollisionDetection detection) {
+    FlushGround(State state, CollisionDetection detection) {
         this.state = state;
-        this.trajectories = trajectories;
         this.detection = detection;
     }
 
@@ -37,7 +34,7 @@ final class FlushGround implements Serializable {
         Pairs pairs = detection.pairs();
         for (int k = 0; k < pairs.countOf(body); k++) {
             int pair = pairs.of(body, k);
-            if (!detection.marks().isUnseen(pair) && isGround(pair, body) && touches(pair, body, tau) && goesOn(pair, body, tau)) {
+            if (!detection.marks().isUnseen(pair) && isGround(pair, body) && touches(pair, tau) && goesOn(pair, body, tau)) {
                 detection.hold(pair, true);
                 ledger.begin(pair);
             }
@@ -64,7 +61,7 @@ final class FlushGround implements Serializable {
         int count = 0;
         for (int k = 0; k < pairs.countOf(body); k++) {
             int pair = pairs.of(body, k);
-            if (!detection.marks().isIgnored(pair) && touches(pair, body, tau)) {
+            if (!detection.marks().isIgnored(pair) && touches(pair, tau)) {
                 if (!isGround(pair, body) || count > 0 && !isSame(pair, body, tau)) {
                     return false;
                 }
@@ -88,9 +85,12 @@ final class FlushGround implements Serializable {
         return state.body(detection.pairs().other(pair, body)).isFixed();
     }
 
-    private boolean touches(int pair, int body, double tau) {
-        trajectories.bring(detection.pairs().other(pair, body), tau);
-        return detection.narrowPhase().touches(pair, tau);
+    /** Whether a pair touches. The features that were closest when an impact was looked for are kept. */
+    private boolean touches(int pair, double tau) {
+        int code = detection.pairs().code(pair);
+        boolean yes = detection.narrowPhase().touches(pair, tau);
+        detection.pairs().setCode(pair, code);
+        return yes;
     }
 
     private boolean isSame(int pair, int body, double tau) {
@@ -102,7 +102,9 @@ final class FlushGround implements Serializable {
 
     private void look(int pair, int body, double tau) {
         manifold = manifold == null ? new Manifold() : manifold;
+        int code = detection.pairs().code(pair);
         detection.narrowPhase().contact(pair, tau, manifold);
+        detection.pairs().setCode(pair, code);
         double side = detection.pairs().first(pair) == body ? -1 : 1;
         nx = side * manifold.nx;
         ny = side * manifold.ny;
