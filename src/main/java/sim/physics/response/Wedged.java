@@ -24,6 +24,9 @@ final class Wedged implements Serializable {
 
     private static final int MOST_DOUBLINGS = 24;
 
+    /** Times that it may meet again at once after each of these, if it has been apart or on its way for longer in between. */
+    private static final int MOST_AGAIN = 60;
+
     /** Time that is none, relative to the step. */
     private static final double INSTANT = 1e-12;
 
@@ -39,8 +42,10 @@ final class Wedged implements Serializable {
     private double[] last = {};
     private int[] times = {};
 
-    /** Meetings at once after the last one, in its step. */
+    /** Meetings at once after the last one, in its step; and how often it was allowed to be deeper for them. */
     private int[] atOnce = {};
+
+    private int[] deepened = {};
 
     Wedged(Trajectories trajectories, CollisionDetection detection) {
         this.trajectories = trajectories;
@@ -53,18 +58,26 @@ final class Wedged implements Serializable {
             last = Arrays.copyOf(last, Math.max(2 * last.length, pair + 1));
             times = Arrays.copyOf(times, last.length);
             atOnce = Arrays.copyOf(atOnce, last.length);
+            deepened = Arrays.copyOf(deepened, last.length);
         }
         double now = trajectories.step() + tau / trajectories.h();
         boolean same = Math.abs(now - last[pair]) <= INSTANT * Math.max(1, now);
-        atOnce[pair] = last[pair] < trajectories.step() ? 0 : now - last[pair] > AT_ONCE ? atOnce[pair] : atOnce[pair] + 1;
+        if (last[pair] < trajectories.step()) {
+            atOnce[pair] = 0;
+            deepened[pair] = 0;
+        } else if (now - last[pair] <= AT_ONCE) {
+            atOnce[pair]++;
+        } else if (atOnce[pair] >= MOST_AT_ONCE) {
+            atOnce[pair] = MOST_AT_ONCE - MOST_AGAIN;
+        }
         last[pair] = now;
         times[pair] = same ? times[pair] + 1 : 0;
         if (times[pair] < MOST && atOnce[pair] < MOST_AT_ONCE) {
             return false;
         }
         times[pair] = 0;
-        atOnce[pair]++;
-        double deeper = DEEPER * (1L << Math.max(0, Math.min(atOnce[pair] - MOST_AT_ONCE, MOST_DOUBLINGS)));
+        deepened[pair] += atOnce[pair] < MOST_AT_ONCE ? 0 : 1;
+        double deeper = DEEPER * (1L << Math.min(deepened[pair], MOST_DOUBLINGS));
         if (!(detection.marks().depth(pair) > 0)) {
             pairs.add(pair);
         }

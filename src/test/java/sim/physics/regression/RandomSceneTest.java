@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.collision.Overlap;
 import sim.physics.motion.Body;
 
 /**
@@ -49,12 +50,30 @@ class RandomSceneTest {
             scene.step();
             String when = "seed " + seed + ", step " + k;
             assertFinite(scene, when);
+            assertThat(depth(scene)).as(when + ", depth").isLessThan(1e-5);
             assertThat(scene.impactsInStep).as(when + ", impacts").isLessThanOrEqualTo(MOST_IMPACTS);
             if (scene.passive) {
                 assertThat(scene.engine.kineticEnergy()).as(when + ", energy").isLessThanOrEqualTo(energy * (1 + 1e-12));
             }
         }
         assertThat(scene.engine.getDeepestPenetration()).as("seed " + seed).isLessThan(mayDrive ? 1e-6 : 1e-9);
+    }
+
+    /** Fast bodies in corners, at steps of a quarter of a second: what is wedged is let in a little, and not for good. */
+    @ParameterizedTest
+    @ValueSource(longs = {845, 852})
+    void wedgedBodiesAreNotLetPass(long seed) {
+        RandomScene scene = new RandomScene(seed, true);
+        for (int k = 0; k < STEPS; k++) {
+            scene.change();
+            scene.step();
+            assertFinite(scene, "step " + k);
+            assertThat(depth(scene)).as("step " + k).isLessThan(2e-3);
+        }
+    }
+
+    private static double depth(RandomScene scene) {
+        return scene.engine.overlaps().stream().mapToDouble(Overlap::depth).max().orElse(0);
     }
 
     private static void assertFinite(RandomScene scene, String when) {
