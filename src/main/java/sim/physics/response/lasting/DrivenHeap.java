@@ -56,6 +56,7 @@ final class DrivenHeap implements Serializable {
     private final BodyScale scales;
     private final double[] fall = new double[State.BLOCK];
     private double[] alone = {};
+    private double[] impulses = {};
 
     /** Whether the impulses are right or nearly so, and whether the last integration was made under them. */
     private boolean isRight;
@@ -181,20 +182,26 @@ final class DrivenHeap implements Serializable {
             extrapolation.next(system.w, system.v);
             most = Math.max(most, speed(heap));
             kept.keep();
-            isRight = isSoft ? system.solveSoftly(most) : system.solve(most, true);
+            isRight = isSoft ? system.solveSoftly(most) : system.solveUnlessFair(most, EQUAL * most);
             double change = kept.change();
+            double error = isSoft ? change : Math.min(change, system.missed());
             if (!isReleased && !(isRight && change <= COSTLY * most)) {
                 release(most);
                 change = kept.change();
+                error = change;
             }
             if (!isRight && !(change <= WILD * most)) {
                 stay();
                 break;
             }
+            if (k == 0 && isRight && !isReleased && error > SAME * most && extrapolation.isLearned()) {
+                improve(extrapolation, most);
+                change = kept.change();
+            }
             expected = Math.max(expected, speed(heap));
-            double next = before <= SMALL * most ? change * (change / before) : change; // if changes go on to shrink at least evenly
-            isSame = change <= Math.max(SAME * most, system.tolerance().enough()) || next <= SAME * most;
-            before = change;
+            double next = before <= SMALL * most ? error * (error / before) : error; // if errors go on to shrink at least evenly
+            isSame = Math.min(error, next) <= Math.max(SAME * most, system.tolerance().enough());
+            before = error;
             isProbed = change <= EQUAL * most;
         }
         if (isProbed) {
@@ -206,6 +213,17 @@ final class DrivenHeap implements Serializable {
             }
         }
         return most;
+    }
+
+    /** Improves the solution after the first integration by what is known of how impulses act over the time. */
+    private void improve(Extrapolation extrapolation, double scale) {
+        impulses = system.impulses(impulses);
+        kept.takeAway(system.v);
+        extrapolation.learn(system.w, system.v);
+        if (!system.solve(scale, true)) {
+            extrapolation.unlearn(system.free());
+            system.put(impulses);
+        }
     }
 
     /**

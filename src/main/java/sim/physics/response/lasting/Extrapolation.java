@@ -32,6 +32,9 @@ final class Extrapolation implements Serializable {
     private double[] change = {};
     private int count;
 
+    /** Whether it is known what was put into the map first. */
+    private boolean isKnown;
+
     /** Differences of results and of their changes; how many there are, and the place of the newest. */
     private final double[][] results = new double[MOST][];
 
@@ -62,6 +65,7 @@ final class Extrapolation implements Serializable {
         }
         time = length;
         count = 0;
+        isKnown = false;
         if (isSame) {
             return;
         }
@@ -92,7 +96,7 @@ final class Extrapolation implements Serializable {
      */
     void next(double[] w, double[] v) {
         int n = put.length;
-        if (count > 1) {
+        if (count > 1 || isKnown) {
             note(w, v);
         }
         for (int k = 0; k < n; k++) {
@@ -104,6 +108,33 @@ final class Extrapolation implements Serializable {
         }
         System.arraycopy(v, 0, put, 0, n);
         count++;
+    }
+
+    /** Whether differences of before are known. */
+    boolean isLearned() {
+        return size > 0;
+    }
+
+    /**
+     * Tells what was put into the map for its first result, and replaces what is to be put next.
+     *
+     * @param w inverse masses and moments of inertia, 2 per body
+     * @param v what was put; what to put next afterwards
+     */
+    void learn(double[] w, double[] v) {
+        for (int k = 0; k < put.length; k++) {
+            change[k] = result[k] - v[k];
+            v[k] = result[k];
+        }
+        mix(w, v);
+        System.arraycopy(v, 0, put, 0, put.length);
+        isKnown = true;
+    }
+
+    /** Goes back to the first result itself. */
+    void unlearn(double[] v) {
+        System.arraycopy(result, 0, v, 0, put.length);
+        System.arraycopy(result, 0, put, 0, put.length);
     }
 
     /** Keeps the difference to the last result in place of the oldest, unless it is one by rounding. */

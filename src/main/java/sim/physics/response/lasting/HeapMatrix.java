@@ -58,6 +58,9 @@ final class HeapMatrix extends HeapRows {
     /** Null until there is work for it. */
     private MatrixPath path;
 
+    /** Error of velocities with the impulses that the last solution was started from. */
+    private double missed;
+
     @Override
     void forget() {
         super.forget();
@@ -83,15 +86,17 @@ final class HeapMatrix extends HeapRows {
      * Solves for the impulses, from those that the system has; its velocities are those without any.
      *
      * @param exact error of velocities at which they are right
+     * @param lax error of those that the system has at which these are left as they are
      * @param enough error that is good enough in the end
      * @param scale speed beside which errors are judged
      * @return whether they are right or nearly so
      */
-    boolean solve(HeapSystem s, double exact, double enough, double scale) {
+    boolean solve(HeapSystem s, double exact, double lax, double enough, double scale) {
         take(s);
         double close = Math.max(enough, ROUNDING * exact);
         double least = keep(Double.POSITIVE_INFINITY);
-        if (least > exact) {
+        missed = least;
+        if (least > Math.max(exact, lax)) {
             least = relax(least <= CLOSE * exact ? FEW : 1, least);
             least = newton(least, exact, 1); // impulses of before may be at the same bounds
         }
@@ -117,12 +122,16 @@ final class HeapMatrix extends HeapRows {
         for (int i = 0; i < rows; i++) {
             replies[i * rows + i] *= 1 + SOFT;
         }
-        boolean right = solve(s, exact, 0, scale);
+        boolean right = solve(s, exact, 0, 0, scale);
         for (int i = 0; i < rows; i++) {
             replies[i * rows + i] /= 1 + SOFT;
         }
         restart();
         return right;
+    }
+
+    double missed() {
+        return missed;
     }
 
     /** Newton's method, until some steps were in vain; returns the least error so far. */

@@ -72,12 +72,13 @@ final class HeapSolver implements Serializable {
      * Solves a system whose velocities are those without impulses, from the impulses that it has.
      *
      * @param scale speed beside which errors are judged
+     * @param lax error of the impulses that it has at which these are left as they are
      * @param enough error that is good enough in the end
      * @return whether the impulses are right or nearly so
      */
-    boolean solve(HeapSystem s, double scale, double enough) {
+    boolean solve(HeapSystem s, double scale, double lax, double enough) {
         if (s.isTied() && matrix.assemble(s)) {
-            return matrix.solve(s, RIGHT * scale, enough, scale);
+            return matrix.solve(s, RIGHT * scale, lax, enough, scale);
         }
         s.applyAll();
         if (s.isSpared() && !s.isTied()) {
@@ -95,18 +96,23 @@ final class HeapSolver implements Serializable {
         return relax(s, scale, enough, WORK);
     }
 
+    /** Error of velocities with the impulses that the last solution was started from; infinite if that is not known. */
+    double missed(HeapSystem s) {
+        return s.isTied() && matrix.assemble(s) ? matrix.missed() : Double.POSITIVE_INFINITY;
+    }
+
     /** The same of points that are a little soft, where there are no bounded impulses, or none are found, that make them right. */
     boolean solveSoftly(HeapSystem s, double scale, double enough) {
         if (s.isTied() && matrix.assemble(s)) {
             return matrix.solveSoftly(s, RIGHT * scale, scale);
         }
-        return solve(s, scale, enough);
+        return solve(s, scale, 0, enough);
     }
 
     /** The same with little work. */
     boolean solveInTurn(HeapSystem s, double scale, double enough) {
         if (s.isTied() && matrix.assemble(s)) {
-            return matrix.solve(s, RIGHT * scale, enough, scale);
+            return matrix.solve(s, RIGHT * scale, 0, enough, scale);
         }
         s.applyAll();
         return relax(s, scale, enough, LITTLE_WORK);

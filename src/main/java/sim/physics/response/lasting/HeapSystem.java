@@ -433,7 +433,18 @@ final class HeapSystem implements Serializable {
      */
     boolean solve(double scale, boolean regains) {
         begin(regains);
-        return solver.solve(this, scale, tolerance.enough());
+        return solver.solve(this, scale, 0, tolerance.enough());
+    }
+
+    /** The same if the impulses that there are are wrong by more than an error of velocities; these stay to the bit if not. */
+    boolean solveUnlessFair(double scale, double fair) {
+        begin(true);
+        return solver.solve(this, scale, fair, tolerance.enough());
+    }
+
+    /** Error of velocities with the impulses that the last solution was started from; infinite if that is not known. */
+    double missed() {
+        return solver.missed(this);
     }
 
     /** The same with impulses that are bounded in any case: no point has to part, and all are a little soft. Begins without any impulses. */

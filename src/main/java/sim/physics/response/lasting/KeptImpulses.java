@@ -31,6 +31,13 @@ final class KeptImpulses implements Serializable {
         }
     }
 
+    /** Takes from velocities what the kept impulses do. */
+    void takeAway(double[] v) {
+        for (int p = 0; p < system.size(); p++) {
+            system.push(p, -kept[2 * p], -kept[2 * p + 1], v);
+        }
+    }
+
     /** How much the impulses have changed since then, as a velocity that they give. */
     double change() {
         double most = 0;
