@@ -45,6 +45,9 @@ final class HeapMatrix extends HeapRows {
     /** By how much softer than stiff points are, relative to what an impulse does to them. */
     private static final double SOFT = 0x1p-10;
 
+    /** Speed beside which a motor's or friction's is that of one which holds, relative to the scale. */
+    private static final double HARDLY = 1e-3;
+
     /** The bound at which a row is, −1 or +1, 0 for none. */
     private double[] side = {};
 
@@ -97,8 +100,11 @@ final class HeapMatrix extends HeapRows {
         double least = keep(Double.POSITIVE_INFINITY);
         missed = least;
         if (least > Math.max(exact, lax)) {
-            least = relax(least <= CLOSE * exact ? FEW : 1, least);
-            least = newton(least, exact, 1); // impulses of before may be at the same bounds
+            least = newton(afresh(least, scale), exact, 1); // impulses of before may be at the same bounds
+            if (least > exact) {
+                restore();
+                least = newton(relax(least <= CLOSE * exact ? FEW : 1, least), exact, 1);
+            }
         }
         if (least > ROUNDING * exact) {
             least = follow(least, exact, close);
@@ -221,18 +227,44 @@ final class HeapMatrix extends HeapRows {
         evaluate();
     }
 
+    /**
+     * Solves the rows that are at no bound with the impulses at hand, or hardly at one, for the least impulses: what presses against one
+     * another without any effect is not carried on, and grows in no direction. Returns the least error so far.
+     */
+    private double afresh(double error, double scale) {
+        int n = part(HARDLY * scale);
+        for (int i = 0; i < rows; i++) {
+            impulse[i] = unknown[i] >= 0 ? 0 : impulse[i];
+        }
+        evaluate();
+        double least = solve(n) ? keep(error) : error;
+        restore();
+        return least;
+    }
+
     /** Solves the rows that are at no bound as equations; false if they cannot be solved. */
     private boolean newton() {
+        return solve(part(0));
+    }
+
+    /** Tells the rows that are at no bound from the others; given a speed that is none where both bounds are apart. Returns how many. */
+    private int part(double none) {
         int n = 0;
         for (int i = 0; i < rows; i++) {
-            double free = impulse[i] - (velocity[i] - bound[i]) / own(i);
+            double over = velocity[i] - bound[i];
+            double free = impulse[i] - over / own(i);
             double up = bearer[i] < 0 ? most[i] : friction[i] * Math.max(0, rest[bearer[i]]);
             double down = bearer[i] < 0 ? least[i] : -up;
-            boolean isFree = free > down && free < up && (bearer[i] < 0 || unknown[bearer[i]] >= 0);
+            boolean isBetween = free > down && free < up || up < Double.POSITIVE_INFINITY && Math.abs(over) < none;
+            boolean isFree = isBetween && (bearer[i] < 0 || unknown[bearer[i]] >= 0);
             rest[i] = free;
             unknown[i] = isFree ? n++ : -1;
             side[i] = isFree ? 0 : free <= down ? -1 : 1;
         }
+        return n;
+    }
+
+    private boolean solve(int n) {
         for (int i = 0; i < rows; i++) {
             set(i, bearer[i] >= 0 || unknown[i] >= 0 ? impulse[i] : side[i] < 0 ? least[i] : most[i]);
         }
