@@ -79,6 +79,11 @@ final class DrivenHeap implements Serializable {
     /** By the first body of a heap. */
     private Extrapolation[] extrapolations = {};
 
+    private HeapForecast[] forecasts = {};
+
+    /** What tells the points of a heap from others. */
+    private final IntList names = new IntList();
+
     DrivenHeap(
             State state,
             Trajectories trajectories,
@@ -162,6 +167,7 @@ final class DrivenHeap implements Serializable {
             notes.start(p, length);
         }
         switches.start();
+        forecast(heap, length);
         Extrapolation extrapolation = extrapolation(heap.values[0]);
         extrapolation.begin(heap, length);
         isReleased = false;
@@ -280,6 +286,25 @@ final class DrivenHeap implements Serializable {
         return isReleased;
     }
 
+    /** Starts from the forces that are to be expected. */
+    private void forecast(IntList heap, double length) {
+        names.clear();
+        notes.name(names);
+        switches.name(names);
+        int first = heap.values[0];
+        if (first >= forecasts.length) {
+            forecasts = Arrays.copyOf(forecasts, Math.max(2 * forecasts.length, first + 1));
+        }
+        forecasts[first] = forecasts[first] == null ? new HeapForecast() : forecasts[first];
+        forecasts[first].begin(names);
+        forecasts[first].start(system, middle(first, length), length);
+    }
+
+    /** The middle of a time from the anchor of a body on, in steps. */
+    private double middle(int body, double length) {
+        return trajectories.step() + (trajectories.offset(body) + 0.5 * length) / trajectories.h();
+    }
+
     private Extrapolation extrapolation(int first) {
         if (first >= extrapolations.length) {
             extrapolations = Arrays.copyOf(extrapolations, Math.max(2 * extrapolations.length, first + 1));
@@ -302,6 +327,7 @@ final class DrivenHeap implements Serializable {
     void publish(IntList heap, double time) {
         double[] pushes = pushes(heap);
         support(heap, time, pushes);
+        forecasts[heap.values[0]].keep(system, middle(heap.values[0], time), time);
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             if (!trajectories.isDriven(body)) {

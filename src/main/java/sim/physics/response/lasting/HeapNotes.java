@@ -35,6 +35,13 @@ final class HeapNotes implements Serializable {
         origin.add(2 * pair + point);
     }
 
+    /** Adds what tells each point from others. */
+    void name(IntList names) {
+        for (int p = 0; p < system.contacts(); p++) {
+            names.add(origin.values[p]);
+        }
+    }
+
     /** Lets all pairs be as deep as they are, and as much deeper as they may be else. */
     void letBe(CollisionDetection detection) {
         for (int p = 0; p < system.contacts(); p++) {

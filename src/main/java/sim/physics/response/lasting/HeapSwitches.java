@@ -136,6 +136,13 @@ final class HeapSwitches implements Serializable {
         system.bound(system.size() - 1, bound);
     }
 
+    /** Adds what tells each point from others. */
+    void name(IntList names) {
+        for (int k = 0; k < number.size; k++) {
+            names.add(-1 - 2 * number.values[k] - (sign.values[k] < 0 ? 1 : 0));
+        }
+    }
+
     private int place(int body) {
         return body < 0 ? -1 : by.place[body] - 1;
     }
