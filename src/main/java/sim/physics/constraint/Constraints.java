@@ -363,6 +363,11 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
+    public void reply(int body, double[] velocities) {
+        solver.correct(active(body), state.w().values(), velocities, null);
+    }
+
+    @Override
     public void settle(IntList bodies) {
         projection.settle(of(bodies), state, solver);
     }

@@ -186,6 +186,14 @@ public interface Ties extends Serializable {
     void reply(int body, double px, double py, double turn, double[] velocities);
 
     /**
+     * What impulses on bodies of an island do to the velocities of all of it.
+     *
+     * @param body index of one of them
+     * @param velocities in the blocks of the island: the changes if nothing tied the bodies, and the changes afterwards
+     */
+    void reply(int body, double[] velocities);
+
+    /**
      * Changes the velocities of the state vectors by the least amount that the ties ask for.
      *
      * @param bodies all bodies of an island, or of several and others, prepared or evaluated for accelerations

@@ -75,6 +75,17 @@ final class ContactRows implements Serializable {
         return data[STRIDE * p + ARM_A + side];
     }
 
+    /** 1 if the rows along the normals of two points are the same, −1 if they are opposite, else 0. */
+    double alike(int p, int q) {
+        boolean isSame = bodies[2 * p] == bodies[2 * q] && bodies[2 * p + 1] == bodies[2 * q + 1];
+        boolean isOpposite = isSame;
+        for (int k = NX; k <= LEVER_B; k++) {
+            isSame &= data[STRIDE * p + k] == data[STRIDE * q + k];
+            isOpposite &= data[STRIDE * p + k] == -data[STRIDE * q + k];
+        }
+        return isSame ? 1 : isOpposite ? -1 : 0;
+    }
+
     /** Whether one of a point's bodies cannot move. */
     boolean isOnFixed(int p) {
         return bodies[2 * p] < 0 || bodies[2 * p + 1] < 0;

@@ -140,14 +140,32 @@ final class DrivenHeap implements Serializable {
             }
         }
         for (int p = 0; p < system.size(); p++) {
-            for (int side = 0; side < 2; side++) {
-                int k = system.rows().body(p, side);
-                if (k >= 0 && motion.isTied(heap.values[k])) {
-                    int first = by.place[ties.island(heap.values[k]).values[0]] - 1;
-                    system.replies().find(system.rows(), p, side, first, ties, heap.values[k], state.x().length);
-                }
+            if (p < system.contacts() || !switches.shares(p)) {
+                reply(heap, p);
             }
             system.measure(p);
+        }
+    }
+
+    /** Finds what a point's impulses do to bodies that are tied to others. */
+    private void reply(IntList heap, int p) {
+        int a = system.rows().body(p, 0);
+        int b = system.rows().body(p, 1);
+        int first = a >= 0 && motion.isTied(heap.values[a]) ? heap.values[a] : -1;
+        int second = b >= 0 && motion.isTied(heap.values[b]) ? heap.values[b] : -1;
+        if (first >= 0 && second >= 0 && ties.island(first) == ties.island(second)) {
+            reply(p, HeapReplies.BOTH, first);
+        } else {
+            reply(p, 0, first);
+            reply(p, 1, second);
+        }
+    }
+
+    private void reply(int p, int side, int body) {
+        if (body >= 0) {
+            IntList island = ties.island(body);
+            int place = by.place[island.values[0]] - 1;
+            system.replies().find(system.rows(), p, system.w, side, place, ties, island, p < system.contacts());
         }
     }
 

@@ -25,10 +25,7 @@ final class Heap implements Serializable {
     /** Height of an edge's other end from which it is no contact, relative to the smaller body. */
     private static final double FLAT = 2e-2;
 
-    /**
-     * Speed at which points hardly close, relative to the bodies' or to what forces give them: more than the last solution may have
-     * left, so that nothing strikes for that.
-     */
+    /** Speed at which points hardly close, relative to the bodies' or to what forces give them: more than what solutions leave. */
     private static final double HARDLY = 1e-10;
 
     /** The same for points that have just been struck; and the part of the speed that they lack which they get then at once. */

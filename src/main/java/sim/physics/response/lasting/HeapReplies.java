@@ -12,6 +12,11 @@ import sim.physics.motion.Ties;
 final class HeapReplies implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Both sides of a point at once; and the count of a second side whose replies are among those of the first one. */
+    static final int BOTH = 2;
+
+    private static final int COVERED = -1;
+
     /** By side of a point: the first body that replies, as a number in the heap, their count, and where the values are. */
     private int[] first = {};
 
@@ -23,6 +28,7 @@ final class HeapReplies implements Serializable {
 
     private int used;
     private double[] velocities = {};
+    private double[] alone = {};
 
     HeapReplies() {
         // grows with the heaps
@@ -45,36 +51,65 @@ final class HeapReplies implements Serializable {
     }
 
     /**
-     * Finds what units of impulse at a side of a point do to a tied body and its companions.
+     * Finds what units of impulse at a point do to tied bodies: at one of its sides, or at both at once where these are tied together.
      *
-     * @param first number in the heap of the first one of the island
-     * @param body whose side of the point it is
-     * @param length of the vector of all velocities
+     * @param w inverse masses and moments of inertia of the bodies of the heap
+     * @param side 0 or 1, or {@link #BOTH}
+     * @param place number in the heap of the first one of the island
+     * @param island the bodies, which have consecutive numbers in the heap
+     * @param twice whether along the tangent too
      */
-    void find(ContactRows rows, int p, int side, int first, Ties ties, int body, int length) {
-        IntList island = ties.island(body);
-        velocities = velocities.length < length ? new double[length] : velocities;
-        double sign = side == 0 ? -1 : 1;
-        ties.reply(body, sign * rows.nx(p), sign * rows.ny(p), sign * rows.lever(p, side), velocities);
-        set(2 * p + side, first, island, false);
-        ties.reply(body, -sign * rows.ny(p), sign * rows.nx(p), sign * rows.arm(p, side), velocities);
-        set(2 * p + side, first, island, true);
+    void find(ContactRows rows, int p, double[] w, int side, int place, Ties ties, IntList island, boolean twice) {
+        int n = 3 * island.size;
+        int own = side == BOTH ? 2 * p : 2 * p + side;
+        first[own] = place;
+        count[own] = island.size;
+        at[own] = used;
+        count[2 * p + 1] = side == BOTH ? COVERED : count[2 * p + 1];
+        used += (twice ? 2 : 1) * n;
+        values = values.length < used ? Arrays.copyOf(values, 2 * used) : values;
+        alone = alone.length < 3 * place + n ? new double[2 * (3 * place + n)] : alone;
+        for (int k = 0; k < (twice ? 2 : 1); k++) {
+            Arrays.fill(alone, 3 * place, 3 * place + n, 0);
+            if (side != 0) {
+                rows.pushSecond(p, 1 - k, k, w, alone);
+            }
+            if (side != 1) {
+                rows.pushFirst(p, 1 - k, k, w, alone);
+            }
+            reply(ties, island, 3 * place, at[own] + k * n);
+        }
     }
 
-    /** Sets the replies of a side: of an island whose bodies have consecutive numbers in the heap. */
-    private void set(int side, int place, IntList island, boolean tangential) {
-        int n = 3 * island.size;
-        if (!tangential) {
-            first[side] = place;
-            count[side] = island.size;
-            at[side] = used;
-            used += 2 * n;
-            values = values.length < used ? Arrays.copyOf(values, 2 * used) : values;
-        }
-        int to = at[side] + (tangential ? n : 0);
+    /** Asks an island what is left of changes that its bodies would have alone. */
+    private void reply(Ties ties, IntList island, int from, int to) {
+        int last = State.BLOCK * (island.values[island.size - 1] + 1);
+        velocities = velocities.length < last ? new double[2 * last] : velocities;
         for (int k = 0; k < island.size; k++) {
-            System.arraycopy(velocities, State.BLOCK * island.values[k], values, to + 3 * k, 3);
+            System.arraycopy(alone, from + 3 * k, velocities, State.BLOCK * island.values[k], State.BLOCK);
         }
+        ties.reply(island.values[0], velocities);
+        for (int k = 0; k < island.size; k++) {
+            System.arraycopy(velocities, State.BLOCK * island.values[k], values, to + 3 * k, State.BLOCK);
+        }
+    }
+
+    /** Takes for a point the replies of another one on the same two bodies, or their opposite; false if these are not tied together. */
+    boolean share(int p, int other, boolean isOpposite) {
+        if (count[2 * other + 1] != COVERED) {
+            return false;
+        }
+        first[2 * p] = first[2 * other];
+        count[2 * p] = count[2 * other];
+        count[2 * p + 1] = COVERED;
+        at[2 * p] = used;
+        int n = 3 * count[2 * p];
+        used += n;
+        values = values.length < used ? Arrays.copyOf(values, 2 * used) : values;
+        for (int k = 0; k < n; k++) {
+            values[at[2 * p] + k] = isOpposite ? -values[at[2 * other] + k] : values[at[2 * other] + k];
+        }
+        return true;
     }
 
     /** Adds what a side's impulses do; false if it has no replies. */
@@ -83,8 +118,11 @@ final class HeapReplies implements Serializable {
         int from = at[side];
         int to = 3 * first[side];
         for (int k = 0; k < n; k++) {
-            v[to + k] += jn * values[from + k] + jt * values[from + n + k];
+            v[to + k] += jn * values[from + k];
         }
-        return n > 0;
+        for (int k = 0; k < n && jt != 0; k++) {
+            v[to + k] += jt * values[from + n + k];
+        }
+        return n != 0;
     }
 }

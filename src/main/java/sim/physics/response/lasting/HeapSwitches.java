@@ -136,6 +136,12 @@ final class HeapSwitches implements Serializable {
         system.bound(system.size() - 1, bound);
     }
 
+    /** Lets a point take the replies of the one before it, if that is of the same coordinate of two tied bodies; false if it is not. */
+    boolean shares(int p) {
+        double sign = p > system.contacts() ? system.rows().alike(p, p - 1) : 0;
+        return sign != 0 && system.replies().share(p, p - 1, sign < 0);
+    }
+
     /** Adds what tells each point from others. */
     void name(IntList names) {
         for (int k = 0; k < number.size; k++) {
