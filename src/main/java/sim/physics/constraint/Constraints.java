@@ -128,8 +128,7 @@ public final class Constraints implements Ties, Serializable {
      * @param constraint not null
      * @param closed whether its equations must be satisfied
      * @throws IllegalStateException if it was added already
-     * @throws IllegalArgumentException if no body of it can move, its rows are not 1 to 3, or its equations are not
-     *     satisfied
+     * @throws IllegalArgumentException if no body of it can move, or its rows are not 1 to 3, or are not satisfied
      */
     public void check(Constraint constraint, boolean closed) {
         if (constraints.contains(constraint)) {

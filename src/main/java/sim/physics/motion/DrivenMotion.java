@@ -21,9 +21,6 @@ final class DrivenMotion implements Serializable {
     /** The same with steps of fixed length, where the instant of an impact is corrected by the motion itself. */
     private static final double COARSE = 1e-6;
 
-    /** Times that a body is struck in consecutive steps from which on it is not left to that correction. */
-    private static final int OFTEN = 3;
-
     /** Part of such a step that is not divided. */
     private static final double LEAST = 1.0 / 64;
 
@@ -58,12 +55,10 @@ final class DrivenMotion implements Serializable {
     /** The step that the integrator makes of itself, at most that of the engine, by body. */
     private double[] pace = {};
 
-    /** The step in which a body was struck last, and how often until then in a row of steps. */
-    private double[] struckIn = {};
+    private final Strikes strikes = new Strikes();
 
-    private double[] struckAt = {};
-
-    private int[] strikes = {};
+    /** Which bodies stand still. */
+    final Repose repose = new Repose();
 
     private boolean isCoarse;
 
@@ -112,6 +107,9 @@ final class DrivenMotion implements Serializable {
      */
     double advance(IntList group, Neighbours neighbours) {
         ensure();
+        if (repose.hasAll(group)) {
+            return stay(group);
+        }
         int first = group.values[0];
         int done = ahead == null ? motion.late().takeRefused(first) ? Ahead.REFUSAL : Ahead.NOTHING : ahead.take(first);
         if (done == Ahead.REFUSAL) {
@@ -149,6 +147,15 @@ final class DrivenMotion implements Serializable {
         return publish(group, tau, length == rest ? trajectories.h() : tau + length);
     }
 
+    /** Lets a group stay where it is, which rests. */
+    private double stay(IntList group) {
+        restore(group);
+        Repose.stay(group, state, path);
+        GroupPaths.set(pace, group, trajectories.h());
+        isCoarse = false;
+        return publish(group, trajectories.offset(group.values[0]), trajectories.h());
+    }
+
     /** Shares the arrays of another one, which has room for all bodies then, to do what it would do with other groups. */
     void match(DrivenMotion other, Ties ties, Ties otherTies) {
         other.ensure();
@@ -159,8 +166,8 @@ final class DrivenMotion implements Serializable {
         endAt = other.endAt;
         fineLength = other.fineLength;
         pace = other.pace;
-        struckIn = other.struckIn;
-        strikes = other.strikes;
+        strikes.match(other.strikes);
+        repose.match(other.repose);
         areEndsKept = other.areEndsKept;
         if (tied != null) {
             ties.match(otherTies);
@@ -177,6 +184,9 @@ final class DrivenMotion implements Serializable {
     void advanceAhead(IntList group, Ahead notes) {
         int first = group.values[0];
         double h = trajectories.h();
+        if (repose.hasAll(group)) {
+            return;
+        }
         if (tied != null && leaps(group, first, Neighbours.NONE)) {
             notes.leap(first, h, isCoarse);
             return;
@@ -276,7 +286,7 @@ final class DrivenMotion implements Serializable {
         boolean yes = false;
         for (int k = 0; k < group.size; k++) {
             int body = group.values[k];
-            yes |= body < struckIn.length && struckIn[body] == trajectories.step() || state.isPushed(body);
+            yes |= strikes.has(body, trajectories.step()) || state.isPushed(body);
         }
         return yes;
     }
@@ -319,7 +329,7 @@ final class DrivenMotion implements Serializable {
         for (int k = 0; k < group.size; k++) {
             int body = group.values[k];
             yes |= motion.support.pushes(body);
-            yes |= body < strikes.length && strikes[body] >= OFTEN && trajectories.step() - struckIn[body] <= 1;
+            yes |= strikes.areOften(body, trajectories.step());
         }
         return yes;
     }
@@ -349,7 +359,7 @@ final class DrivenMotion implements Serializable {
             }
         } else {
             restore(group);
-            if (!strides.bring(group, tau, tied)) {
+            if (!repose.hasAll(group) && !strides.bring(group, tau, tied)) {
                 cover(group, trajectories.offset(first), tau);
             }
         }
@@ -446,6 +456,7 @@ final class DrivenMotion implements Serializable {
     void push(int body) {
         strides.cut(body);
         probed.cut(body);
+        repose.end(body);
         if (body < endAt.length) {
             endAt[body] = Double.NaN;
         }
@@ -454,11 +465,7 @@ final class DrivenMotion implements Serializable {
     /** Takes note that a body's course has changed at its anchor. */
     void forget(int body) {
         push(body);
-        if (body < endAt.length) {
-            strikes[body] = trajectories.step() - struckIn[body] <= 1 ? strikes[body] + 1 : 1;
-            struckIn[body] = trajectories.step();
-            struckAt[body] = trajectories.offset(body);
-        }
+        strikes.note(body, trajectories.step(), trajectories.offset(body));
     }
 
     /** Whether the path of a group began in the middle of a stride. */
@@ -468,12 +475,12 @@ final class DrivenMotion implements Serializable {
 
     /** A body is about to be removed. */
     void remove(int body) {
-        strides.cut(body);
+        push(body);
     }
 
     /** The offset of a body's last change of course in this step, 0 if there was none. */
     double smoothSince(int body) {
-        return body < struckAt.length && struckIn[body] == trajectories.step() ? struckAt[body] : 0;
+        return strikes.last(body, trajectories.step());
     }
 
     private void ensure() {
@@ -486,10 +493,7 @@ final class DrivenMotion implements Serializable {
             Arrays.fill(endAt, bodies, endAt.length, Double.NaN);
             fineLength = Arrays.copyOf(fineLength, n / State.BLOCK);
             pace = Arrays.copyOf(pace, n / State.BLOCK);
-            struckIn = Arrays.copyOf(struckIn, n / State.BLOCK);
-            struckAt = Arrays.copyOf(struckAt, n / State.BLOCK);
-            strikes = Arrays.copyOf(strikes, n / State.BLOCK);
-            Arrays.fill(struckIn, bodies, endAt.length, Double.NaN);
+            strikes.ensure(n / State.BLOCK);
         }
     }
 }

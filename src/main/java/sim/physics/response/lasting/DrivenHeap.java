@@ -100,7 +100,7 @@ final class DrivenHeap implements Serializable {
         this.notes = notes;
         this.scales = scales;
         this.switches = new HeapSwitches(by, system);
-        this.probes = new Probes(motion, trajectories);
+        this.probes = new Probes(state, motion, trajectories);
         this.kept = new KeptImpulses(system);
     }
 
@@ -108,6 +108,7 @@ final class DrivenHeap implements Serializable {
     void unpay(IntList heap, double tau, Ties those) {
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
+            probes.stir(body);
             motion.ground().resume(body);
             if (!trajectories.isDriven(body)) {
                 by.unpay(body, tau, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX);
@@ -357,6 +358,49 @@ final class DrivenHeap implements Serializable {
                 probes.keep(body, time);
             }
         }
+    }
+
+    /**
+     * Lets bodies stand still from now on, if they do so at the start and at the end of a step, under forces that were found right by
+     * an integration; false if they do not.
+     *
+     * @param none speed that is none
+     */
+    boolean rest(IntList heap, double time, double none) {
+        double[] d = trajectories.data();
+        boolean yes = isProbed && !isReleased && time == trajectories.h();
+        for (int k = 0; yes && k < heap.size; k++) {
+            int body = heap.values[k];
+            int o = body * Trajectories.STRIDE + Trajectories.VX;
+            yes = scales.speed(body, system.v, 3 * k) <= none && scales.speed(body, d, o) <= none;
+            yes &= !trajectories.isDriven(body) || probes.mayRest(body);
+            yes &= !isFirstTied(body) || switches.areHere(ties.switched(ties.island(body)));
+        }
+        for (int k = 0; yes && k < heap.size; k++) {
+            int body = heap.values[k];
+            int o = body * Trajectories.STRIDE + Trajectories.VX;
+            Arrays.fill(d, o, o + State.BLOCK, 0);
+            if (trajectories.isDriven(body)) {
+                probes.rest(body);
+            } else {
+                motion.fall(body, fall, 0);
+                motion.support(body, -fall[0], -fall[1], -fall[2]);
+            }
+            if (isFirstTied(body)) {
+                switches.keep(ties.switched(ties.island(body)), body);
+            }
+        }
+        return yes;
+    }
+
+    /** Lets a body move again, and those that move with it. */
+    void stir(int body) {
+        probes.stir(body);
+    }
+
+    /** Whether something has happened to a body that stands still, or its motors or stops have been set. */
+    boolean stirs(int body, Ties those) {
+        return motion.isTied(body) && (!probes.rests(body) || isFirst(body) && !switches.areKept(those.switched(those.island(body)), body));
     }
 
     /**

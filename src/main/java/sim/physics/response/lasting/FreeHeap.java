@@ -5,6 +5,8 @@ package sim.physics.response.lasting;
 import java.io.Serializable;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
+import sim.physics.motion.Motion;
+import sim.physics.motion.State;
 
 /**
  * Heaps of bodies that nothing drives or ties. Where their solution is not found, points that are hardly open count as closed;
@@ -54,6 +56,24 @@ final class FreeHeap implements Serializable {
             notes.start(p, time);
         }
         system.tolerance().bear(HeapGaps.fairSpeed(size, time));
+    }
+
+    /** Finds what holds a heap that stands still from now on, when it has been stopped; nothing else depends on that. */
+    void bear(IntList heap, Motion motion, double scale, double time, double none) {
+        double[] fall = new double[State.BLOCK];
+        for (int k = 0; k < heap.size; k++) {
+            motion.fall(heap.values[k], fall, 0);
+            for (int c = 0; c < State.BLOCK; c++) {
+                system.v[3 * k + c] = fall[c] * time;
+            }
+        }
+        notes.strike(1);
+        for (int p = 0; p < system.size(); p++) {
+            system.bound(p, system.bound(p) < -none ? system.bound(p) : 0);
+        }
+        system.solve(scale, true);
+        notes.press(time);
+        notes.strike(-1); // what has stopped it was more than what holds it
     }
 
     /** Solves a heap whose points have been taken in; false if the impulses are not nearly right. */

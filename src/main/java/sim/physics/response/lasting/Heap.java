@@ -39,6 +39,9 @@ final class Heap implements Serializable {
     /** Speed that is none, relative to that which the forces give in the time of a solution. */
     private static final double STILL = 1e-7;
 
+    /** The same at the start and at the end of a step of bodies that the integrator drives. */
+    private static final double RESTING = 1e-9;
+
     /** Turn of a body, rad, for which a solution holds; and how many there are in a step at most. */
     private static final double TURN = 0.1;
 
@@ -165,6 +168,7 @@ final class Heap implements Serializable {
     /** Lets the motors and stops of a body that lies on nothing any more decide by themselves. */
     void thaw(int body) {
         if (motion.isTied(body)) {
+            driving.stir(body);
             ties.switched(ties.island(body)).thaw();
         }
     }
@@ -423,21 +427,9 @@ final class Heap implements Serializable {
         return scales.speed(heap.values[k], system.v, 3 * k);
     }
 
-    /** Finds what holds a heap that stands still from now on, when it has been stopped; nothing else depends on that. */
-    private void bear(double time, double none) {
-        for (int k = 0; k < heap.size; k++) {
-            motion.fall(heap.values[k], fall, 0);
-            for (int c = 0; c < State.BLOCK; c++) {
-                system.v[3 * k + c] = fall[c] * time;
-            }
-        }
-        notes.strike(1);
-        for (int p = 0; p < system.size(); p++) {
-            system.bound(p, system.bound(p) < -none ? system.bound(p) : 0);
-        }
-        system.solve(scale, true);
-        notes.press(time);
-        notes.strike(-1); // what has stopped it was more than what holds it
+    /** Whether something has happened to a body of a heap that stands still. */
+    boolean stirs(int body) {
+        return driving.stirs(body, ties);
     }
 
     private void publish(double tau, IntList changed) {
@@ -452,13 +444,14 @@ final class Heap implements Serializable {
             detection.plan(heap.values[0], until);
         }
         if (still) {
-            bear(until - tau, STILL * pull * (until - tau));
+            free.bear(heap, motion, scale, until - tau, STILL * pull * (until - tau));
         }
         double[] d = trajectories.data();
         if (isDriven && !(system.contacts() == 0 && isFresh)) {
             driving.publish(heap, until - tau);
         }
         boolean stands = isRubbed && !halts && rubbing.isStill(heap);
+        stands |= isDriven && isFresh && system.contacts() > 0 && driving.rest(heap, until - tau, RESTING * pull * (until - tau));
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             by.place[body] = 0;
@@ -483,7 +476,7 @@ final class Heap implements Serializable {
                 continue;
             }
             if (isDriven) {
-                by.paidUntil[body] = trajectories.isDriven(body) ? until : 0;
+                by.paidUntil[body] = trajectories.isDriven(body) && !stands ? until : 0;
                 changed.add(body);
                 continue;
             }

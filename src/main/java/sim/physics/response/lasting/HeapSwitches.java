@@ -41,6 +41,9 @@ final class HeapSwitches implements Serializable {
     /** The same: the speed at which a stop that is struck now is left; else −∞. */
     private double[] rebounds = {};
 
+    /** By the first body of an island: how its motors and stops were set when it came to rest. */
+    private long[] settings = {};
+
     HeapSwitches(HeapBodies by, HeapSystem system) {
         this.by = by;
         this.system = system;
@@ -134,6 +137,34 @@ final class HeapSwitches implements Serializable {
         rebounds[at] = Double.NEGATIVE_INFINITY;
         system.add(place(row.first), place(row.second), row, way, 0, row.isMotor ? 0 : Double.POSITIVE_INFINITY);
         system.bound(system.size() - 1, bound);
+    }
+
+    /** Whether none of an island's motors and stops decides by itself. */
+    boolean areHere(SwitchedTies switched) {
+        return switched.size() == 0 || isReadable(switched);
+    }
+
+    /** Takes note of how the motors and stops of an island are set, whose first body is given. */
+    void keep(SwitchedTies switched, int first) {
+        settings = first < settings.length ? settings : Arrays.copyOf(settings, 2 * first + 1);
+        settings[first] = settings(switched);
+    }
+
+    /** Whether they are set as they were then. */
+    boolean areKept(SwitchedTies switched, int first) {
+        return first < settings.length && settings[first] == settings(switched);
+    }
+
+    /** A number that tells how they are set. */
+    private long settings(SwitchedTies switched) {
+        long sum = switched.size();
+        for (int k = 0; k < switched.size() && switched.read(k, row); k++) {
+            sum = 31 * sum + Double.doubleToLongBits(row.speed);
+            sum = 31 * sum + Double.doubleToLongBits(row.limit);
+            sum = 31 * sum + Double.doubleToLongBits(row.aboveLower);
+            sum = 31 * sum + Double.doubleToLongBits(row.belowUpper);
+        }
+        return sum;
     }
 
     /** Lets a point take the replies of the one before it, if that is of the same coordinate of two tied bodies; false if it is not. */

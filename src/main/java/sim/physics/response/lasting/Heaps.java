@@ -334,7 +334,7 @@ public final class Heaps implements Serializable {
             }
             members.values[kept++] = body;
             by.begin(body);
-            if (!by.isStill[body]) {
+            if (!by.isStill[body] || heap.stirs(body)) {
                 mark(body);
             }
         }
