@@ -23,8 +23,8 @@ final class Sliding implements Serializable {
 
     private static final double PRESSED_LAST = 1e-4;
 
-    /** Way to rest, in tolerances, from which the deceleration is taken as constant. */
-    private static final double NEGLIGIBLE = 1;
+    /** What an even deceleration may be off by its estimate, which is two to five times what it is off, in tolerances. */
+    private static final double EVEN = 2;
 
     /** Time to rest, relative to the step, from which the deceleration is taken as constant. */
     private static final double LAST = 1e-7;
@@ -72,7 +72,7 @@ final class Sliding implements Serializable {
         for (int parts = 0; done < length; parts++) {
             least *= parts < PATIENCE ? 1 : 2; // it creeps: neither held, nor set in motion
             double rest = timeToRest(body, group, t + done);
-            if ((rest <= last || isNegligible(body, rest)) && stop(body, surface, group, Math.min(rest, length - done), t + done)) {
+            if ((rest <= last || rest <= length - done && isEven(body, rest)) && stop(body, surface, group, Math.min(rest, length - done), t + done)) {
                 done += Math.min(rest, length - done);
                 break;
             }
@@ -126,14 +126,21 @@ final class Sliding implements Serializable {
         return power >= 0 ? Double.POSITIVE_INFINITY : -2 * energy / power;
     }
 
-    /** Whether the way that is left is less than the error that the integrator makes. */
-    private boolean isNegligible(Body body, double rest) {
+    /**
+     * Whether an even deceleration brings the body to rest to what the integrator may be off. By the accelerations that it has
+     * now its velocity would not quite be zero at the end: half the way of that is what the places differ by.
+     */
+    private boolean isEven(Body body, double rest) {
+        if (!(motion.getIntegrator() instanceof AdaptiveIntegrator chosen)) {
+            return false;
+        }
         int b = State.BLOCK * body.index();
-        double[] v = state.v();
-        double fastest = Math.max(Math.max(Math.abs(v[b]), Math.abs(v[b + 1])),
-                body.getShape().boundingRadius() * Math.abs(v[b + 2]));
-        return motion.getIntegrator() instanceof AdaptiveIntegrator chosen
-                && 0.5 * rest * fastest <= NEGLIGIBLE * chosen.getTolerance();
+        double left = 0;
+        for (int c = 0; c < State.BLOCK; c++) {
+            double v = Math.abs(state.v()[b + c] + rest * path.stage[b + c]);
+            left = Math.max(left, c == State.THETA ? body.getShape().boundingRadius() * v : v);
+        }
+        return 0.5 * rest * left <= EVEN * chosen.getTolerance();
     }
 
     /** Brings the body to rest in a time, if static friction can hold it then. */
