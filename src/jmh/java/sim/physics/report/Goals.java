@@ -46,8 +46,9 @@ final class Goals {
                     honesty.isMet() ? "yes" : "**no**");
         }
         return rows + "\nThe amplification is that of small errors on the way, as pairs of runs with one of them measure it: errors at"
-                + "\nrandom in every unit of the scene's own time (class Amplification of the report). A smaller error than the tolerance"
-                + "\nasks for is a *no* here, too.\n";
+                + "\nrandom in every unit of the scene's own time, and again the same ones where the motion comes back to a state, as those"
+                + "\nof steps are (class Amplification of the report). A smaller error than the tolerance asks for is a *no* here, too; what"
+                + "\nholds it is told where no coarser tolerance, in quarters of a decade, is sure to be cheaper (class Held).\n";
     }
 
     private double least(String id, double target, String engine, String method) {

@@ -2,8 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.report;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.function.DoubleFunction;
 
 /**
  * What makes the steps of a run shorter than its tolerance does, so that its error is smaller than was asked for and yet no
@@ -13,19 +12,23 @@ final class Held {
     /** Part of the work below which another run is a cheaper one. */
     private static final double CHEAPER = 0.9;
 
-    /** Coarser tolerances than those of the report. */
-    private static final double[] COARSER = {1e-1, 1e-2};
+    /** From one tolerance to the next coarser one that is tried, and the coarsest of all. */
+    private static final double COARSER = Math.pow(10, 0.25);
+
+    private static final double COARSEST = 0.1;
 
     private final ReportScene scene;
     private final Curve curve;
-    private final List<Point> coarser = new ArrayList<>();
     private final double[][] reference;
 
     /** By what. */
     enum By {
         /** The tolerance. */
         NOTHING,
-        /** No coarser tolerance would have met this one with a tenth fewer evaluations. */
+        /**
+         * No coarser tolerance that can be relied on would have met this one with a tenth fewer evaluations: going to coarser
+         * ones in quarters of a decade, errors are larger than this one asks for before that much is saved.
+         */
         COARSEST,
         /**
          * The steps of an explicit method are longer than the time in which a part of the motion dies away, so that they go by
@@ -40,19 +43,12 @@ final class Held {
         this.scene = scene;
         this.curve = curve;
         reference = scene.expected == null ? null : scene.expected.get();
-        for (double tolerance : COARSER) {
-            Point point = Measurement.untimed(scene, curve, tolerance, reference);
-            if (point != null) {
-                coarser.add(point);
-            }
-        }
     }
 
     /** What holds a run whose error is smaller than its tolerance asks for. */
-    By by(Point point, List<Point> others, double grown) {
-        List<Point> all = new ArrayList<>(coarser);
-        all.addAll(others);
-        if (isCoarsest(point, all, point.setting * grown / scene.unit)) {
+    By by(Point point, double grown) {
+        DoubleFunction<Point> run = tolerance -> Measurement.untimed(scene, curve, tolerance, reference);
+        if (isCoarsest(point, run, point.setting * grown / scene.unit)) {
             return By.COARSEST;
         }
         if (step(point, curve, scene.duration) * decay(scene.model) > 1) {
@@ -61,10 +57,22 @@ final class Held {
         return work(point) * CHEAPER > alone(point.setting) ? By.OUTPUT : By.NOTHING;
     }
 
-    /** Whether no coarser setting has an error as small as asked for and is cheaper. */
-    static boolean isCoarsest(Point point, List<Point> all, double asked) {
-        return all.stream().noneMatch(
-                other -> other.setting > point.setting && other.error <= asked && work(other) < CHEAPER * work(point));
+    /**
+     * Whether no coarser setting can be relied on for an error as small as asked for and is cheaper.
+     *
+     * @param run of a setting; null if that is too coarse for the method
+     */
+    static boolean isCoarsest(Point point, DoubleFunction<Point> run, double asked) {
+        for (double setting = COARSER * point.setting; setting <= COARSEST; setting *= COARSER) {
+            Point coarser = run.apply(setting);
+            if (coarser == null || coarser.error > asked) {
+                return true;
+            }
+            if (work(coarser) < CHEAPER * work(point)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     static long work(Point point) {

@@ -122,7 +122,7 @@ public final class Honesty {
                 counts.merge(verdict, 1, Integer::sum);
                 if (verdict == Verdict.SMALLER) {
                     why = why == null ? new Held(scene, curve) : why;
-                    held.merge(why.by(point, points, grown), 1, Integer::sum);
+                    held.merge(why.by(point, grown), 1, Integer::sum);
                 }
                 if (verdict != Verdict.LOST && verdict != Verdict.SCENE) {
                     double ratio = point.error * scene.unit / (point.setting * grown);
@@ -149,7 +149,7 @@ public final class Honesty {
     private static String name(Held.By by) {
         return switch (by) {
             case NOTHING -> "held by nothing";
-            case COARSEST -> "which no coarser tolerance does for less";
+            case COARSEST -> "which no coarser tolerance is sure to do for less";
             case STABILITY -> "held by stability";
             case OUTPUT -> "held by the engine's step";
         };
