@@ -15,9 +15,9 @@ final class BlockFactor implements Serializable {
     private final int n;
 
     /** Blocks below the diagonal by columns: those of column p are start[p] … start[p + 1] − 1, with their rows. */
-    private final int[] start;
+    final int[] start;
 
-    private final int[] row;
+    final int[] row;
 
     /** Where the products of the blocks of a column are subtracted: a block below the diagonal, or ~p on it. */
     private final int[] target;
@@ -31,7 +31,7 @@ final class BlockFactor implements Serializable {
     private final double[] below;
 
     /** Rows that a node has: 2, 1, or 0 if it is at rest for now; and whether none beside or after it has two. */
-    private final byte[] rows;
+    final byte[] rows;
 
     private final boolean[] isScalar;
 

@@ -75,7 +75,7 @@ final class Creep implements Serializable {
     static void advance(List<Island> those, State state, ConstraintSolver solver, Projection projection, double h) {
         boolean isWeak = isOn(those);
         for (int k = 0; k < those.size() && !isWeak; k++) {
-            isWeak = those.get(k).factor.pivots.isWeak();
+            isWeak = those.get(k).passage.sight.isWeak(state.w().values());
         }
         if (!isWeak) {
             throw projection.tooLong(those);

@@ -46,9 +46,14 @@ public final class DirectSolver extends ConstraintSolver {
         return true;
     }
 
+    /** Whether masses are so unlike that pivots tell more of them than of the pose. */
+    static boolean isSpread(Island island, double[] w) {
+        return island.spread(w) > SPREAD;
+    }
+
     @Override
     boolean isPlain(Island island, double[] w) {
-        return !island.isRedundant && !(island.spread(w) > SPREAD);
+        return !island.isRedundant && !isSpread(island, w);
     }
 
     @Override
@@ -69,7 +74,7 @@ public final class DirectSolver extends ConstraintSolver {
     }
 
     private boolean isDamped(Island island, double[] w) {
-        return island.isProjected && !(island.spread(w) > SPREAD);
+        return island.isProjected && !isSpread(island, w);
     }
 
     private double least(Island island, double[] w) {
@@ -167,7 +172,7 @@ public final class DirectSolver extends ConstraintSolver {
 
     private void solve(Island island, State state, double[] a) {
         double[] w = state.w().values();
-        boolean isSpread = island.spread(w) > SPREAD;
+        boolean isSpread = isSpread(island, w);
         boolean isSolved = !island.isRedundant && !isSpread && solveAtOnce(island, w, a, island.rate);
         if (!isSolved) {
             prepare(island, w);

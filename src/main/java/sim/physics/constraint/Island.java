@@ -365,25 +365,32 @@ final class Island implements Serializable {
 
     /** A = J W Jᵀ, (41), and its factors; rows that are zero get a 1 on the diagonal. */
     void factor(double[] w, double relaxation, double least, boolean whole) {
-        assemble(w);
+        assemble(w, factor);
         factor.factor(relaxation, least, whole);
     }
 
     /** Factors A and solves A λ = b at once, b and λ in {@code right}. */
     void factorAndSolve(double[] w, double[] right, double least) {
-        assemble(w);
+        assemble(w, factor);
         factor.factor(right, least);
         factor.back(right);
     }
 
-    private void assemble(double[] w) {
-        factor.clear();
+    /** A of other masses. */
+    void assembleOther(double[] w, BlockFactor to) {
+        pins.forgetMasses();
+        assemble(w, to);
+        pins.forgetMasses();
+    }
+
+    private void assemble(double[] w, BlockFactor to) {
+        to.clear();
         if (onlyPins) {
-            pins.diagonal(w, factor.diagonal());
-            pins.couple(factor.below());
+            pins.diagonal(w, to.diagonal());
+            pins.couple(to.below());
         } else {
-            rows.diagonal(w, factor.diagonal());
-            rows.couple(factor.below());
+            rows.diagonal(w, to.diagonal());
+            rows.couple(to.below());
         }
     }
 

@@ -58,6 +58,8 @@ final class Passage implements Serializable {
     /** What the island does if it can go no other way. */
     final Creep creep;
 
+    final Sight sight;
+
     /** Whether the step began beside a singular pose. */
     private boolean isBeside;
 
@@ -68,6 +70,7 @@ final class Passage implements Serializable {
     private double[] stageX = {};
 
     private double[] stageV = {};
+
     private double[] place = {};
     private int examinations;
 
@@ -83,6 +86,7 @@ final class Passage implements Serializable {
     Passage(Island island) {
         this.island = island;
         creep = new Creep(island);
+        sight = new Sight(island);
     }
 
     /** Whether the matrix that was just factored says that the pose is near a singular one. */

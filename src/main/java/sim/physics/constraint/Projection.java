@@ -165,7 +165,7 @@ final class Projection implements Serializable {
         for (corrections = 0; error > 1; corrections++) {
             boolean stalls = !(error < 0.5 * before) && error < (isPatient ? CLOSED : 1e4);
             if (stalls && !(island.isProjected && error > OPEN)) {
-                if (gentle && error > (island.isProjected ? OPEN : CLOSED) && island.near() > 0) {
+                if (gentle && error > (island.isProjected ? OPEN : CLOSED) && island.passage.sight.isNear(w)) {
                     return false;
                 }
                 break; // rounding

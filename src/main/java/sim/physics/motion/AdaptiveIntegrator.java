@@ -114,11 +114,11 @@ public abstract class AdaptiveIntegrator implements Integrator {
         double length = wanted > 0 && wanted < Math.abs(h) ? fit(wanted, Math.abs(h)) : Math.abs(h);
         double longest = coordinates.longest();
         length = longest < length ? fit(longest, Math.abs(h)) : length;
+        length = hold(state, bodies, path, t, h, length, 0);
         double time = time(state, bodies, path, length);
         int rejections = 0;
         while (true) {
-            stages.isRetry = rejections > 0;
-            stages.most = isOpen ? Double.MAX_VALUE : Math.max(1, Math.abs(h) / length);
+            stages.most = stages.held > 1 ? 1 : isOpen ? Double.MAX_VALUE : Math.max(1, Math.abs(h) / length);
             stages.haste = haste(path, first, t, length);
             stages.forgetShare();
             stages.isCut = !stages.isTied() && length < CUT * Math.min(wanted, path.made[first]);
@@ -137,13 +137,29 @@ public abstract class AdaptiveIntegrator implements Integrator {
                 return length == Math.abs(h) ? h : h < 0 ? -length : length;
             }
             rejections++;
-            length = Math.min(proposal, 0.9 * length);
+            length = hold(state, bodies, path, t, h, Math.min(proposal, 0.9 * length), rejections);
             wanted = 0;
             if (!(length > SMALLEST * Math.abs(h)) && rejections > 8) {
                 throw new IllegalStateException("tolerance is " + tolerance + ": " + this
                         + " cannot meet it at time " + t + ", where the forces are not smooth or not finite");
             }
         }
+    }
+
+    /** Shortens a step in which something would grow that vibrates and is not followed. */
+    private double hold(State state, IntList bodies, Path path, double t, double h, double length, int rejections) {
+        path.stages.isRetry = rejections > 0;
+        path.stages.held = 1;
+        double reach = reach(bodies, path);
+        if (reach == Double.POSITIVE_INFINITY) {
+            return length;
+        }
+        double stable = path.stable.shorten(bodies, path, state, t, reach, length);
+        if (stable < length) {
+            path.stages.held = length / stable;
+            return fit(stable, Math.abs(h));
+        }
+        return length;
     }
 
     /** The time in which velocities change as much as they are: their greatest of late over that of the accelerations. */
@@ -191,6 +207,11 @@ public abstract class AdaptiveIntegrator implements Integrator {
      *     the next step should be longer.
      */
     abstract boolean attempt(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path);
+
+    /** The step times the frequency of a vibration up to which the method damps it, however small; with room for its estimate. */
+    double reach(IntList bodies, Path path) {
+        return Double.POSITIVE_INFINITY;
+    }
 
     /**
      * How much longer than the engine's a step must be for dense output to pay, and not to end there: what it costs, and what

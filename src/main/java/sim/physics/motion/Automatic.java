@@ -32,6 +32,13 @@ public final class Automatic extends AdaptiveIntegrator {
     }
 
     @Override
+    double reach(IntList bodies, Path path) {
+        return path.stiffness != null && path.stiffness.isStiff(bodies) && !path.stages.isTied()
+                ? Double.POSITIVE_INFINITY
+                : explicit.reach(bodies, path);
+    }
+
+    @Override
     double shareOfStop() {
         return explicit.shareOfStop();
     }

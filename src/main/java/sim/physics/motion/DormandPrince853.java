@@ -123,6 +123,9 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
     /** The most steps for which an error of a velocity counts: more than one only where the motion takes longer to change. */
     private static final double LONGEST = 1.5;
 
+    /** It damps vibrations up to 5.8 of their frequency times the step. */
+    private static final double REACH = 4.5;
+
     private static final double SHARE_OF_STOP = 0.9;
 
     private static final double LEAST = 0.02;
@@ -156,6 +159,11 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
     @Override
     boolean takesTiedCoordinates(IntList bodies, Path path) {
         return true;
+    }
+
+    @Override
+    double reach(IntList bodies, Path path) {
+        return REACH;
     }
 
     @Override

@@ -31,6 +31,14 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
      */
     private static final double STABLE = 1;
 
+    /**
+     * Four, six and eight rows damp vibrations up to 3.3 of their frequency times the step; three, five and seven let them grow,
+     * if less and less.
+     */
+    private static final double REACH = 3;
+
+    private static final int LEAST_IF_HELD = 4;
+
     private static final double AIM = 0.3;
 
     /** What errors are, over the estimate, in the mean of our scenes. */
@@ -78,6 +86,11 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     }
 
     @Override
+    double reach(IntList bodies, Path path) {
+        return REACH;
+    }
+
+    @Override
     double mostOfStop() {
         return MOST_OF_STOP;
     }
@@ -106,6 +119,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         s.ensureWork(MIDDLE + 3);
         s.ensureRows(bodies.values[0], MOST_ROWS);
         int aim = s.rows()[bodies.values[0]] == 0 ? ROWS_AT_FIRST : s.rows()[bodies.values[0]];
+        aim = s.held == 1 ? aim : Math.max(aim, LEAST_IF_HELD);
         for (int row = 0; ; row++) {
             if (!midpoint(t, h, s, row)) {
                 s.factor = LEAST;
@@ -120,7 +134,8 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
                 s.factor = Math.max(LEAST_STABLE, SAFETY * STABLE * aim / fast);
                 return false;
             }
-            if (count >= aim - 1 && error <= 1) {
+            boolean isDamped = s.held == 1 || count >= LEAST_IF_HELD && (count & 1) == 0;
+            if (count >= aim - 1 && error <= 1 && isDamped) {
                 int next = next(s, count, Math.min(count, aim));
                 s.rows()[bodies.values[0]] = s.isCut ? aim : next; // those of what was left of a step say little of the next one
                 finish(s);

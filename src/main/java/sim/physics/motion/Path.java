@@ -68,6 +68,9 @@ public final class Path implements Serializable {
     /** Null unless a method that chooses by stiffness is used. */
     Stiffness stiffness;
 
+    /** How long explicit steps may be for what is fast to die away. */
+    final StableStep stable = new StableStep();
+
     /** Their stages. */
     final Stages stages = new Stages();
 

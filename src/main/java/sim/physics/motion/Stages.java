@@ -69,6 +69,9 @@ final class Stages implements Serializable {
     /** Whether it is much shorter than the method wants and than the one before: what is left of the engine's step. */
     boolean isCut;
 
+    /** How much longer it would be if what is fast did not grow then; 1 if it is as long as its error lets it be. */
+    double held;
+
     /** The time in which velocities change as much as they are: for so long an error of a velocity counts. */
     double time;
 

@@ -17,6 +17,12 @@ final class Stiffness implements Serializable {
     /** The step times the rate of the fastest change from which a step may be held by it. */
     private static final double BOUND = 5;
 
+    /** How much longer steps would be if they were not held for vibrations to die away, from which they are too short. */
+    private static final double HELD = 2;
+
+    /** The same is asked of groups of up to that many coordinates: dense systems of more cost more than short steps. */
+    private static final int MOST_COORDINATES = 120;
+
     /** And below which it is not, so that an explicit method is cheaper. */
     private static final double SMOOTH = 1;
 
@@ -97,7 +103,8 @@ final class Stiffness implements Serializable {
             s.offV[m] = s.v0[m] - v[slot(bodies, m)];
         }
         double way = s.norm(s.offX, s.offV, h);
-        ask(first, h > 0 && h * h * slope > BOUND * way);
+        boolean isHeld = s.held > HELD && s.size <= MOST_COORDINATES;
+        ask(first, isHeld || h > 0 && h * h * slope > BOUND * way);
         length[first] = 0;
     }
 

@@ -17,7 +17,10 @@ final class TiedMotion implements Serializable {
     private static final double HALF = 0.5;
     private static final int MOST_HALVINGS = 14;
 
-    /** The same for a step that goes on beyond the engine's, and how much longer than one that was not too long the next is. */
+    /**
+     * The same for a step that goes on beyond the engine's, and for one that is short anyway: it may be so by the method's own
+     * choice. And how much longer than one that was not too long the next is.
+     */
     private static final int FEW_HALVINGS = 6;
 
     private static final double LONGER = 1.25;
@@ -206,7 +209,8 @@ final class TiedMotion implements Serializable {
             if (ties.project(group)) {
                 return done;
             }
-            boolean isLast = halvings == MOST_HALVINGS || Math.abs(done) <= trajectories.h() / MOST_PARTS; // or it went on for ever
+            boolean isTiny = halvings >= FEW_HALVINGS && Math.abs(done) <= trajectories.h() / MOST_PARTS; // or it went on for ever
+            boolean isLast = halvings == MOST_HALVINGS || isTiny;
             if (isLast && ties.force(group)) {
                 return done;
             }
