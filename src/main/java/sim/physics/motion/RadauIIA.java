@@ -67,14 +67,11 @@ public final class RadauIIA extends AdaptiveIntegrator {
 
     private static final int MOST_ITERATIONS = 10;
 
-    /**
-     * Part of the tolerance to which the stages are solved, over the time in which the motion changes. A tenth of it makes no
-     * error smaller on the scenes of the report, and takes a twentieth more evaluations.
-     */
-    private static final double SOLVED = 1e-2;
+    /** Part of the tolerance to which the stages are solved, over the time in which the motion changes. */
+    private static final double SOLVED = 9e-4;
 
     /** The same where rounding does not let it be less. */
-    static final double LOOSE = 1.5e-2;
+    static final double LOOSE = 3e-3;
 
     /** The time step over the time in which a vibration changes, over the root of the estimates' ratio. */
     private static final double SMOOTH = 3;
