@@ -61,13 +61,13 @@ final class FlushGround implements Serializable {
         int count = 0;
         for (int k = 0; k < pairs.countOf(body); k++) {
             int pair = pairs.of(body, k);
-            if (!detection.marks().isIgnored(pair) && touches(pair, tau)) {
-                if (!isGround(pair, body) || count > 0 && !isSame(pair, body, tau)) {
-                    return false;
-                }
-                look(pair, body, tau);
-                count++;
+            if (detection.marks().isIgnored(pair) || !touches(pair, tau)) {
+                continue;
             }
+            if (!isGround(pair, body) || !isSame(pair, body, tau) && count > 0) {
+                return false;
+            }
+            count++;
         }
         return count > 1;
     }
@@ -93,6 +93,7 @@ final class FlushGround implements Serializable {
         return yes;
     }
 
+    /** Whether a pair has the normal of the one that was looked at last; looks at it. */
     private boolean isSame(int pair, int body, double tau) {
         double x = nx;
         double y = ny;
