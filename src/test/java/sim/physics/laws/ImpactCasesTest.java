@@ -190,6 +190,28 @@ class ImpactCasesTest {
         }
     }
 
+    /** So does a stack, at the distance at which bodies of a heap lie. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.3, 1, 2.1})
+    void aStackFeelsNoSeam(double width) {
+        engine.setTimeStep(1.0 / 60);
+        engine.add(new Gravity(0, -9.81));
+        for (int k = -3; k < 10 / width; k++) {
+            engine.add(Body.fixed(new Rectangle(width, 0.5)).at(width * k, -0.25)).setRestitution(0);
+        }
+        Body below = engine.add(new Body(new Rectangle(1, 1)).at(0.1, 0.5).moving(4, 0));
+        Body above = engine.add(new Body(new Rectangle(0.8, 0.5)).at(0.15, 1.25).moving(4, 0));
+        below.setRestitution(0);
+        above.setRestitution(0);
+        for (int k = 0; k < 90; k++) {
+            engine.step();
+            assertThat(below.getY()).isCloseTo(0.5, within(1e-9));
+            assertThat(below.getVelocityY()).isCloseTo(0, within(1e-7));
+            assertThat(below.getVelocityX()).isCloseTo(4, within(1e-12));
+            assertThat(above.getX() - below.getX()).isCloseTo(0.05, within(1e-12));
+        }
+    }
+
     /** A step of 10⁻⁶ of the box is one. */
     @Test
     void aTileThatStandsOutStopsABox() {

@@ -6,7 +6,9 @@ import java.io.Serializable;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.Manifold;
+import sim.physics.internal.IntList;
 import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
 
 /** Fixed bodies side by side that bear a body together, as tiles in a row do: where one ends the next one goes on. */
 final class FlushGround implements Serializable {
@@ -15,8 +17,13 @@ final class FlushGround implements Serializable {
     /** Cosine between normals that are the same. */
     private static final double PARALLEL = 1 - 1e-12;
 
+    /** Distance up to which a body of a heap lies on the ground, relative to it. */
+    private static final double LYING = 1e-9;
+
     private final State state;
+    private final Trajectories trajectories;
     private final CollisionDetection detection;
+    private final IntList found = new IntList();
     private transient Manifold manifold;
 
     /** The normal of the ground that was looked at last, towards the body. */
@@ -24,8 +31,9 @@ final class FlushGround implements Serializable {
 
     private double ny;
 
-    FlushGround(State state, CollisionDetection detection) {
+    FlushGround(State state, Trajectories trajectories, CollisionDetection detection) {
         this.state = state;
+        this.trajectories = trajectories;
         this.detection = detection;
     }
 
@@ -41,12 +49,31 @@ final class FlushGround implements Serializable {
         }
     }
 
+    /** The same for the bodies of a heap: the pairs of fixed ones on which they are to lie, too. They lie at a distance. */
+    IntList find(IntList heap, double tau) {
+        Pairs pairs = detection.pairs();
+        found.clear();
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            double reach = LYING * trajectories.radius(body);
+            for (int m = 0; m < pairs.countOf(body); m++) {
+                int pair = pairs.of(body, m);
+                boolean isNew = !detection.marks().isUnseen(pair) && !detection.marks().isLasting(pair) && isGround(pair, body);
+                if (isNew && gap(pair, tau) < reach && goesOn(pair, body, tau)) {
+                    found.add(pair);
+                }
+            }
+        }
+        return found;
+    }
+
     private boolean goesOn(int pair, int body, double tau) {
         Pairs pairs = detection.pairs();
         for (int k = 0; k < pairs.countOf(body); k++) {
-            if (detection.marks().isHeld(pairs.of(body, k))) {
+            int other = pairs.of(body, k);
+            if (detection.marks().isHeld(other) || detection.marks().isLasting(other) && isGround(other, body)) {
                 look(pair, body, tau);
-                return isSame(pairs.of(body, k), body, tau);
+                return isSame(other, body, tau);
             }
         }
         return false;
@@ -91,6 +118,13 @@ final class FlushGround implements Serializable {
         boolean yes = detection.narrowPhase().touches(pair, tau);
         detection.pairs().setCode(pair, code);
         return yes;
+    }
+
+    private double gap(int pair, double tau) {
+        int code = detection.pairs().code(pair);
+        double gap = detection.narrowPhase().gap(pair, tau);
+        detection.pairs().setCode(pair, code);
+        return gap;
     }
 
     /** Whether a pair has the normal of the one that was looked at last; looks at it. */

@@ -61,7 +61,7 @@ final class Heap implements Serializable {
     private final HeapSystem system = new HeapSystem();
     private final HeapStrike striking = new HeapStrike();
     private final HeapPull pulls;
-
+    private final FlushGround flush;
     private final IntList heap = new IntList();
     private final Regain regain = new Regain();
     private final HeapNotes notes;
@@ -69,14 +69,12 @@ final class Heap implements Serializable {
     private final RubbedHeap rubbing;
     private final FreeHeap free;
     private final HeapCourses courses;
-
     private final double[] fall = new double[State.BLOCK];
     private final ContactPoint point = new ContactPoint();
     private transient Manifold manifold;
 
     /** Until when the velocities are to hold, and whether those before held until now. */
     private double until;
-
     private boolean isFresh;
 
     /** Whether bodies that have got what the forces give them until then are solved for anew, because one has been struck. */
@@ -121,6 +119,7 @@ final class Heap implements Serializable {
         this.points = points;
         this.by = by;
         this.ledger = ledger;
+        this.flush = new FlushGround(state, trajectories, detection);
         this.notes = new HeapNotes(system, ledger);
         this.scales = new BodyScale(state, trajectories);
         this.pulls = new HeapPull(state, motion);
@@ -180,6 +179,7 @@ final class Heap implements Serializable {
     /** Solves the heap of a body; notes those whose courses change. */
     void settle(int seed, double tau, IntList changed) {
         find(seed, tau);
+        spread(tau);
         if (isDriven) {
             driving.unpay(heap, tau, ties);
         } else if (isRubbed) {
@@ -242,6 +242,14 @@ final class Heap implements Serializable {
         isFresh = !struck;
         until = Math.min(isEven() ? h : paid, tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
+    }
+
+    /** Lets bodies lie also on what goes on flush with the ground that they lie on. */
+    private void spread(double tau) {
+        IntList onto = flush.find(heap, tau);
+        for (int k = 0; k < onto.size; k++) {
+            begin(onto.values[k]);
+        }
     }
 
     /** Includes a body, and those that move with it. */

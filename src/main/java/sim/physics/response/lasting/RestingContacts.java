@@ -102,7 +102,7 @@ public final class RestingContacts implements Serializable {
         this.detection = detection;
         this.points = points;
         this.ledger = ledger;
-        flush = new FlushGround(state, detection);
+        flush = new FlushGround(state, trajectories, detection);
     }
 
     /**
