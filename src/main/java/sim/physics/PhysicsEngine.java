@@ -332,12 +332,9 @@ public final class PhysicsEngine implements Steppable {
 
     private void noteGroup(int body) {
         int first = motion.companions(body).values[0];
-        for (int k = 0; k < groups.size; k++) {
-            if (groups.values[k] == first) {
-                return;
-            }
+        if (!groups.contains(first)) {
+            groups.add(first);
         }
-        groups.add(first);
     }
 
     /** Collision response, (16)–(24), at the next impact; then the bodies concerned go on. */

@@ -49,22 +49,13 @@ final class Companions implements Serializable {
             for (int m = 0; m < pairs.countOf(body); m++) {
                 int pair = pairs.of(body, m);
                 if (boxes.isFixed(pairs.other(pair, body))
-                        && !has(together, pair)
+                        && !together.contains(pair)
                         && touches(pair, tau, pairs.time(pair))) {
                     pairs.setTime(pair, Double.NaN);
                     together.add(pair);
                 }
             }
         }
-    }
-
-    private static boolean has(IntList list, int value) {
-        for (int k = 0; k < list.size; k++) {
-            if (list.values[k] == value) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private boolean touches(int pair, double tau, double planned) {

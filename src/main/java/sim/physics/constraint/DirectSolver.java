@@ -153,7 +153,7 @@ public final class DirectSolver extends ConstraintSolver {
     @Override
     void accelerate(Island island, State state, double[] a) {
         Passage passage = island.passage;
-        boolean isEven = !(island.spread(state.w().values()) > SPREAD);
+        boolean isEven = !isSpread(island, state.w().values());
         boolean isMoved = isEven && passage.isBeside() && passage.close(state, this);
         solve(island, state, a);
         if (isEven) {

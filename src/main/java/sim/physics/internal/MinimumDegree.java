@@ -71,13 +71,10 @@ public final class MinimumDegree {
      */
     public void join(int a, int b) {
         IntList of = near[a];
-        for (int k = 0; k < of.size; k++) {
-            if (of.values[k] == b) {
-                return;
-            }
+        if (!of.contains(b)) {
+            of.add(b);
+            near[b].add(a);
         }
-        of.add(b);
-        near[b].add(a);
     }
 
     /**
