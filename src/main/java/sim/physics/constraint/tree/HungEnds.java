@@ -18,20 +18,31 @@ final class HungEnds implements Serializable {
     /** The values of the links. */
     private final double[] link;
 
+    private final double[] calm;
+
     private final double[] endX;
     private final double[] endV;
+
+    /** How far centres of mass are beside the lines between the pins; null if none is. */
+    private double[] asides;
+
+    /** The pin that the next link to be placed hangs on, and how fast it moves. */
+    private double pinX;
+
+    private double pinY;
+    private double pinU;
+    private double pinV;
 
     /** Whether that is the end of the last step; zeros are none. */
     private boolean isEnd;
 
-    private boolean hasAsides;
-
     /** Whether the blocks lie in the state vectors one behind the other. */
     private final boolean isRow;
 
-    HungEnds(PinTree tree, double[] link) {
+    HungEnds(PinTree tree, double[] link, double[] calm) {
         this.tree = tree;
         this.link = link;
+        this.calm = calm;
         endX = new double[State.BLOCK * tree.links];
         endV = new double[State.BLOCK * tree.links];
         boolean row = true;
@@ -43,10 +54,7 @@ final class HungEnds implements Serializable {
 
     /** Takes note of whether centres of mass are beside the lines between the pins. */
     void weigh() {
-        hasAsides = false;
-        for (int o = 0; o < link.length; o += HungChain.STRIDE) {
-            hasAsides |= link[o + HungChain.ASIDE] != 0;
-        }
+        asides = HungMasses.asides(tree, calm);
     }
 
     /** Takes a state over. */
@@ -60,24 +68,36 @@ final class HungEnds implements Serializable {
         isEnd = true;
     }
 
-    /** Where the angles say that the links are, and how fast they move at the end of a step; (42), (43). */
-    void place() {
+    /** The links are to be placed, from the root on. */
+    void begin() {
+        pinX = tree.places.hangsAtX();
+        pinY = tree.places.hangsAtY();
+        pinU = 0;
+        pinV = 0;
+        isEnd = true;
+    }
+
+    /** Where the angles say that the next links are, and how fast they move at the end of a step; (42), (43). */
+    void place(int from, int to) {
         double[] l = link;
+        double[] rest = calm;
         double[] x = endX;
         double[] v = endV;
-        double px = tree.places.hangsAtX();
-        double py = tree.places.hangsAtY();
-        double pu = 0;
-        double pv = 0;
-        for (int b = 0, o = 0; o < l.length; b += State.BLOCK, o += HungChain.STRIDE) {
+        double px = pinX;
+        double py = pinY;
+        double pu = pinU;
+        double pv = pinV;
+        int o = HungChain.STRIDE * from;
+        int q = HungChain.CALM * from;
+        for (int b = State.BLOCK * from; b < State.BLOCK * to; b += State.BLOCK, o += HungChain.STRIDE, q += HungChain.CALM) {
             double c = l[o + HungChain.COS];
             double s = l[o + HungChain.SIN];
             double turn = l[o + HungChain.OMEGA];
-            double near = l[o + HungChain.REACH];
-            double far = l[o + HungChain.LENGTH];
+            double near = rest[q + HungChain.REACH];
+            double far = rest[q + HungChain.LENGTH];
             x[b] = px + near * c;
             x[b + 1] = py + near * s;
-            x[b + 2] = l[o + HungChain.ANGLE];
+            x[b + 2] = rest[q + HungChain.ANGLE];
             v[b] = pu - turn * (near * s);
             v[b + 1] = pv + turn * (near * c);
             v[b + 2] = turn;
@@ -86,16 +106,21 @@ final class HungEnds implements Serializable {
             pu -= turn * (far * s);
             pv += turn * (far * c);
         }
-        if (hasAsides) {
-            placeAside();
+        pinX = px;
+        pinY = py;
+        pinU = pu;
+        pinV = pv;
+        if (asides != null) {
+            placeAside(from, to);
         }
-        isEnd = true;
     }
 
-    private void placeAside() {
-        for (int b = 0, o = 0; o < link.length; b += State.BLOCK, o += HungChain.STRIDE) {
-            double ax = -link[o + HungChain.ASIDE] * link[o + HungChain.SIN];
-            double ay = link[o + HungChain.ASIDE] * link[o + HungChain.COS];
+    private void placeAside(int from, int to) {
+        for (int k = from; k < to; k++) {
+            int b = State.BLOCK * k;
+            int o = HungChain.STRIDE * k;
+            double ax = -asides[k] * link[o + HungChain.SIN];
+            double ay = asides[k] * link[o + HungChain.COS];
             endX[b] += ax;
             endX[b + 1] += ay;
             endV[b] -= link[o + HungChain.OMEGA] * ay;
@@ -112,32 +137,32 @@ final class HungEnds implements Serializable {
      * @return false if it is off by too much; then nothing is changed
      */
     boolean restoreEnergy(State state, double gx, double gy) {
-        double[] l = link;
         double[] x = endX;
         double[] v = endV;
         double[] x0 = state.x();
         double[] v0 = state.v();
         double kinetic = 0;
         double growth = 0;
-        for (int k = 0, o = 0, e = 0; k < tree.links; k++, o += HungChain.STRIDE, e += State.BLOCK) {
+        for (int k = 0, e = 0; k < tree.links; k++, e += State.BLOCK) {
             int b = tree.block[k];
-            double m = l[o + HungChain.MASS];
+            double m = calm[HungChain.CALM * k + HungChain.MASS];
+            double inertia = calm[HungChain.CALM * k + HungChain.INERTIA];
             double turn = v[e + 2];
-            kinetic += m * (v[e] * v[e] + v[e + 1] * v[e + 1]) + l[o + HungChain.INERTIA] * turn * turn;
+            kinetic += m * (v[e] * v[e] + v[e + 1] * v[e + 1]) + inertia * turn * turn;
             growth += m * ((v[e] - v0[b]) * (v[e] + v0[b]) + (v[e + 1] - v0[b + 1]) * (v[e + 1] + v0[b + 1]))
-                    + l[o + HungChain.INERTIA] * (turn - v0[b + 2]) * (turn + v0[b + 2])
+                    + inertia * (turn - v0[b + 2]) * (turn + v0[b + 2])
                     - 2 * m * (gx * (x[e] - x0[b]) + gy * (x[e + 1] - x0[b + 1]));
         }
         if (!(Math.abs(growth) <= WRONG * kinetic)) {
             return false;
         }
         double scale = Math.sqrt(1 - growth / kinetic);
-        for (int o = 0, e = 0; kinetic > 0 && o < l.length; o += HungChain.STRIDE, e += State.BLOCK) {
+        for (int o = 0, e = 0; kinetic > 0 && e < v.length; o += HungChain.STRIDE, e += State.BLOCK) {
             v[e] *= scale;
             v[e + 1] *= scale;
             v[e + 2] *= scale;
-            l[o + HungChain.OMEGA] = v[e + 2];
-            l[o + HungChain.TURNING] = v[e + 2];
+            link[o + HungChain.OMEGA] = v[e + 2];
+            link[o + HungChain.TURNING] = v[e + 2];
         }
         return true;
     }

@@ -63,26 +63,27 @@ final class HungMasses {
      * Takes the masses over.
      *
      * @param l gets the values of the links
+     * @param calm gets those that only the end of a step wants
      * @param tree the tree
      * @return false if they differ so much that numbers would become too large
      */
-    static boolean weigh(double[] l, PinTree tree) {
+    static boolean weigh(double[] l, double[] calm, PinTree tree) {
         double first = first(tree);
         double sigma = first;
         double before = 0; // 1/μ of the near knot
         boolean isEven = true;
         for (int k = 0; k < tree.links; k++) {
             int o = HungChain.STRIDE * k;
+            int q = HungChain.CALM * k;
             int t = PinTree.STRIDE * k;
-            aim(l, o, tree.link[t + PinTree.EX], tree.link[t + PinTree.EY]);
-            double length = l[o + HungChain.LENGTH];
-            l[o + HungChain.ASIDE] = tree.isOdd[k] ? Math.copySign(1, length) * aside(tree.link, t) : 0;
+            l[o + HungChain.QUARTERS] = aim(calm, q, tree.link[t + PinTree.EX], tree.link[t + PinTree.EY]);
+            double length = calm[q + HungChain.LENGTH];
             double mass = tree.link[t + PinTree.MASS];
             double mu = tree.link[t + PinTree.KNOT];
+            calm[q + HungChain.MASS] = mass;
+            calm[q + HungChain.INERTIA] = tree.link[t + PinTree.INERTIA];
+            calm[q + HungChain.REACH] = tree.link[t + PinTree.FAR] / mass * length;
             double per = sigma / tree.link[t + PinTree.HUB];
-            l[o + HungChain.MASS] = mass;
-            l[o + HungChain.INERTIA] = tree.link[t + PinTree.INERTIA];
-            l[o + HungChain.REACH] = tree.link[t + PinTree.FAR] / mass * length;
             l[o + HungChain.TAU] = sigma * sigma * (before + 1 / mu);
             l[o + HungChain.IOTA] = sigma * length * length * per;
             l[o + HungChain.ALL] = l[o + HungChain.TAU] + l[o + HungChain.IOTA];
@@ -96,16 +97,36 @@ final class HungMasses {
         return isEven;
     }
 
-    /** Along an axis of the link there is no rest, and mirror images have mirrored bits. */
-    private static void aim(double[] l, int o, double ex, double ey) {
+    /** Along an axis of the link there is no rest, and mirror images have mirrored bits; returns the quarter turns. */
+    private static double aim(double[] calm, int q, double ex, double ey) {
         boolean isSteep = Math.abs(ey) > Math.abs(ex);
         double along = isSteep ? ey : ex;
         double across = isSteep ? -ex : ey;
         double length = Math.copySign(Math.sqrt(ex * ex + ey * ey), along);
-        l[o + HungChain.LENGTH] = length;
-        l[o + HungChain.QUARTERS] = SineTable.quarters(isSteep ? 1 : 0);
-        l[o + HungChain.REST] = Trig.atan2(Math.copySign(1, along) * across, Math.abs(along));
-        l[o + HungChain.REST_COS] = along / length;
-        l[o + HungChain.REST_SIN] = across / length;
+        calm[q + HungChain.LENGTH] = length;
+        calm[q + HungChain.REST] = Trig.atan2(Math.copySign(1, along) * across, Math.abs(along));
+        calm[q + HungChain.REST_COS] = along / length;
+        calm[q + HungChain.REST_SIN] = across / length;
+        return SineTable.quarters(isSteep ? 1 : 0);
+    }
+
+    /**
+     * How far the centres of mass are to the left of n, by the rounding of how the chain was built: it matters to where they are only.
+     *
+     * @param tree the tree
+     * @param calm the values of its links
+     * @return by link; null if none is
+     */
+    static double[] asides(PinTree tree, double[] calm) {
+        double[] asides = null;
+        for (int k = 0; k < tree.links; k++) {
+            double length = calm[HungChain.CALM * k + HungChain.LENGTH];
+            double aside = tree.isOdd[k] ? Math.copySign(1, length) * aside(tree.link, PinTree.STRIDE * k) : 0;
+            asides = asides == null && aside != 0 ? new double[tree.links] : asides;
+            if (aside != 0) {
+                asides[k] = aside;
+            }
+        }
+        return asides;
     }
 }

@@ -262,11 +262,9 @@ public final class TreeStep implements Serializable {
                 return false;
             }
         }
-        if (hung != null) {
-            hung.ends.place();
-            return true;
+        if (hung == null) {
+            tree.places.place();
         }
-        tree.places.place();
         if (tree.isFree) {
             tree.places.shift(gx, gy, h);
         }
