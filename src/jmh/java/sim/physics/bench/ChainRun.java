@@ -36,7 +36,8 @@ public final class ChainRun {
         Chains.compare(args, "link", ChainRun::own, ChainRun::jbox2d, ChainRun::dyn4j);
     }
 
-    private static Runnable own(int n) {
+    /** Our chain. */
+    static Runnable own(int n) {
         PhysicsEngine engine = Chains.engine();
         Body last = null;
         for (int k = 0; k < n; k++) {

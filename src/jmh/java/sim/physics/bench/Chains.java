@@ -24,6 +24,10 @@ import sim.physics.motion.Gravity;
 final class Chains {
     static final double STEP = 1 / 240.0;
     private static final int BODY_STEPS = 100_000;
+
+    /** Steps of a batch at least, or they are measured before they are compiled. */
+    private static final int LEAST_STEPS = 5;
+
     private static final int WARM_UP = 4;
 
     private Chains() {}
@@ -54,7 +58,7 @@ final class Chains {
     /** Time of a step in µs, by engine. */
     private static double[] medians(Runnable[] engines, int n, int rounds) {
         double[][] times = new double[engines.length][rounds];
-        int steps = Math.max(1, BODY_STEPS / n);
+        int steps = Math.max(LEAST_STEPS, BODY_STEPS / n);
         for (int round = -WARM_UP; round < rounds; round++) {
             for (int e = 0; e < engines.length; e++) {
                 long time = CpuTime.of(engines[e], steps);
