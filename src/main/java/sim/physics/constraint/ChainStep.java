@@ -3,10 +3,11 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import sim.physics.motion.Loads;
 import sim.physics.motion.State;
 
 /**
- * A step of a chain of pins under a uniform field: RK4, (13)–(15), with the accelerations of (37), and the
+ * A step of a chain of pins under a uniform field, or what else is even over the step: RK4, (13)–(15), with the accelerations of (37), and the
  * {@link Projection} after it, all on the arrays of the chain. What is out of the ordinary it leaves to the general code:
  * then it has changed nothing.
  */
@@ -24,6 +25,11 @@ final class ChainStep implements Serializable {
     private final double[] fallX;
     private final double[] fallY;
     private final double[] zero;
+
+    /** What turns the bodies; null until something does, and whether something does now. */
+    private double[] fallTurn;
+
+    private boolean isTurned;
 
     /** Positions and velocities at the start. */
     private final double[] x0;
@@ -76,6 +82,48 @@ final class ChainStep implements Serializable {
      * @return false if the general code must make this step
      */
     boolean advance(State state, ConstraintSolver solver, double gx, double gy, double h) {
+        if (!begin(state, solver)) {
+            return false;
+        }
+        if (gx == 0 && gy == 0) {
+            island.invariants.begin(state, true);
+        }
+        for (int k = 0; k < chain.block.length; k++) {
+            fallX[k] = chain.block[k] < 0 ? 0 : gx;
+            fallY[k] = chain.block[k] < 0 ? 0 : gy;
+        }
+        isTurned = false;
+        return advance(state, null, h);
+    }
+
+    /**
+     * Advances the chain under loads that are the same over the step.
+     *
+     * @param state its vectors are changed, if all is well
+     * @param solver one whose results these are
+     * @param loads the loads
+     * @param a gets the accelerations at the start, with what the pins do, [x″, y″, θ″] per body of the state
+     * @param t time of the start
+     * @param h step
+     * @return false if the general code must make this step
+     */
+    boolean advance(State state, ConstraintSolver solver, Loads loads, double[] a, double t, double h) {
+        if (!begin(state, solver)) {
+            return false;
+        }
+        fallTurn = fallTurn == null ? new double[zero.length] : fallTurn;
+        loads.load(island.bodies, t, a);
+        for (int k = 0; k < chain.block.length; k++) {
+            int b = chain.block[k];
+            fallX[k] = b < 0 ? 0 : a[b];
+            fallY[k] = b < 0 ? 0 : a[b + 1];
+            fallTurn[k] = b < 0 ? 0 : a[b + 2];
+        }
+        isTurned = true;
+        return advance(state, a, h);
+    }
+
+    private boolean begin(State state, ConstraintSolver solver) {
         if (!solver.isPlain(island, state.w().values())) {
             return false;
         }
@@ -84,12 +132,14 @@ final class ChainStep implements Serializable {
             isWeighed = true;
         }
         island.invariants.end();
-        if (gx == 0 && gy == 0) {
-            island.invariants.begin(state, true);
-        }
-        double place = gather(state, gx, gy);
+        return true;
+    }
+
+    private boolean advance(State state, double[] first, double h) {
+        double place = gather(state);
         chain.settleAngles();
         accelerate(0);
+        tellFirst(first);
         Lanes.add(angle0, 0.5 * h, omega0, chain.angle); // the accelerations depend on angles and their rates alone
         Lanes.add(omega0, 0.5 * h, turn[0], chain.omega);
         accelerate(1);
@@ -113,14 +163,12 @@ final class ChainStep implements Serializable {
     }
 
     /** Takes the state over; returns the largest coordinate. */
-    private double gather(State state, double gx, double gy) {
+    private double gather(State state) {
         double[] x = state.x();
         double[] v = state.v();
         for (int k = 0; k < chain.block.length; k++) {
             int b = chain.block[k];
             if (b >= 0) {
-                fallX[k] = gx;
-                fallY[k] = gy;
                 x0[k] = x[b];
                 y0[k] = x[b + 1];
                 angle0[k] = x[b + 2];
@@ -139,7 +187,25 @@ final class ChainStep implements Serializable {
     private void accelerate(int s) {
         chain.turnArms();
         chain.askAcceleration(fallX, fallY);
+        if (isTurned) {
+            chain.askTurning(fallTurn);
+        }
         chain.factorAndSolve(fallX, fallY, ax[s], ay[s], turn[s]);
+        if (isTurned) {
+            Lanes.add(turn[s], fallTurn, turn[s]);
+        }
+    }
+
+    /** Tells the accelerations at the start, to whom wants to know. */
+    private void tellFirst(double[] a) {
+        for (int k = 0; a != null && k < chain.block.length; k++) {
+            int b = chain.block[k];
+            if (b >= 0) {
+                a[b] = ax[0][k];
+                a[b + 1] = ay[0][k];
+                a[b + 2] = turn[0][k];
+            }
+        }
     }
 
     private void finish(double h) {

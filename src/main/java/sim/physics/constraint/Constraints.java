@@ -287,8 +287,8 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public boolean advance(IntList bodies, Loads loads, double[] a, double t, double h) {
-        return QuickStep.advance(projected(bodies), state, solver, loads, a, t, h);
+    public boolean advance(IntList bodies, Loads loads, boolean areEven, double[] a, double t, double h) {
+        return QuickStep.advance(projected(bodies), state, solver, loads, areEven, a, t, h);
     }
 
     @Override

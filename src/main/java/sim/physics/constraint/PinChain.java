@@ -179,6 +179,16 @@ final class PinChain implements Serializable {
         ask();
     }
 
+    /** The same where they are also turned by an acceleration, to be asked for after that. */
+    void askTurning(double[] turn) {
+        double[] b0 = factor.b0;
+        double[] b1 = factor.b1;
+        for (int k = 0; k < b0.length; k++) {
+            b0[k] += turn[k] * nextY[k] - turn[k + 1] * lastY[k + 1];
+            b1[k] += turn[k + 1] * lastX[k + 1] - turn[k] * nextX[k];
+        }
+    }
+
     /** Asks for C = 0: b = −C, (42)–(44). */
     void askPosition() {
         Lanes.add(x, nextX, one);

@@ -23,12 +23,18 @@ final class QuickStep {
                 : one.chain != null && one.chain.advance(state, solver, gx, gy, h);
     }
 
-    /** The same under any loads. */
-    static boolean advance(Island one, State state, ConstraintSolver solver, Loads loads, double[] a, double t, double h) {
-        if (one != null && one.skeleton != null) {
+    /** The same under any loads; chains only under such as are even over the step. */
+    static boolean advance(
+            Island one, State state, ConstraintSolver solver, Loads loads, boolean areEven, double[] a, double t, double h) {
+        if (one == null) {
+            return false;
+        }
+        if (one.skeleton != null) {
             return one.skeleton.advance(solver, loads, a, t, h);
         }
-        return one != null && one.tree != null && advanceTree(one, state, solver, loads, a, t, h);
+        return one.tree != null
+                ? advanceTree(one, state, solver, loads, a, t, h)
+                : areEven && one.chain != null && one.chain.advance(state, solver, loads, a, t, h);
     }
 
     /** The same of an island that is a tree. */

@@ -286,7 +286,7 @@ final class TiedMotion implements Serializable {
             isRefused = !ties.advance(group, fields.gravityX, fields.gravityY, length);
         } else if (!isRefused) {
             path.ensure(state.x().length);
-            isRefused = !ties.advance(group, motion, path.stage, t, length);
+            isRefused = !ties.advance(group, motion, isEven(motion, group, true), path.stage, t, length);
             if (!isRefused) {
                 path.takeFirst(group);
             }
@@ -296,11 +296,16 @@ final class TiedMotion implements Serializable {
 
     /** Whether nothing but uniform fields acts on any body of a group, beside its ties. */
     private boolean fallsFreely(Motion motion, IntList group) {
+        return isEven(motion, group, false);
+    }
+
+    /** The same; or whether nothing but these and what contacts give, which is even over a step, does. */
+    private boolean isEven(Motion motion, IntList group, boolean withContacts) {
         boolean yes = true;
         for (int k = 0; motion.fields() == null && yes && k < group.size; k++) {
             int body = group.values[k];
             Body view = state.body(body);
-            yes = !view.isPushed() && !motion.generators.drive(view) && !motion.support.pushes(body);
+            yes = !view.isPushed() && !motion.generators.drive(view) && (withContacts || !motion.support.pushes(body));
         }
         return yes;
     }

@@ -99,12 +99,13 @@ public interface Ties extends Serializable {
      *
      * @param bodies all bodies of an island, or of several and others
      * @param loads the forces, evaluated at the stages; what it throws leaves the state vectors at one of them
+     * @param areEven whether they are the same over the whole step
      * @param a gets the accelerations at the start, with those of the ties, [x″, y″, θ″] per body of the state
      * @param t simulated time of the start
      * @param h step, of either sign
      * @return false if there is no such way; then nothing has changed
      */
-    boolean advance(IntList bodies, Loads loads, double[] a, double t, double h);
+    boolean advance(IntList bodies, Loads loads, boolean areEven, double[] a, double t, double h);
 
     /**
      * Coordinates in which some bodies move as if nothing tied them.
