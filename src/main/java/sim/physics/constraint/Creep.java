@@ -36,6 +36,11 @@ final class Creep implements Serializable {
     private int failures;
     private int left;
 
+    /** What pulled it when it stood still the last time, where it is in {@link #x}, and for how long; 0 if it has moved since. */
+    private double[] stoodUnder = {};
+
+    private double stoodFor;
+
     Creep(Island island) {
         this.island = island;
     }
@@ -54,6 +59,7 @@ final class Creep implements Serializable {
     void forget() {
         failures = 0;
         left = 0;
+        stoodFor = 0;
     }
 
     /** Whether some of the islands of a group go on so. */
@@ -95,16 +101,35 @@ final class Creep implements Serializable {
         if (x.length == 0) {
             x = new double[n];
             v = new double[n];
+            stoodUnder = new double[n];
         }
         double[] pull = island.invariants.pull();
         island.invariants.end();
+        if (standsAsBefore(state, pull, h)) {
+            left = Math.max(left, 1);
+            return;
+        }
         int parts = parts(state, pull, h);
+        boolean stands = true;
         for (int k = 0; k < parts; k++) {
             if (!go(state, solver, projection, pull, h / parts)) {
                 stand(state);
+            } else {
+                stands = false;
             }
         }
+        stoodFor = stands && parts == 1 ? h : 0;
+        System.arraycopy(pull, 0, stoodUnder, 0, x.length);
         island.redundantRows = island.redundant();
+    }
+
+    /** Whether the island stands where it stood, under what it stood under: then it does so again, and need not try. */
+    private boolean standsAsBefore(State state, double[] pull, double h) {
+        boolean yes = stoodFor == h;
+        for (int k = 0; yes && k < x.length; k++) {
+            yes = state.x()[slot(k)] == x[k] && state.v()[slot(k)] == 0 && pull[k] == stoodUnder[k];
+        }
+        return yes;
     }
 
     private int parts(State state, double[] pull, double h) {
