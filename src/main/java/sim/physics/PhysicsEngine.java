@@ -429,7 +429,7 @@ public final class PhysicsEngine implements Steppable {
         for (int k = 0; k < settled.size; k++) {
             if (trajectories.isDriven(settled.values[k])) {
                 noteGroup(settled.values[k]);
-            } else {
+            } else if (detection.knows(settled.values[k])) { // or a listener has removed it
                 moved(settled.values[k], tau, false, -1);
             }
         }

@@ -113,6 +113,13 @@ final class Bounces implements Serializable {
         return count > 0;
     }
 
+    /** The restitution of another point of a rattling pair, of which one approaches at a speed: none parts faster than that one. */
+    double rattle(Impact c, double restitution, double approach) {
+        double own = -c.normalVelocity();
+        boolean isFaster = restitution > Tolerances.RATTLE && approach > 0 && own > approach;
+        return isFaster ? Math.max(Tolerances.RATTLE, restitution * approach / own) : restitution;
+    }
+
     /**
      * The greatest speed of a rattling pair's bounces, of which the force may have been misjudged: with it they go by so much in a step, or
      * as high by the forces that there are.

@@ -109,10 +109,12 @@ public final class CollisionResponse implements Serializable {
             locate(pair, tau);
             if (manifold.count == 1 && (jointed == null || !jointed.has(pairs.first(pair), pairs.second(pair)))) {
                 respondToOne(pair, tau);
+                wedged.settle(heaps, tau, changed);
                 return changed;
             }
         }
         respondToSeveral(touching, tau);
+        wedged.settle(heaps, tau, changed);
         return changed;
     }
 
@@ -207,17 +209,12 @@ public final class CollisionResponse implements Serializable {
             return true;
         }
         load(a, b, 0);
-        if (isWedged(pair, a, b, tau)) {
+        if (wedged.meet(pair, tau, manifold.gap, heaps.size(a, b))) {
             goOn(a, b);
             return true;
         }
         bounces.attend(a, b, tau);
         return heaps.lasts(pair) && closes(pair);
-    }
-
-    private boolean isWedged(int pair, int a, int b, double tau) {
-        boolean deep = manifold.gap < -Tolerances.OVERLAP * Math.min(trajectories.radius(a), trajectories.radius(b));
-        return (deep || trajectories.isDriven(a) || trajectories.isDriven(b)) && wedged.meet(pair, tau, manifold.gap, heaps.size(a, b));
     }
 
     /** Whether a lasting pair is left to its heap, because a bounce at the loaded points would be short, or one too many. */
@@ -455,6 +452,7 @@ public final class CollisionResponse implements Serializable {
         deepest = Math.min(deepest, manifold.gap);
         boolean rattles = bounces.dampRattle(pair, a, b, impact);
         double rattle = impact.restitution;
+        double first = -impact.normalVelocity();
         boolean restsNow = !rattles;
         bounces.count(pair);
         bounces.writeOff(pair);
@@ -464,7 +462,7 @@ public final class CollisionResponse implements Serializable {
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
             if (rattles || lies) {
-                impact.restitution = lies ? 0 : rattle;
+                impact.restitution = lies ? 0 : bounces.rattle(impact, rattle, first);
             }
             restsNow &= !rattles && !lies && (canRest || impact.restitution < 1) && bounces.limit(pair, a, b, impact, canRest);
             simultaneous.add(a, b, impact);

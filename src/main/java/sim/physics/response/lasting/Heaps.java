@@ -55,6 +55,7 @@ public final class Heaps implements Serializable {
     private final HeapBodies by = new HeapBodies();
     private final Heap heap;
     private final HeapCalm calm;
+    private final Collapse collapse;
     private final IntList members = new IntList();
 
     /** Bodies to which something has happened, and those whose courses have changed. */
@@ -92,6 +93,7 @@ public final class Heaps implements Serializable {
         this.points = points;
         this.resting = resting;
         this.heap = new Heap(state, trajectories, motion, detection, points, by, ledger);
+        this.collapse = new Collapse(state, trajectories, motion, detection, points, by, heap);
         this.calm = new HeapCalm(trajectories, motion, detection, heap);
     }
 
@@ -246,6 +248,19 @@ public final class Heaps implements Serializable {
      */
     public void end(int pair) {
         heap.end(pair);
+    }
+
+    /**
+     * Stops bodies that meet ever more often and ever faster, with all that touch them: none of them approaches another one then.
+     *
+     * @param pair that meets once more, whose bodies are where they meet
+     * @param tau offset in the present step
+     * @param hop way that they are to part in a step, as forces bring them back, relative to their size
+     * @param moved takes the bodies whose velocities have changed
+     * @return false if that cannot be done
+     */
+    public boolean stop(int pair, double tau, double hop, IntList moved) {
+        return collapse.stop(pair, tau, hop, moved);
     }
 
     private void join(int body) {
