@@ -219,7 +219,8 @@ final class Bounces implements Serializable {
         double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
         boolean isBlurred = !isForced && 2 * c.restitution * approachSpeed > (1 + c.restitution) * lastSpeed[pair];
         boolean isLong = count > Tolerances.REST_AFTER || count > BLURRED && isBlurred;
-        if (canRest && bounce < (isLong ? shortest : Tolerances.REST * h)) {
+        boolean isNoise = isForced && approachSpeed * approachSpeed < 2 * pressing * noise(a, b);
+        if (canRest && (isNoise || bounce < (isLong ? shortest : Tolerances.REST * h))) {
             c.restitution = 0;
             return true;
         }
@@ -228,6 +229,19 @@ final class Bounces implements Serializable {
             c.restitution = Math.min(HUGE, Math.min(0.5 * closing * shortest, most) / approachSpeed);
         }
         return false;
+    }
+
+    /**
+     * Height of bounces that rounding alone makes: what is put flush, at 0.1 + 0.2 for one, is found to touch when it is deeper by the
+     * tolerance of gaps, and again deeper by that at each elastic bounce from there.
+     */
+    private double noise(int a, int b) {
+        double[] d = trajectories.data();
+        int oa = a * Trajectories.STRIDE;
+        int ob = b * Trajectories.STRIDE;
+        double far = Math.abs(d[oa]) + Math.abs(d[oa + 1]) + Math.abs(d[ob]) + Math.abs(d[ob + 1]);
+        double extent = far + trajectories.radius(a) + trajectories.radius(b);
+        return 2 * Tolerances.ELASTIC_AFTER * Tolerances.GAP * extent;
     }
 
     /** The speed at which a pair would part with all the energy that it has lost in the step. */

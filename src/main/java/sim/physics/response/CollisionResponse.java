@@ -412,7 +412,7 @@ public final class CollisionResponse implements Serializable {
     private void respondToSeveral(IntList touching, double tau) {
         simultaneous.clear();
         for (int k = 0; k < touching.size; k++) {
-            collect(touching.values[k], tau, touching.size == 1);
+            collect(touching, touching.values[k], tau);
         }
         if (simultaneous.pointCount() == 0) {
             return;
@@ -431,14 +431,14 @@ public final class CollisionResponse implements Serializable {
     }
 
     /** Adds the points of one pair to the simultaneous impact. */
-    private void collect(int pair, double tau, boolean alone) {
+    private void collect(IntList touching, int pair, double tau) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
         locate(pair, tau);
         if (isLetBe(pair, a, b, tau)) {
             return;
         }
-        if (alone) {
+        if (touching.size == 1) {
             polish(pair, a, b, tau);
         }
         if (jointed != null) {
@@ -456,7 +456,8 @@ public final class CollisionResponse implements Serializable {
         boolean restsNow = !rattles;
         bounces.count(pair);
         bounces.writeOff(pair);
-        boolean canRest = canRest(pair, a, b, tau, alone);
+        int body = state.body(a).isFixed() ? b : a;
+        boolean canRest = canRest(pair, a, b, tau, touching.size == 1 || pairs.isOnly(touching, body));
         boolean lies = !rattles && !canRest && startsToLie(pair, a, b);
         restsNow &= !lies;
         for (int point = 0; point < manifold.count; point++) {
