@@ -29,7 +29,7 @@ public abstract class Scene extends SimState {
     public void start() {
         super.start();
         physics = new PhysicsEngine();
-        field = new Continuous2D(25, WORLD, WORLD);
+        field = new Continuous2D(WORLD, WORLD, WORLD); // walls are as long, and are to be seen from near too
         build();
         physics.scheduleOn(schedule);
     }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.mason;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import sim.engine.SimState;
@@ -13,16 +14,23 @@ import sim.util.Double2D;
 
 /**
  * Shows the bodies of an engine in a field of MASON, at the places where the engine has them. Schedule it after the
- * engine. The field is a picture of the engine; moving an object in the field does not move the body.
+ * engine. The field is a picture of the engine; moving an object in the field does not move the body. What else is in the field
+ * stays there.
+ *
+ * <p>MASON draws what is in a window, by its centre, and as far outside as the field's discretization is long. So let that be no less than
+ * half the length of the longest body, or walls vanish when one zooms in.
  */
 public final class FieldMirror implements Steppable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     /** An ordering after the engine's. */
     public static final int ORDERING = PhysicsEngine.ORDERING + 10;
 
     private final PhysicsEngine engine;
     private final Continuous2D field;
+
+    /** The bodies in the field; at first also those of another engine, before a model was started again. */
+    private List<Body> shown = new ArrayList<>();
 
     /**
      * Makes a mirror and fills the field.
@@ -33,6 +41,11 @@ public final class FieldMirror implements Steppable {
     public FieldMirror(PhysicsEngine engine, Continuous2D field) {
         this.engine = Objects.requireNonNull(engine, "engine");
         this.field = Objects.requireNonNull(field, "field");
+        for (Object object : field.getAllObjects()) {
+            if (object instanceof Body body) {
+                shown.add(body);
+            }
+        }
         update();
     }
 
@@ -44,11 +57,14 @@ public final class FieldMirror implements Steppable {
     /** Puts the field right. */
     public void update() {
         List<Body> bodies = engine.bodies();
-        if (field.allObjects.numObjs > bodies.size()) {
-            field.clear();
+        for (Body body : shown) {
+            if (!engine.contains(body)) {
+                field.remove(body);
+            }
         }
         for (Body body : bodies) {
             field.setObjectLocation(body, new Double2D(body.getX(), body.getY()));
         }
+        shown = bodies;
     }
 }
