@@ -74,8 +74,9 @@ final class Stiffness implements Serializable {
         }
     }
 
-    /** Keeps the last stage of an explicit step. */
+    /** Keeps the last stage of an explicit step, of a method that may ask nothing else since there are more bodies. */
     void keep(IntList bodies, Stages s) {
+        ensure();
         for (int m = 0; m < s.size; m++) {
             int at = slot(bodies, m);
             x[at] = s.x[m];

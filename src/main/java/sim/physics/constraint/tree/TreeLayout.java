@@ -49,7 +49,7 @@ final class TreeLayout {
      * @param a by pin: the place of the one body among those of the island; −1 for what does not move
      * @param b the other body
      * @param arms by pin: the arms of both bodies; places in the world for what does not move
-     * @return null if there are loops
+     * @return null if there are loops, or no pins: a body with a motor and nothing else has none while that is let go
      */
     static PinTree find(IntList bodies, int[] a, int[] b, double[] arms) {
         int held = 0;
@@ -60,7 +60,7 @@ final class TreeLayout {
                 root = Math.max(a[p], b[p]);
             }
         }
-        boolean isTree = held <= 1 && a.length == bodies.size - 1 + held;
+        boolean isTree = a.length > 0 && held <= 1 && a.length == bodies.size - 1 + held;
         return isTree ? new TreeLayout(bodies, a, b, arms).follow(held == 0 ? hub(a, b, arms) : root, held == 0) : null;
     }
 
