@@ -9,7 +9,8 @@ import sim.physics.motion.SwitchedRow;
 
 /**
  * Stops of a joint: a coordinate stays between two bounds. It hits a bound as bodies hit one another, with a restitution,
- * and rests there as long as it is pressed against it. Angles do not wrap: bounds may be any number of turns away.
+ * and rests there as long as it is pressed against it. Angles do not wrap: bounds may be any number of turns away. What is put beyond
+ * a bound, or is there when the stops are added, is not torn back: it is held where it is, until it moves back by itself.
  */
 public final class Limit extends Switched {
     private static final long serialVersionUID = 1L;

@@ -35,7 +35,8 @@ public final class RodJoint extends Joint {
         super(a, b);
         first = Anchor.at(a, ax, ay);
         second = Anchor.at(b, bx, by);
-        length = Check.positive("length", Math.sqrt((ax - bx) * (ax - bx) + (ay - by) * (ay - by)));
+        length = Check.positive(
+                "distance of the two points in the world", Math.sqrt((ax - bx) * (ax - bx) + (ay - by) * (ay - by)));
     }
 
     /**

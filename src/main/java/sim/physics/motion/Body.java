@@ -5,6 +5,7 @@ package sim.physics.motion;
 import java.io.Serializable;
 import java.util.Objects;
 import sim.physics.internal.Check;
+import sim.physics.internal.Trig;
 import sim.physics.shape.Shape;
 
 /**
@@ -196,7 +197,34 @@ public class Body implements Serializable {
     }
 
     /**
-     * Moves the body to another place (teleports it when a simulation runs).
+     * Where a point of the body is in the world: a wheel, a sensor, the tip of an arm.
+     *
+     * @param px point, in the coordinates of the body
+     * @param py point, in the coordinates of the body
+     * @return its x in world coordinates
+     */
+    public final double worldX(double px, double py) {
+        Check.finite("px", px);
+        Check.finite("py", py);
+        return getX() + Trig.cos(getAngle()) * px - Trig.sin(getAngle()) * py;
+    }
+
+    /**
+     * Where a point of the body is in the world.
+     *
+     * @param px point, in the coordinates of the body
+     * @param py point, in the coordinates of the body
+     * @return its y in world coordinates
+     */
+    public final double worldY(double px, double py) {
+        Check.finite("px", px);
+        Check.finite("py", py);
+        return getY() + Trig.sin(getAngle()) * px + Trig.cos(getAngle()) * py;
+    }
+
+    /**
+     * Moves the body to another place (teleports it when a simulation runs): a body that was on the way is passed through, and feels
+     * nothing of the speed. What is to push others on its way is a movable body, on a rail with a motor for one.
      *
      * @param x length
      * @param y length
