@@ -4,6 +4,7 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import sim.physics.collision.narrow.Manifold;
+import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 import sim.physics.shape.Circle;
@@ -77,5 +78,24 @@ final class BodyScale implements Serializable {
     static double bend(double turnA, double radiusA, double turnB, double radiusB, double slide, double most) {
         double bend = 0.5 * (turnA == 0 ? 0 : turnA * turnA * radiusA) + 0.5 * (turnB == 0 ? 0 : turnB * turnB * radiusB);
         return Math.min(bend + slide * (turnA + turnB), most);
+    }
+
+    /** The largest speed of bodies, three velocities for each of them. */
+    double fastest(IntList bodies, double[] v) {
+        double most = 0;
+        for (int k = 0; k < bodies.size; k++) {
+            most = Math.max(most, speed(bodies.values[k], v, 3 * k));
+        }
+        return most;
+    }
+
+    /** The same where they are now on their paths. */
+    double fastestNow(IntList bodies) {
+        double most = 0;
+        for (int k = 0; k < bodies.size; k++) {
+            int o = bodies.values[k] * Trajectories.STRIDE + Trajectories.VX;
+            most = Math.max(most, speed(bodies.values[k], trajectories.data(), o));
+        }
+        return most;
     }
 }

@@ -193,10 +193,8 @@ final class DrivenHeap implements Serializable {
         isSoft = false;
         boolean isSame = false;
         double before = Double.POSITIVE_INFINITY;
-        double expected = scale;
-        for (int b = 0; b < heap.size; b++) {
-            expected = Math.max(expected, scales.speed(heap.values[b], trajectories.data(), heap.values[b] * Trajectories.STRIDE + Trajectories.VX));
-        }
+        double expected = Math.max(scale, scales.fastestNow(heap));
+        double first = expected;
         for (int k = 0; k < PROBES && !isSame; k++) {
             if (!(probe(heap, length) <= FAST * expected)) {
                 isReleased |= k > 0; // or what the forces of before held in balance is not there any more
@@ -205,7 +203,7 @@ final class DrivenHeap implements Serializable {
                 probe(heap, length);
             }
             extrapolation.next(system.w, system.v);
-            most = Math.max(most, speed(heap));
+            most = Math.max(most, scales.fastest(heap, system.v));
             kept.keep();
             isRight = isSoft ? system.solveSoftly(most) : system.solveUnlessFair(most, EQUAL * most);
             double change = kept.change();
@@ -215,15 +213,19 @@ final class DrivenHeap implements Serializable {
                 change = kept.change();
                 error = change;
             }
+            first = k == 0 ? Math.max(first, scales.fastest(heap, system.v)) : first;
             if (!isRight && !(change <= WILD * most)) {
                 stay();
+                break;
+            } else if (kept.tear(first)) {
+                beginAnew(heap, length, first);
                 break;
             }
             if (k == 0 && isRight && !isReleased && error > SAME * most && extrapolation.isLearned()) {
                 improve(extrapolation, most);
                 change = kept.change();
             }
-            expected = Math.max(expected, speed(heap));
+            expected = Math.max(expected, scales.fastest(heap, system.v));
             double next = before <= SMALL * most ? error * (error / before) : error; // if errors go on to shrink at least evenly
             isSame = Math.min(error, next) <= Math.max(SAME * most, system.tolerance().enough());
             before = error;
@@ -267,13 +269,17 @@ final class DrivenHeap implements Serializable {
         }
     }
 
-    /** The largest speed of the system's velocities. */
-    private double speed(IntList heap) {
-        double most = 0;
-        for (int k = 0; k < heap.size; k++) {
-            most = Math.max(most, scales.speed(heap.values[k], system.v, 3 * k));
+    /** Solves for impulses of points that are a little soft, under none to begin with; where these tear bodies about too, for none. */
+    private void beginAnew(IntList heap, double length, double expected) {
+        forget();
+        kept.keep();
+        isRight = system.solveSoftly(Math.max(probe(heap, length), scales.fastest(heap, system.v)));
+        isReleased = true;
+        isSoft = true;
+        isProbed = false;
+        if (kept.tear(expected)) {
+            stay();
         }
-        return most;
     }
 
     /** Begins without any impulses. */

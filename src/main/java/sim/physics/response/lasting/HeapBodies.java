@@ -117,6 +117,7 @@ final class HeapBodies implements Serializable {
 
     /** Lets a driven body lie on nothing for some steps; for more steps each time, but not many if it is tied to others. */
     void giveUp(int body, double step, boolean isTied) {
+        ensure(body); // it may have been tied to one in a heap just now
         givenUpTimes[body] = Math.min(givenUpTimes[body] + 1, isTied ? LONGEST_TIED : LONGEST);
         givenUp[body] = step + (2 << givenUpTimes[body]);
     }

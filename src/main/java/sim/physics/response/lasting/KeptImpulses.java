@@ -8,6 +8,12 @@ import java.io.Serializable;
 final class KeptImpulses implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /**
+     * Change of velocities, relative to those that are to be expected: what is pressed between the ground and what is held where it is
+     * can bear any impulses, and the rounding of large ones throws it about.
+     */
+    private static final double TORN = 1e6;
+
     private final HeapSystem system;
     private double[] kept = {};
 
@@ -51,5 +57,10 @@ final class KeptImpulses implements Serializable {
     /** What a change of an impulse does; where mobility is infinite there is none. */
     private static double change(double impulse, double mobility) {
         return impulse == 0 ? 0 : Math.abs(impulse) * mobility;
+    }
+
+    /** Whether the impulses have changed by more than is of use even if they are right. */
+    boolean tear(double expected) {
+        return !(change() <= TORN * expected);
     }
 }

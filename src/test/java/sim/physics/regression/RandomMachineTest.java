@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.regression;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.motion.Body;
+
+/**
+ * Bodies that are pinned where they lie press others against the ground, where impulses without bounds do as well as small ones: nothing
+ * is thrown about by these.
+ */
+class RandomMachineTest {
+    private static final int STEPS = 240;
+
+    /** A fall through the whole box, and what motors and shoves may add, are far less. */
+    private static final double FAST = 100;
+
+    private static void run(long seed) {
+        RandomMachine scene = new RandomMachine(seed);
+        for (int step = 0; step < STEPS; step++) {
+            scene.step();
+            for (Body body : scene.bodies) {
+                double speed = Math.hypot(body.getVelocityX(), body.getVelocityY());
+                assertThat(speed).as("seed %s, step %s, %s", seed, step, body).isLessThan(FAST);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {34, 66, 85, 181, 219, 285})
+    void nothingIsThrownAbout(long seed) {
+        run(seed);
+    }
+
+    @Tag("soak")
+    @Test
+    void nothingIsThrownAboutInOneHundredRuns() {
+        for (long seed = 0; seed < 100; seed++) {
+            run(seed);
+        }
+    }
+}
