@@ -19,12 +19,23 @@ final class ContactLoader implements ContactPoints {
     private final CollisionDetection detection;
     private final Impact impact = new Impact();
     private PairRule restitutionRule = PairRule.MINIMUM;
+    private Listeners listeners;
     private PairRule frictionRule = PairRule.GEOMETRIC_MEAN;
 
     ContactLoader(State state, Trajectories trajectories, CollisionDetection detection) {
         this.state = state;
         this.trajectories = trajectories;
         this.detection = detection;
+    }
+
+    /** Those who are asked and told of impacts. */
+    void setListeners(Listeners who) {
+        listeners = who;
+    }
+
+    @Override
+    public boolean areForeseen() {
+        return listeners.isEmpty();
     }
 
     void setRules(PairRule restitution, PairRule friction) {
@@ -72,8 +83,8 @@ final class ContactLoader implements ContactPoints {
         }
     }
 
-    /** The coefficient of restitution of a contact of two bodies. */
-    double restitution(int a, int b) {
+    @Override
+    public double restitution(int a, int b) {
         return restitutionRule.of(state.restitution(a), state.restitution(b));
     }
 

@@ -83,7 +83,8 @@ public final class LastingContacts implements Serializable {
 
     private boolean lasts(int pair) {
         PairMarks marks = detection.marks();
-        return (marks.isHeld(pair) || marks.isLasting(pair)) && !marks.isIgnored(pair);
+        boolean lasts = (marks.isHeld(pair) || marks.isLasting(pair)) && !marks.isIgnored(pair);
+        return lasts && !(heaps.isForeseen(pair) && ledger.meanForce(pair, 0, false) + ledger.meanForce(pair, 1, false) == 0);
     }
 
     /** The pairs that last, each once: of the body with the smaller index, but for a fixed one. */

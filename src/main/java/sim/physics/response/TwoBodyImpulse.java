@@ -64,7 +64,7 @@ public final class TwoBodyImpulse implements ImpulseSolver {
         double linear = c.jn * c.normalVelocity() + c.jt * c.tangentVelocity();
         double square = gain - linear;
         double root = c.allowance == 0 ? -linear : Math.sqrt(linear * linear + 4 * square * c.allowance);
-        double s = Math.min(1, 0.5 * (root - linear) / square);
+        double s = square > 0 ? Math.max(0, Math.min(1, 0.5 * (root - linear) / square)) : 0; // all of it gains where they part already
         c.jn *= s;
         c.jt *= s;
     }

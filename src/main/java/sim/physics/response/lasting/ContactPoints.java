@@ -16,4 +16,20 @@ public interface ContactPoints extends Serializable {
      * @param point filled
      */
     void load(Manifold manifold, int pair, int k, ContactPoint point);
+
+    /**
+     * The coefficient of restitution of a contact of two bodies.
+     *
+     * @param a index
+     * @param b index
+     * @return 0 … 1
+     */
+    double restitution(int a, int b);
+
+    /**
+     * Whether contacts may be foreseen: nobody is to be asked or told of impacts.
+     *
+     * @return false if there are listeners
+     */
+    boolean areForeseen();
 }

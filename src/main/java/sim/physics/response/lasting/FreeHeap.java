@@ -55,7 +55,7 @@ final class FreeHeap implements Serializable {
         if (isKnown) {
             notes.start(p, time);
         }
-        system.tolerance().bear(HeapGaps.fairSpeed(size, time));
+        system.tolerance().bear(system.tolerance().isRough() ? HeapGaps.fairSpeedOfMany(size, time) : HeapGaps.fairSpeed(size, time));
     }
 
     /** Finds what holds a heap that stands still from now on, when it has been stopped; nothing else depends on that. */
@@ -100,6 +100,15 @@ final class FreeHeap implements Serializable {
         return done;
     }
 
+    /** Solves a large heap again, roughly, since what was found is not right. */
+    boolean solveRoughly(double time) {
+        system.tolerance().roughen();
+        system.again();
+        boolean done = system.solve(0, true);
+        soften(time);
+        return done;
+    }
+
     /** Solves without regaining gaps, which is to add no energy. */
     boolean regainNothing(double scale, double time) {
         boolean done = system.solve(scale, false);
@@ -108,7 +117,7 @@ final class FreeHeap implements Serializable {
     }
 
     private void soften(double time) {
-        if (system.tolerance().error() > 0) {
+        if (system.tolerance().error() > 0 && !system.tolerance().isRough()) {
             notes.soften(detection, scales, system.tolerance().error(), time);
         }
     }

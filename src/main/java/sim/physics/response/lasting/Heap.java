@@ -25,19 +25,14 @@ final class Heap implements Serializable {
     /** Height of an edge's other end from which it is no contact, relative to the smaller body. */
     private static final double FLAT = 2e-2;
 
-    /** Speed at which points hardly close, relative to the bodies' or to what forces give them: more than what solutions leave. */
-    private static final double HARDLY = 1e-10;
-
-    /** The same for points that have just been struck; and the part of the speed that they lack which they get then at once. */
-    private static final double STRUCK = 1e-9;
-
-    private static final double LIFT = 0.1;
-
     /** Change of velocity that is none, relative to the speeds. */
     private static final double SAME = 1e-13;
 
     /** Speed that is none, relative to that which the forces give in the time of a solution. */
     private static final double STILL = 1e-7;
+
+    /** The same in a heap that is solved roughly. */
+    private static final double STANDS = 1e-5;
 
     /** The same at the start and at the end of a step of bodies that the integrator drives. */
     private static final double RESTING = 1e-9;
@@ -69,6 +64,8 @@ final class Heap implements Serializable {
     private final RubbedHeap rubbing;
     private final FreeHeap free;
     private final HeapCourses courses;
+    private final LargeHeaps large;
+    private final LastingPairs lasting;
     private final double[] fall = new double[State.BLOCK];
     private final ContactPoint point = new ContactPoint();
     private transient Manifold manifold;
@@ -91,6 +88,9 @@ final class Heap implements Serializable {
 
     /** Whether bodies are tied to others. */
     private boolean isTied;
+
+    /** Whether the heap is so large that it is solved roughly. */
+    private boolean isRough;
 
     /** Null while nothing ties bodies together. */
     private Ties ties;
@@ -126,32 +126,21 @@ final class Heap implements Serializable {
         this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales);
         this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
+        this.lasting = new LastingPairs(trajectories, detection, scales, ledger);
+        this.large = new LargeHeaps(trajectories, by, new Foresight(state, trajectories, motion, detection, points, scales));
         this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
+    }
+
+    LastingPairs lasting() {
+        return lasting;
+    }
+
+    LargeHeaps large() {
+        return large;
     }
 
     BodyScale scales() {
         return scales;
-    }
-
-    boolean lasts(int pair) {
-        return detection.marks().isLasting(pair) && !detection.marks().isIgnored(pair);
-    }
-
-    /** Lets a pair last. */
-    void begin(int pair) {
-        if (!lasts(pair)) {
-            double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
-            boolean driven = trajectories.isDriven(detection.pairs().first(pair))
-                    || trajectories.isDriven(detection.pairs().second(pair));
-            detection.marks().setLasting(pair, true);
-            detection.marks().setDepth(pair, HeapGaps.depth(driven, size));
-            ledger.begin(pair);
-        }
-    }
-
-    void end(int pair) {
-        detection.marks().setLasting(pair, false);
-        detection.marks().setDepth(pair, 0);
     }
 
     /** Lets a body go on without acceleration: it has got already what the forces give it. */
@@ -179,6 +168,10 @@ final class Heap implements Serializable {
     /** Solves the heap of a body; notes those whose courses change. */
     void settle(int seed, double tau, IntList changed) {
         find(seed, tau);
+        if (!isEven() && large.isAnyDone(heap)) {
+            large.leave(heap);
+            return;
+        }
         spread(tau);
         if (isDriven) {
             driving.unpay(heap, tau, ties);
@@ -225,7 +218,7 @@ final class Heap implements Serializable {
             paid = by.paidUntil[body] > tau ? Math.min(paid, by.paidUntil[body]) : paid;
             for (int m = 0; m < detection.pairs().countOf(body); m++) {
                 int other = detection.pairs().other(detection.pairs().of(body, m), body);
-                if (lasts(detection.pairs().of(body, m))) {
+                if (lasting.has(detection.pairs().of(body, m))) {
                     spin = Math.max(spin, scales.bending(body, other));
                     if (!state.body(other).isFixed() && by.place[other] == 0) {
                         include(other);
@@ -235,8 +228,9 @@ final class Heap implements Serializable {
         }
         isRubbed = !isTied && (isRubbed || isDriven && most() > MOST); // only such heaps can be stopped
         isDriven &= !isRubbed;
+        isRough = !isEven() && !isTied && large.isRough(heap);
         double h = trajectories.h();
-        double length = spin * h > TURN ? TURN / spin : h;
+        double length = spin * h > TURN && !isRough ? TURN / spin : h;
         length = Math.max(isDriven ? Math.min(length, by.pace(heap, h, h / SOLUTIONS)) : length, h / SOLUTIONS);
         sag = isDriven ? by.sag[seed] : 0;
         isFresh = !struck;
@@ -248,7 +242,7 @@ final class Heap implements Serializable {
     private void spread(double tau) {
         IntList onto = flush.find(heap, tau);
         for (int k = 0; k < onto.size; k++) {
-            begin(onto.values[k]);
+            lasting.begin(onto.values[k]);
         }
     }
 
@@ -277,18 +271,11 @@ final class Heap implements Serializable {
 
     /** Changes the velocities at once where points close too fast, before forces act. */
     private void strike() {
-        double speed = 0;
-        for (int k = 0; k < heap.size; k++) {
-            speed = Math.max(speed, speed(k));
-        }
-        boolean isStuck = false;
-        for (int k = 0; k < deep.size; k++) {
-            isStuck |= Math.abs(system.normal(deep.values[k])) <= STRUCK * speed; // forces that act evenly come too late
-        }
-        if (!isStuck && !HeapStrike.isDue(system, HARDLY * Math.max(speed, scale))) {
+        double speed = scales.fastest(heap, system.v);
+        if (!striking.isDue(system, deep, speed, scale)) {
             return;
         }
-        striking.strike(system, Math.max(speed, scale), driving.rebounds(), isStuck ? LIFT : 0);
+        striking.strike(system, Math.max(speed, scale), driving.rebounds());
         notes.strike(1);
         for (int k = 0; k < heap.size; k++) {
             int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
@@ -303,6 +290,12 @@ final class Heap implements Serializable {
         system.clear();
         deep.clear();
         scale = 0;
+        large.begin();
+        if (!isRough && large.wasRough(heap)) {
+            system.tolerance().hurry();
+        } else if (isRough) {
+            system.tolerance().roughen();
+        }
         if (!isEven()) {
             free.begin(heap);
         }
@@ -316,7 +309,7 @@ final class Heap implements Serializable {
             for (int m = 0; m < detection.pairs().countOf(body); m++) {
                 int pair = detection.pairs().of(body, m);
                 int other = detection.pairs().other(pair, body);
-                if (lasts(pair) && (state.body(other).isFixed() || by.place[other] > k + 1)) {
+                if (lasting.has(pair) && (state.body(other).isFixed() || by.place[other] > k + 1)) {
                     if (state.body(other).isFixed()) {
                         trajectories.bring(other, tau);
                     }
@@ -345,16 +338,17 @@ final class Heap implements Serializable {
         int b = detection.pairs().second(pair);
         double size = scales.size(a, b);
         detection.narrowPhase().contact(pair, tau, manifold, FLAT * size / (scales.radius(a) + scales.radius(b)));
-        if (manifold.gap > PARTED * size) {
+        if (manifold.gap > PARTED * size && !(isRough && large.foresees(pair))) {
             if (isFresh) {
-                end(pair);
+                lasting.end(pair);
             }
             return;
         }
+        large.meet(manifold.gap, size);
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
         double left = regain.time();
         double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size);
-        detection.marks().setDepth(pair, depth);
+        detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : depth);
         system.tolerance().allow(HeapGaps.littleSpeed(depth, left));
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
@@ -365,8 +359,9 @@ final class Heap implements Serializable {
                 deep.add(p);
             }
             double bend = scales.bend(manifold, point, a, b, left) + (isDriven ? size * regain.sag(sag) : 0);
-            double least = HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven());
-            if (isResumed && least > 0) {
+            double least = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, left)
+                    : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven());
+            if (isResumed && least > 0 && !isRough) {
                 double now = system.normal(p, courses.before());
                 double lift = (bend - Math.max(0, manifold.gaps[k] + depth)) / left;
                 least = now >= Math.max(0, lift) ? Math.min(least, now) : least; // as it was found; else gaps are noise
@@ -392,12 +387,14 @@ final class Heap implements Serializable {
     }
 
     private void solve(double tau) {
-        for (int k = 0; k < heap.size && !isDriven; k++) {
-            scale = Math.max(scale, speed(k));
-        }
+        scale = isDriven ? scale : Math.max(scale, scales.fastest(heap, system.v));
         boolean done = isDriven ? driving.isRight()
                 : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time());
         double[] from = isResumed ? courses.before() : system.free();
+        if (!isEven() && !isRough && !large.judge(heap, system, done, scales.fastest(heap, system.v))) {
+            isRough = true;
+            done = free.solveRoughly(regain.time());
+        }
         if (!by.afford(heap, HeapEnergy.gained(system, from))) {
             done = regainNothing(); // that must not add energy
             by.afford(heap, HeapEnergy.gained(system, from));
@@ -431,10 +428,6 @@ final class Heap implements Serializable {
         return most;
     }
 
-    private double speed(int k) {
-        return scales.speed(heap.values[k], system.v, 3 * k);
-    }
-
     /** Whether something has happened to a body of a heap that stands still. */
     boolean stirs(int body) {
         return driving.stirs(body, ties);
@@ -442,12 +435,11 @@ final class Heap implements Serializable {
 
     private void publish(double tau, IntList changed) {
         double pull = 0;
-        double most = 0;
+        double most = scales.fastest(heap, system.v);
         for (int k = 0; k < heap.size; k++) {
             pull = Math.max(pull, pull(heap.values[k]));
-            most = Math.max(most, speed(k));
         }
-        boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && most <= STILL * pull * (until - tau);
+        boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && most <= (isRough ? STANDS : STILL) * pull * (until - tau);
         if (!still && until < trajectories.h()) {
             detection.plan(heap.values[0], until);
         }
@@ -464,6 +456,7 @@ final class Heap implements Serializable {
             int body = heap.values[k];
             by.place[body] = 0;
             by.isStill[body] = still || stands;
+            large.solved(body, isRough && !still);
             if (still) {
                 Arrays.fill(system.v, 3 * k, 3 * k + 3, 0);
             }

@@ -75,6 +75,18 @@ final class HeapBodies implements Serializable {
     /** Solutions for which open points of its heap are taken for closed. */
     int[] relents = {};
 
+    /** The last step in which its heap was solved as a large one, plus 1; and how often in that step. */
+    double[] solvedIn = {};
+
+    int[] solutions = {};
+
+    /** The step before which it is; the last one in which it was solved exactly in a large one, and how often in that. */
+    double[] roughUntil = {};
+
+    double[] exactIn = {};
+    int[] exact = {};
+    int[] hard = {};
+
     /** Its number in the heap that is being solved, plus 1. */
     int[] place = {};
 
@@ -111,6 +123,12 @@ final class HeapBodies implements Serializable {
             lost = Arrays.copyOf(lost, n);
             relents = Arrays.copyOf(relents, n);
             failures = Arrays.copyOf(failures, n);
+            solvedIn = Arrays.copyOf(solvedIn, n);
+            solutions = Arrays.copyOf(solutions, n);
+            roughUntil = Arrays.copyOf(roughUntil, n);
+            exactIn = Arrays.copyOf(exactIn, n);
+            exact = Arrays.copyOf(exact, n);
+            hard = Arrays.copyOf(hard, n);
             place = Arrays.copyOf(place, n);
         }
     }

@@ -48,7 +48,7 @@ final class HeapCalm implements Serializable {
     private boolean liesItself(int body) {
         boolean yes = false;
         for (int k = 0; k < detection.pairs().countOf(body) && !yes; k++) {
-            yes = heap.lasts(detection.pairs().of(body, k));
+            yes = heap.lasting().has(detection.pairs().of(body, k));
         }
         return yes;
     }

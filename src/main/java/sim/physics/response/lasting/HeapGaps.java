@@ -17,6 +17,12 @@ final class HeapGaps {
 
     private static final double FAIR = 0.25;
 
+    /** How deep a pair of a large heap may be while it moves. */
+    private static final double LARGE_CUSHION = 1e-3;
+
+    /** What a large heap regains in a step at most, relative to the smaller body. */
+    private static final double MOST_REGAINED = 1e-2;
+
     /** Part of a missing gap that a solution regains. */
     private static final double REGAIN = 0.2;
 
@@ -24,6 +30,11 @@ final class HeapGaps {
     private static final double LITTLE = 1e-2;
 
     private HeapGaps() {}
+
+    /** How deep a pair of free bodies may be that moves at most. */
+    static double fairDepth(double size) {
+        return 1.01 * FAIR_CUSHION * size;
+    }
 
     /** How deep a pair may be. */
     static double depth(boolean isDriven, double size) {
@@ -38,6 +49,23 @@ final class HeapGaps {
     /** The error of velocities over a time with which a solution is kept if there is no better one. */
     static double fairSpeed(double size, double time) {
         return FAIR * FAIR_CUSHION * size / time;
+    }
+
+    /** The same in a large heap. */
+    static double fairSpeedOfMany(double size, double time) {
+        return FAIR * LARGE_CUSHION * size / time;
+    }
+
+    /** How deep a pair of a large heap may be. */
+    static double depthOfMany(double gap, double size) {
+        return Math.max(LARGE_CUSHION * size, LARGE_CUSHION * size - gap);
+    }
+
+    /** The least normal velocity of a point of a large heap. */
+    static double leastSpeedOfMany(double gap, double bend, double size, double time) {
+        double room = Math.min(bend, LARGE_CUSHION * size);
+        double missing = Math.max(0, -gap - FAIR_CUSHION * size);
+        return (gap >= room ? room - gap : Math.min(REGAIN * missing, MOST_REGAINED * size)) / time;
     }
 
     /** How deep a pair may be whose velocity is wrong by that much. */

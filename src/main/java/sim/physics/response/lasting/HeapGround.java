@@ -126,7 +126,7 @@ final class HeapGround implements Serializable {
             }
             if (held != isHeld[k]) {
                 isHeld[k] = held;
-                s.setMobile(places[k], !held, wt, wr);
+                setMobile(s, places[k], !held, wt, wr);
                 change = Double.POSITIVE_INFINITY;
             }
             if (!held) {
@@ -207,7 +207,7 @@ final class HeapGround implements Serializable {
             double power = impulses[3 * k] * s.v[at] + impulses[3 * k + 1] * s.v[at + 1] + impulses[3 * k + 2] * s.v[at + 2];
             if (!isHeld[k] && (power > 0 || isTorn[k] && !slips[k])) {
                 isHeld[k] = true;
-                s.setMobile(places[k], false, w[2 * k], w[2 * k + 1]);
+                setMobile(s, places[k], false, w[2 * k], w[2 * k + 1]);
                 any = true;
             }
         }
@@ -218,8 +218,27 @@ final class HeapGround implements Serializable {
     void end(HeapSystem s) {
         for (int k = 0; k < count; k++) {
             if (isHeld[k]) {
-                s.setMobile(places[k], true, w[2 * k], w[2 * k + 1]);
+                setMobile(s, places[k], true, w[2 * k], w[2 * k + 1]);
             }
         }
+    }
+
+    /** Lets a body be moved, or be as good as fixed; given its own inverse mass and moment of inertia. */
+    private static void setMobile(HeapSystem s, int place, boolean yes, double inverseMass, double inverseInertia) {
+        s.w[2 * place] = yes ? inverseMass : 0;
+        s.w[2 * place + 1] = yes ? inverseInertia : 0;
+        for (int p = 0; p < s.size(); p++) {
+            if (s.rows().isOf(p, place)) {
+                int o = HeapSystem.STRIDE * p;
+                s.data[o + HeapSystem.MOBILITY_N] = orNone(s.rows().normalMobility(p, s.w));
+                s.data[o + HeapSystem.MOBILITY_T] = orNone(s.rows().tangentMobility(p, s.w));
+                s.data[o + HeapSystem.CROSS] = s.rows().crossMobility(p, s.w);
+            }
+        }
+    }
+
+    /** A point that nothing moves can be given no impulse. */
+    private static double orNone(double mobility) {
+        return mobility > 0 ? mobility : Double.POSITIVE_INFINITY;
     }
 }

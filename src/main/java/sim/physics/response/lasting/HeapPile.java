@@ -37,6 +37,8 @@ final class HeapPile {
     private double[] best = {};
     private double least;
 
+    private boolean isEasy;
+
     HeapPile(HeapRelaxation relaxation) {
         this.relaxation = relaxation;
     }
@@ -56,12 +58,15 @@ final class HeapPile {
         path.begin(s);
         central.begin(s);
         least = Double.POSITIVE_INFINITY;
+        isEasy = true;
+        boolean isBrief = s.tolerance().isBrief();
         for (int sweeps : SWEEPS) {
             if (relaxation.conjugate(s, sweeps) <= exact) {
                 return 0;
             }
             start = s.impulses(start);
             note(s, newton.solve(s, exact, NEWTON_STEPS));
+            isEasy &= least <= enough;
             if (least > enough && isCentral(s, sweeps) && !goCentrally(s, exact, OFF * speed, speed)) {
                 goCentrally(s, exact, speed, speed);
             }
@@ -69,15 +74,20 @@ final class HeapPile {
                 s.put(start);
                 note(s, follow(s, exact));
             }
-            if (least <= enough || least <= fair && s.size() > HeapSolver.MANY) {
+            if (least <= enough || least <= fair && s.size() > HeapSolver.MANY || isBrief && sweeps > SWEEPS[0]) {
                 break;
             }
         }
-        if (least > Math.max(enough, fair) && s.size() <= HeapSolver.MANY) {
+        if (least > Math.max(enough, fair) && s.size() <= HeapSolver.MANY && !isBrief) {
             note(s, path.followFromNothing(s) ? follow(s, exact) : least);
         }
         s.put(best);
         return least;
+    }
+
+    /** Whether the first attempt of the last solution was enough, without any path. */
+    boolean isEasy() {
+        return isEasy;
     }
 
     /** Whether an attempt is to do with central paths, once: from another start they seldom get farther, and then it takes long. */

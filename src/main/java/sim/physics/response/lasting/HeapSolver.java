@@ -51,11 +51,18 @@ final class HeapSolver implements Serializable {
     private final HeapCorner corner = new HeapCorner();
     private final HeapMatrix matrix = new HeapMatrix();
 
+    private boolean isEasy;
+
     /** Null until there is work for it; it keeps nothing from one solution to the next. */
     private transient HeapPile pile;
 
     HeapSolver() {
         // grows with the heaps
+    }
+
+    /** Whether the last solution, of bodies that nothing ties, was found at once. */
+    boolean wasEasy() {
+        return isEasy;
     }
 
     /** Takes note that the points have changed. */
@@ -81,6 +88,11 @@ final class HeapSolver implements Serializable {
             return matrix.solve(s, RIGHT * scale, lax, enough, scale);
         }
         s.applyAll();
+        isEasy = true;
+        if (s.tolerance().isRough()) {
+            s.tolerance().setError(relaxation.relaxFairly(s));
+            return true;
+        }
         if (s.isSpared() && !s.isTied()) {
             return relax(s, scale, enough, LITTLE_WORK);
         }
@@ -88,6 +100,7 @@ final class HeapSolver implements Serializable {
             pile = pile == null ? new HeapPile(relaxation) : pile;
             double fair = s.tolerance().fair();
             double error = pile.solve(s, RIGHT * scale, LATE * enough, fair, scale);
+            isEasy = pile.isEasy() && error <= LATE * enough;
             if (error <= Math.max(LATE * enough, fair)) {
                 s.tolerance().setError(error <= LATE * enough ? 0 : error);
                 return true;

@@ -3,10 +3,19 @@
 package sim.physics.response.lasting;
 
 import java.io.Serializable;
+import sim.physics.internal.IntList;
 
 /** What happens at once in a {@link HeapSystem}, before forces act: the approach of points that close too fast ends. */
 final class HeapStrike implements Serializable {
     private static final long serialVersionUID = 1L;
+
+    /** Speed at which points hardly close, relative to the bodies' or to what forces give them: more than what solutions leave. */
+    private static final double HARDLY = 1e-10;
+
+    /** The same for points that have just been struck; and the part of the speed that they lack which they get then at once. */
+    private static final double STRUCK = 1e-9;
+
+    private static final double LIFT = 0.1;
 
     /** Part of the energy that a strike may add to it, where points have to part. */
     private static final double GAIN = 1e-3;
@@ -14,12 +23,23 @@ final class HeapStrike implements Serializable {
     /** Least normal velocities, while others are in their place. */
     private double[] kept = {};
 
+    /** Whether points that are too deep hardly close: forces that act evenly come too late for them. */
+    private boolean isStuck;
+
     HeapStrike() {
         // grows with the heaps
     }
 
-    /** Whether a point closes faster than it may. */
-    static boolean isDue(HeapSystem s, double speed) {
+    /** Whether a point closes faster than it may, or one of those that are too deep does not close at all. */
+    boolean isDue(HeapSystem s, IntList deep, double speed, double scale) {
+        isStuck = false;
+        for (int k = 0; k < deep.size; k++) {
+            isStuck |= Math.abs(s.normal(deep.values[k])) <= STRUCK * speed;
+        }
+        return isStuck || isDue(s, HARDLY * Math.max(speed, scale));
+    }
+
+    private static boolean isDue(HeapSystem s, double speed) {
         for (int p = 0; p < s.size(); p++) {
             if (!s.isMotor(p) && s.normal(p) < Math.min(0, s.bound(p)) - speed) {
                 return true;
@@ -32,9 +52,9 @@ final class HeapStrike implements Serializable {
      * Ends the approach of points that close faster than they may.
      *
      * @param rebounds by points behind the contacts: speeds with which they are to part then
-     * @param lift part that points which have to part get of the speed for that
      */
-    void strike(HeapSystem s, double scale, double[] rebounds, double lift) {
+    void strike(HeapSystem s, double scale, double[] rebounds) {
+        double lift = isStuck ? LIFT : 0; // of the speed that points need which have to part
         if (kept.length < s.size()) {
             kept = new double[2 * s.size()];
         }

@@ -250,6 +250,11 @@ final class HeapSystem implements Serializable {
         spared = true;
     }
 
+    /** Whether the last solution was found at once. */
+    boolean wasEasy() {
+        return solver.wasEasy();
+    }
+
     boolean isSpared() {
         return spared;
     }
@@ -283,24 +288,6 @@ final class HeapSystem implements Serializable {
             scratch = new double[v.length];
         }
         return scratch;
-    }
-
-    /** Lets a body be moved, or be as good as fixed; given its own inverse mass and moment of inertia. */
-    void setMobile(int place, boolean yes, double inverseMass, double inverseInertia) {
-        w[2 * place] = yes ? inverseMass : 0;
-        w[2 * place + 1] = yes ? inverseInertia : 0;
-        for (int p = 0; p < points; p++) {
-            if (rows.isOf(p, place)) {
-                data[STRIDE * p + MOBILITY_N] = orNone(rows.normalMobility(p, w));
-                data[STRIDE * p + MOBILITY_T] = orNone(rows.tangentMobility(p, w));
-                data[STRIDE * p + CROSS] = rows.crossMobility(p, w);
-            }
-        }
-    }
-
-    /** A point that nothing moves can be given no impulse. */
-    private static double orNone(double mobility) {
-        return mobility > 0 ? mobility : Double.POSITIVE_INFINITY;
     }
 
     /** Takes the momenta that the impulses give to bodies, whatever their masses, to an array. */

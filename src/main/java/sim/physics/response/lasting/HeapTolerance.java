@@ -11,6 +11,8 @@ final class HeapTolerance implements Serializable {
     private double enough;
     private double fair;
     private double error;
+    private boolean rough;
+    private boolean brief;
 
     HeapTolerance() {
         clear();
@@ -21,6 +23,8 @@ final class HeapTolerance implements Serializable {
         enough = Double.POSITIVE_INFINITY;
         fair = 0;
         error = 0;
+        rough = false;
+        brief = false;
     }
 
     /** Says which error is good enough in the end; the least that is said counts. */
@@ -40,6 +44,24 @@ final class HeapTolerance implements Serializable {
     /** What was said, or 0. */
     double fair() {
         return fair;
+    }
+
+    /** Takes note that an error which is fair is good enough. */
+    void roughen() {
+        rough = true;
+    }
+
+    boolean isRough() {
+        return rough;
+    }
+
+    /** Takes note that not much is to be tried, since it has been in vain. */
+    void hurry() {
+        brief = true;
+    }
+
+    boolean isBrief() {
+        return brief;
     }
 
     /** Error of the velocities that were found last, 0 if they are right. */

@@ -4,7 +4,6 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import sim.physics.collision.CollisionDetection;
-import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
@@ -43,19 +42,16 @@ public final class Heaps implements Serializable {
     /** How many times deeper than it is a pair may be from then on. */
     private static final double DEEPER = 2;
 
-    /** Part of what forces give a body in a step that the speed is at which it is not on its way to or from the ground. */
-    private static final double STANDING = 1e-5;
-
     private final State state;
     private final Trajectories trajectories;
     private final Motion motion;
     private final CollisionDetection detection;
-    private final ContactPoints points;
     private final RestingContacts resting;
     private final HeapBodies by = new HeapBodies();
     private final Heap heap;
     private final HeapCalm calm;
     private final Collapse collapse;
+    private final LargeHeaps large;
     private final IntList members = new IntList();
 
     /** Bodies to which something has happened, and those whose courses have changed. */
@@ -63,9 +59,7 @@ public final class Heaps implements Serializable {
 
     private final IntList changed = new IntList();
 
-    private final double[] fall = new double[State.BLOCK];
-    private final ContactPoint point = new ContactPoint();
-    private transient Manifold manifold;
+    private final Standing standing;
 
     /**
      * Makes the heaps of an engine, none at first.
@@ -90,10 +84,11 @@ public final class Heaps implements Serializable {
         this.trajectories = trajectories;
         this.motion = motion;
         this.detection = detection;
-        this.points = points;
         this.resting = resting;
         this.heap = new Heap(state, trajectories, motion, detection, points, by, ledger);
         this.collapse = new Collapse(state, trajectories, motion, detection, points, by, heap);
+        this.large = heap.large();
+        this.standing = new Standing(state, trajectories, motion, detection, points);
         this.calm = new HeapCalm(trajectories, motion, detection, heap);
     }
 
@@ -192,7 +187,7 @@ public final class Heaps implements Serializable {
      * @return false also if it is ignored
      */
     public boolean lasts(int pair) {
-        return heap.lasts(pair);
+        return heap.lasting().has(pair);
     }
 
     /**
@@ -236,9 +231,28 @@ public final class Heaps implements Serializable {
      * @param pair number of the pair
      */
     public void add(int pair) {
-        heap.begin(pair);
-        join(detection.pairs().first(pair));
-        join(detection.pairs().second(pair));
+        heap.lasting().begin(pair);
+        int a = detection.pairs().first(pair);
+        int b = detection.pairs().second(pair);
+        boolean onA = !has(b) && large.isDone(a) && !trajectories.isDriven(b);
+        boolean onB = !has(a) && large.isDone(b) && !trajectories.isDriven(a);
+        join(a);
+        join(b);
+        if (onA && has(b)) {
+            large.bear(b);
+        } else if (onB && has(a)) {
+            large.bear(a);
+        }
+    }
+
+    /**
+     * Whether a pair was not lasting when the step began, and is solved with a large heap because it may close in the step.
+     *
+     * @param pair number of the pair
+     * @return true also if it has not closed
+     */
+    public boolean isForeseen(int pair) {
+        return large.foresees(pair);
     }
 
     /**
@@ -247,7 +261,7 @@ public final class Heaps implements Serializable {
      * @param pair number of the pair
      */
     public void end(int pair) {
-        heap.end(pair);
+        heap.lasting().end(pair);
     }
 
     /**
@@ -289,50 +303,17 @@ public final class Heaps implements Serializable {
                 }
             }
             resting.forget(body);
-            addGround(body);
+            IntList ground = standing.find(body, heap.lasting());
+            for (int k = 0; k < ground.size; k++) {
+                add(ground.values[k]);
+            }
         }
         mark(body);
     }
 
-    /**
-     * Lets last what a body stood on until just now, when it was struck from aside: a heap that gives the body all of its
-     * weight for the rest of the step, and nothing that bears it, would throw it against the ground.
-     */
-    private void addGround(int body) {
-        motion.fall(body, fall, 0);
-        double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
-        if (pull == 0 || trajectories.isDriven(body)) {
-            return;
-        }
-        double tau = trajectories.offset(body);
-        for (int k = 0; k < detection.pairs().countOf(body); k++) {
-            int pair = detection.pairs().of(body, k);
-            boolean isGround = state.body(detection.pairs().other(pair, body)).isFixed();
-            if (isGround && !detection.marks().isUnseen(pair) && !lasts(pair) && standsOn(pair, body, tau, pull)) {
-                add(pair);
-            }
-        }
-    }
-
-    private boolean standsOn(int pair, int body, double tau, double pull) {
-        if (detection.marks().isIgnored(pair) || !detection.narrowPhase().touches(pair, tau)) {
-            return false;
-        }
-        manifold = manifold == null ? new Manifold() : manifold;
-        detection.narrowPhase().contact(pair, tau, manifold);
-        boolean yes = true;
-        for (int k = 0; k < manifold.count; k++) {
-            points.load(manifold, pair, k, point);
-            double pressed = fall[0] * point.nx + fall[1] * point.ny;
-            yes &= (detection.pairs().first(pair) == body ? pressed : -pressed) > 0
-                    && Math.abs(point.opening) < STANDING * pull * trajectories.h();
-        }
-        return yes;
-    }
-
     private void mark(int body) {
         by.isStill[body] = false;
-        if (!by.isDirty[body]) {
+        if (!by.isDirty[body] && !large.isDone(body)) {
             by.isDirty[body] = true;
             dirty.add(body);
         }
@@ -354,6 +335,10 @@ public final class Heaps implements Serializable {
             }
         }
         members.size = kept;
+        IntList near = large.foresee(members);
+        for (int k = 0; k < near.size; k++) {
+            add(near.values[k]);
+        }
     }
 
     /**
@@ -394,6 +379,9 @@ public final class Heaps implements Serializable {
      */
     public void again(int body, double tau) {
         by.ends[body]++;
+        if (large.isDone(body)) {
+            return;
+        }
         if (isTooOften(body) && motion.isTied(body)) {
             by.isHurried[body] = true;
             mark(body);
@@ -415,6 +403,11 @@ public final class Heaps implements Serializable {
      * @return false if it is not to last any more
      */
     public boolean close(int pair, double gap) {
+        if (large.isDone(detection.pairs().first(pair)) || large.isDone(detection.pairs().second(pair))) {
+            double size = size(detection.pairs().first(pair), detection.pairs().second(pair));
+            detection.marks().setDepth(pair, HeapGaps.depthOfMany(gap, size));
+            return false;
+        }
         for (int side = 0; side < 2; side++) {
             int body = side == 0 ? detection.pairs().first(pair) : detection.pairs().second(pair);
             if (has(body)) {
