@@ -125,6 +125,7 @@ final class Admission implements Presence, Serializable {
      */
     IntList admit(double tau) {
         driven.clear();
+        stirOnFixed(tau);
         if (constraints != null) {
             tellConstraints(tau);
         }
@@ -159,6 +160,9 @@ final class Admission implements Presence, Serializable {
     private void admit(int index, double tau) {
         if (audit != null) {
             audit.written(index, tau);
+        }
+        if (state.body(index).isFixed() && state.isOnlyPushed(index) && detection.knows(index)) {
+            return; // what it bears has been told
         }
         boolean isThere = trajectories.isAt(index, tau, state); // forces are set in each step, and change no contact
         if (isThere && isAtRestStill(index, tau)) {
@@ -195,9 +199,9 @@ final class Admission implements Presence, Serializable {
         return tau == 0 && state.isOnlyPushed(index);
     }
 
-    /** Whether a body at rest, which is where it was, moves as it did, and nothing is new but the forces on it. */
+    /** Whether a body at rest, which is where it was, moves as it did, and nothing is new but the forces on it, or its friction. */
     private boolean isAtRestStill(int index, double tau) {
-        return resting.rests(index) && state.isPushed(index) && trajectories.movesAs(index, tau, state);
+        return resting.rests(index) && (state.isPushed(index) || state.isOnlyPushed(index)) && trajectories.movesAs(index, tau, state);
     }
 
     /** Cuts the constraints of bodies that leave, and tells the others of bodies that were written. */
@@ -256,14 +260,43 @@ final class Admission implements Presence, Serializable {
 
     /** Brings a body that was not written to the present instant, and lets it start anew from there. */
     private void bring(int index, double tau) {
-        if (state.isTouched(index)) {
-            return;
+        if (!state.isTouched(index)) {
+            publish(index, tau);
+            state.touch(index);
         }
+    }
+
+    private void publish(int index, double tau) {
         if (tau > 0) {
             motion.bring(index, tau);
             trajectories.publish(index, tau, state);
         }
-        state.touch(index);
+    }
+
+    /** What rests or lies on fixed bodies feels it when these have another surface. */
+    private void stirOnFixed(double tau) {
+        for (int k = 0, n = state.touchedCount(); k < n; k++) {
+            int index = state.touched(k);
+            if (state.body(index) == null || !state.body(index).isFixed() || !state.isOnlyPushed(index) || !detection.knows(index)) {
+                continue;
+            }
+            for (int m = 0; m < detection.pairs().countOf(index); m++) {
+                int other = detection.pairs().other(detection.pairs().of(index, m), index);
+                if (!state.isTouched(other) && (resting.rests(other) || heaps.has(other))) {
+                    publish(other, tau);
+                    state.stir(other);
+                }
+            }
+        }
+    }
+
+    /** All that rests or lies on something feels forces anew. */
+    void stirAll() {
+        for (int k = 0; k < state.size(); k++) {
+            if (resting.rests(k) || heaps.has(k)) {
+                state.stir(k);
+            }
+        }
     }
 
     /** Brings those that move together with bodies that were written or leave, but not these themselves. */

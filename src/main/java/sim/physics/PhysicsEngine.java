@@ -100,6 +100,9 @@ public final class PhysicsEngine implements Steppable {
 
     private boolean stepping;
 
+    /** Whether listeners are told of contacts that last. */
+    private transient boolean telling;
+
     /** Whether there have been listeners, force generators or rules of authors, which may ask or write within a step. */
     private boolean asksAuthors;
 
@@ -124,13 +127,14 @@ public final class PhysicsEngine implements Steppable {
      * the next one goes on from there.
      */
     public void step() {
-        if (stepping) {
-            throw new IllegalStateException("the engine was asked to step within its own step");
+        if (stepping || telling) {
+            throw new IllegalStateException("the engine was asked to step within its own step, or by a listener");
         }
         if (timeStep == 0) {
             return;
         }
         stepping = true;
+        state.setPresence(null, true);
         boolean isOver = false;
         try {
             instant = 0;
@@ -150,15 +154,23 @@ public final class PhysicsEngine implements Steppable {
             finish();
             isOver = true;
         } finally {
-            if (asksAuthors) {
-                state.setPresence(null);
-            }
+            state.setPresence(null, false);
             if (!isOver) {
                 breakOff();
             }
             stepping = false;
         }
-        response.lasting().tell();
+        tell();
+    }
+
+    /** The step is over; listeners of contacts that last may change anything, but for stepping the engine. */
+    private void tell() {
+        telling = true;
+        try {
+            response.lasting().tell();
+        } finally {
+            telling = false;
+        }
     }
 
     /** Code of authors has thrown: all bodies stay where they are at that instant, and the next step goes on from there. */
@@ -349,12 +361,10 @@ public final class PhysicsEngine implements Steppable {
         now = getTime() + tau;
         admission.setNow(tau);
         if (asksAuthors) {
-            state.setPresence(admission);
+            state.setPresence(admission, true);
         }
         IntList deflected = response.respond(touching, tau, now);
-        if (asksAuthors) {
-            state.setPresence(null);
-        }
+        state.setPresence(null, true);
         boolean someRest = !response.resting().isEmpty();
         boolean someLie = !response.heaps().isEmpty();
         for (int k = 0; k < deflected.size; k++) {
@@ -478,7 +488,8 @@ public final class PhysicsEngine implements Steppable {
     /** Lets in what authors have changed since the last look; returns the driven bodies among those. */
     private IntList letIn(double tau) {
         if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
-            setBroadPhase(new CellGrid());
+            broadPhaseIsChosen = true;
+            detection.setBroadPhase(new CellGrid());
         }
         if (!admission.areOnlyPushes() || motion.groups().mayCouple()) {
             makeLatePaths();
@@ -513,6 +524,7 @@ public final class PhysicsEngine implements Steppable {
             String where = body.state() == state ? "this engine" : "another engine";
             throw new IllegalStateException("body is " + body + ": it is in " + where + " already");
         }
+        state.requireOpen();
         state.add(body);
         return body;
     }
@@ -526,6 +538,7 @@ public final class PhysicsEngine implements Steppable {
      */
     public void remove(Body body) {
         requireMine(body);
+        state.requireOpen();
         if (stepping) {
             admission.leave(body);
         } else {
@@ -583,6 +596,7 @@ public final class PhysicsEngine implements Steppable {
      */
     public void add(ForceGenerator generator) {
         Objects.requireNonNull(generator, "generator");
+        state.requireOpen();
         asksAuthors = true;
         if (!motion.add(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
@@ -597,6 +611,7 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if it was not
      */
     public void remove(ForceGenerator generator) {
+        state.requireOpen();
         List<Body> named = motion.groups().bodies(generator);
         if (!motion.remove(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it is not in this engine");
@@ -633,6 +648,7 @@ public final class PhysicsEngine implements Steppable {
      */
     public <C extends Constraint> C add(C constraint) {
         checkBodies(constraint);
+        state.requireOpen();
         constraints().check(constraint, true);
         constraints().add(constraint);
         return constraint;
@@ -680,6 +696,7 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if it is not in this engine
      */
     public void remove(Constraint constraint) {
+        state.requireOpen();
         if (constraints == null || !constraints.remove(constraint)) {
             throw new IllegalStateException("constraint is " + constraint + ": it is not in this engine");
         }
@@ -733,9 +750,12 @@ public final class PhysicsEngine implements Steppable {
      * Sets how the constraint forces, (41), are solved for.
      *
      * @param solver not null
+     * @throws IllegalStateException within a step
      */
     public void setConstraintSolver(ConstraintSolver solver) {
-        constraintSolver = Objects.requireNonNull(solver, "solver");
+        Objects.requireNonNull(solver, "solver");
+        requireBetweenSteps("the constraint solver was set");
+        constraintSolver = solver;
         if (constraints != null) {
             constraints.setSolver(solver);
         }
@@ -745,18 +765,22 @@ public final class PhysicsEngine implements Steppable {
      * Sets what keeps constraints closed against the errors of the integrator.
      *
      * @param stabilization projection unless set
+     * @throws IllegalStateException within a step
      */
     public void setStabilization(Stabilization stabilization) {
-        constraints().setStabilization(Objects.requireNonNull(stabilization, "stabilization"));
+        Objects.requireNonNull(stabilization, "stabilization");
+        requireBetweenSteps("the stabilization was set");
+        constraints().setStabilization(stabilization);
     }
 
     /**
-     * Adds one who is told of collisions.
+     * Adds one who is told of collisions; within a step from the next one on.
      *
      * @param listener not null
      */
     public void addListener(CollisionListener listener) {
-        response.listeners().add(Objects.requireNonNull(listener, "listener"));
+        state.requireOpen();
+        response.add(listener);
         asksAuthors = true;
     }
 
@@ -767,7 +791,7 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if it was not
      */
     public void removeListener(CollisionListener listener) {
-        if (!response.listeners().remove(listener)) {
+        if (!response.remove(listener)) {
             throw new IllegalStateException("listener is " + listener + ": it is not in this engine");
         }
     }
@@ -829,8 +853,8 @@ public final class PhysicsEngine implements Steppable {
     public void setCollisions(Body a, Body b, boolean collide) {
         requireMine(a);
         requireMine(b);
+        state.write(a.index());
         detection.filter().set(a, b, collide);
-        state.touch(a.index());
     }
 
     /**
@@ -895,8 +919,10 @@ public final class PhysicsEngine implements Steppable {
      * paths are exact with any.
      *
      * @param integrator not null
+     * @throws IllegalStateException within a step
      */
     public void setIntegrator(Integrator integrator) {
+        requireBetweenSteps("the integrator was set");
         motion.setIntegrator(integrator);
     }
 
@@ -951,19 +977,22 @@ public final class PhysicsEngine implements Steppable {
      * @param solver not null
      */
     public void setImpulseSolver(ImpulseSolver solver) {
+        state.requireOpen();
         response.setSolver(solver);
         asksAuthors = true;
     }
 
     /**
-     * Sets how the coefficients of two bodies make that of their contact.
+     * Sets how the coefficients of two bodies make that of their contact; also of contacts that last.
      *
      * @param restitution the smaller one unless set
      * @param friction the geometric mean unless set
      */
     public void setPairRules(PairRule restitution, PairRule friction) {
+        state.requireOpen();
         response.setRules(restitution, friction);
         asksAuthors = true;
+        admission.stirAll();
     }
 
     /**
@@ -971,9 +1000,11 @@ public final class PhysicsEngine implements Steppable {
      * {@link sim.physics.collision.broad.SortAndSweep}.
      *
      * @param broadPhase one that is not in use
+     * @throws IllegalStateException within a step
      */
     public void setBroadPhase(BroadPhase broadPhase) {
         Objects.requireNonNull(broadPhase, "broadPhase");
+        requireBetweenSteps("the broad phase was set");
         broadPhaseIsChosen = true;
         detection.setBroadPhase(broadPhase);
     }

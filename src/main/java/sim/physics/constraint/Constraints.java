@@ -413,7 +413,7 @@ public final class Constraints implements Ties, Serializable {
      * @return their bodies
      */
     public List<IntList> breakable() {
-        return islands.stream().filter(k -> k.isBreakable).map(k -> k.bodies).toList();
+        return islands.stream().filter(Island::isBreakable).map(k -> k.bodies).toList();
     }
 
     /** {@return whether some joint can break} */

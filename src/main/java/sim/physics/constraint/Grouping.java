@@ -87,11 +87,39 @@ final class Grouping {
         return yes;
     }
 
+    /** Whether some of the joints can break. */
+    static boolean isBreakable(List<Constraint> constraints) {
+        return constraints.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());
+    }
+
+    /**
+     * Whether some of the constraints of a body are with another one and let the two overlap. Motors and stops, which may stand beside
+     * a joint, say so only where there is none.
+     */
+    static boolean letOverlap(Constraint[] constraints, int[] around, int from, int to, Body other) {
+        boolean byJoint = false;
+        boolean joined = false;
+        boolean bySwitch = false;
+        for (int m = from; m < to; m++) {
+            Constraint k = constraints[around[m]];
+            if (k.getBodyA() != other && k.getBodyB() != other) {
+                continue;
+            }
+            if (k instanceof Switched s) {
+                bySwitch |= !s.isCollideConnected();
+            } else {
+                joined = true;
+                byJoint |= !(k instanceof Joint joint && joint.isCollideConnected());
+            }
+        }
+        return joined ? byJoint : bySwitch;
+    }
+
     /** Whether some joint of some island can break. */
     static boolean areBreakable(List<Island> islands) {
         boolean found = false;
         for (int k = 0; k < islands.size(); k++) {
-            found |= islands.get(k).isBreakable;
+            found |= islands.get(k).isBreakable();
         }
         return found;
     }

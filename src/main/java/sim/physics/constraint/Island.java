@@ -62,7 +62,9 @@ final class Island implements Serializable {
     final List<Island> alone = new ArrayList<>(1);
 
     boolean isDissolved;
-    final boolean isBreakable;
+
+    /** Whether some joint can break; null when it is not known. */
+    private Boolean breakable;
 
     /** Whether all constraints are our own code. */
     final boolean isOwn;
@@ -175,7 +177,6 @@ final class Island implements Serializable {
         shake = new Shake(this);
         passage = new Passage(this);
         isOwn = those.stream().allMatch(Joint::isOwn);
-        isBreakable = those.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());
     }
 
     /** Notes the bodies of a constraint's nodes. */
@@ -216,17 +217,15 @@ final class Island implements Serializable {
         }
     }
 
-    /** Whether a constraint has both bodies, and lets them overlap. */
+    /** Whether constraints between two bodies let them overlap. */
     boolean ties(Body body, Body other) {
         int place = local(body);
-        for (int m = aroundStart[place]; m < aroundStart[place + 1]; m++) {
-            Constraint k = constraints[around[m]];
-            boolean both = k.getBodyA() == other || k.getBodyB() == other;
-            if (both && !(k instanceof Joint joint && joint.isCollideConnected())) {
-                return true;
-            }
-        }
-        return false;
+        return Grouping.letOverlap(constraints, around, aroundStart[place], aroundStart[place + 1], other);
+    }
+
+    boolean isBreakable() {
+        breakable = breakable == null ? Grouping.isBreakable(inOrder) : breakable;
+        return breakable;
     }
 
     private int local(Body body) {
@@ -438,6 +437,7 @@ final class Island implements Serializable {
 
     /** Forgets what a body that was written may have changed: masses, and which motors and stops act. */
     void forget() {
+        breakable = null;
         switches.forget();
         spread = 0;
         passage.forget();

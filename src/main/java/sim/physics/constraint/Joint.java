@@ -52,12 +52,28 @@ public abstract class Joint implements Constraint {
     }
 
     /**
-     * Sets whether the two bodies collide with one another; before the joint is added to an engine.
+     * Sets whether the two bodies collide with one another; at any time, between steps and by a listener within one. Bodies that
+     * overlap when they begin to collide are as others that are put into one another: {@code PhysicsEngine.separate()} parts
+     * them, else they pass through one another until their boxes are apart. Where there are several joints between two bodies, each of them
+     * has to let them collide; motors and stops are not asked beside joints, see {@link Motor#setCollideConnected}.
      *
      * @param collide false: they may overlap
      */
     public final void setCollideConnected(boolean collide) {
+        boolean isNew = collide != collideConnected;
         collideConnected = collide;
+        if (isNew) {
+            write(a, b);
+        }
+    }
+
+    /** Lets an engine look anew at the bodies of a constraint, if they are in one. */
+    static void write(Body a, Body b) {
+        for (Body body : b == null ? new Body[] {a} : new Body[] {a, b}) {
+            if (!body.isFixed()) {
+                body.state().write(body.index());
+            }
+        }
     }
 
     /**
@@ -80,7 +96,7 @@ public abstract class Joint implements Constraint {
 
     /**
      * Lets the joint break when its force or its torque (see {@link Reaction}) is greater than a limit at the start of a
-     * step. A pin has no torque of its own. To be called before the joint is added to an engine.
+     * step. A pin has no torque of its own. May be called at any time, and holds from the next step on.
      *
      * @param force greater than 0; may be infinite
      * @param torque greater than 0; may be infinite
@@ -93,8 +109,12 @@ public abstract class Joint implements Constraint {
         if (!(torque > 0)) {
             throw new IllegalArgumentException("breaking torque is " + torque + ": it must be greater than 0");
         }
+        boolean isNew = force != breakingForce || torque != breakingTorque;
         breakingForce = force;
         breakingTorque = torque;
+        if (isNew) {
+            write(a, b);
+        }
     }
 
     final boolean isBreakable() {

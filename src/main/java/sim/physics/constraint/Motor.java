@@ -74,12 +74,21 @@ public final class Motor extends Switched {
     }
 
     /**
-     * Sets the speed that the motor aims at; at any time.
+     * Sets the speed that the motor aims at; at any time: between steps, or by a listener, from that instant on.
      *
      * @param speed rate of the coordinate
      */
     public void setSpeed(double speed) {
-        this.speed = Check.finite("speed", speed);
+        boolean isNew = Check.finite("speed", speed) != this.speed;
+        this.speed = speed;
+        setAtOnce(isNew);
+    }
+
+    /** Between steps nothing else is to be done: the next one begins by deciding what its motors do. */
+    private void setAtOnce(boolean isNew) {
+        if (isNew && getBodyA().state().isOpenWithin()) {
+            Joint.write(getBodyA(), getBodyB());
+        }
     }
 
     /**
@@ -92,12 +101,14 @@ public final class Motor extends Switched {
     }
 
     /**
-     * Sets the greatest force or torque; at any time.
+     * Sets the greatest force or torque; at any time, as the speed.
      *
      * @param limit greater than 0
      */
     public void setLimit(double limit) {
-        this.limit = Check.positive("limit", limit);
+        boolean isNew = Check.positive("limit", limit) != this.limit;
+        this.limit = limit;
+        setAtOnce(isNew);
     }
 
     @Override

@@ -47,6 +47,7 @@ abstract class Switched implements Constraint {
     /** Whether it was found at the start of a path that the force of the row would be out of its bounds. */
     boolean yields;
 
+    private boolean collideConnected;
     private double value;
 
     /** J̇ ẋ of the coordinate. */
@@ -74,6 +75,29 @@ abstract class Switched implements Constraint {
     @Override
     public final Body getBodyB() {
         return coordinate.getBodyB();
+    }
+
+    /**
+     * Whether the two bodies collide with one another, if no joint says so.
+     *
+     * @return false unless set
+     */
+    public boolean isCollideConnected() {
+        return collideConnected;
+    }
+
+    /**
+     * Sets whether the two bodies collide with one another, at any time, as {@link Joint#setCollideConnected} does. It counts where
+     * only motors and stops are between the two, as a rope is for one; else the joints say it.
+     *
+     * @param collide false: they may overlap
+     */
+    public void setCollideConnected(boolean collide) {
+        boolean isNew = collide != collideConnected;
+        collideConnected = collide;
+        if (isNew) {
+            Joint.write(getBodyA(), getBodyB());
+        }
     }
 
     @Override

@@ -233,7 +233,7 @@ public class Body implements Serializable {
     public final void setPosition(double x, double y) {
         Check.finite("x", x);
         Check.finite("y", y);
-        state.touch(index);
+        state.write(index);
         state.x()[State.BLOCK * index + State.X] = x;
         state.x()[State.BLOCK * index + State.Y] = y;
         state.placed(index);
@@ -247,7 +247,7 @@ public class Body implements Serializable {
      */
     public final void setAngle(double angle) {
         Check.finite("angle", angle);
-        state.touch(index);
+        state.write(index);
         state.x()[State.BLOCK * index + State.THETA] = angle;
         state.placed(index);
     }
@@ -263,7 +263,7 @@ public class Body implements Serializable {
         speed("vx", vx);
         speed("vy", vy);
         requireMovable("velocity", vx != 0 || vy != 0);
-        state.touch(index);
+        state.write(index);
         state.v()[State.BLOCK * index + State.X] = vx;
         state.v()[State.BLOCK * index + State.Y] = vy;
     }
@@ -277,7 +277,7 @@ public class Body implements Serializable {
     public final void setAngularVelocity(double omega) {
         speed("angular velocity", omega);
         requireMovable("angular velocity", omega != 0);
-        state.touch(index);
+        state.write(index);
         state.v()[State.BLOCK * index + State.THETA] = omega;
     }
 
@@ -318,13 +318,13 @@ public class Body implements Serializable {
         Check.positive("1 / mass", 1 / mass);
         Check.positive("1 / inertia", 1 / inertia);
         requireMovable("mass", true);
+        state.write(index);
         this.mass = mass;
         this.inertia = inertia;
         double[] w = state.w().values();
         w[State.BLOCK * index + State.X] = 1 / mass;
         w[State.BLOCK * index + State.Y] = 1 / mass;
         w[State.BLOCK * index + State.THETA] = 1 / inertia;
-        state.touch(index);
     }
 
     /**
@@ -375,6 +375,10 @@ public class Body implements Serializable {
     }
 
     private void setSurface(double restitution, double friction) {
+        state.requireOpen();
+        if (friction != surface.friction) {
+            state.stir(index); // what stands still begins to slide, or slides and stops
+        }
         surface = state.share(surface.with(restitution, friction, state.lastSurface()));
     }
 
@@ -420,11 +424,11 @@ public class Body implements Serializable {
             throw new IllegalArgumentException("static surface friction is " + atRest
                     + ": it must not be less than the kinetic one, " + kinetic);
         }
+        state.write(index);
         if (atRest != getSurfaceStaticFriction() || kinetic != getSurfaceFriction()) {
             particulars().surfaceFriction = kinetic;
             particulars().surfaceStaticFriction = atRest;
         }
-        state.touch(index);
     }
 
     /**
@@ -453,16 +457,17 @@ public class Body implements Serializable {
      * @param collidesWith the categories it collides with, bits
      */
     public final void setCollisionGroup(long category, long collidesWith) {
+        state.write(index);
         if (category != getCategory() || collidesWith != getCollidesWith()) {
             particulars().category = category;
             particulars().collidesWith = collidesWith;
             state.group();
         }
-        state.touch(index);
     }
 
     /**
-     * Applies a force at the centre of mass during the next step. Forces add up; they end with the step.
+     * Applies a force at the centre of mass during the next step; called by a listener within a step, for the rest of it. Forces add
+     * up; they end with the step.
      *
      * @param fx force
      * @param fy force
@@ -471,11 +476,11 @@ public class Body implements Serializable {
         Check.finite("fx", fx);
         Check.finite("fy", fy);
         requireMovable("force", true);
+        state.push(index);
         if (fx != 0 || fy != 0) {
             particulars().appliedX += fx;
             particulars().appliedY += fy;
         }
-        state.push(index);
     }
 
     /**
@@ -504,10 +509,10 @@ public class Body implements Serializable {
     public final void addTorque(double torque) {
         Check.finite("torque", torque);
         requireMovable("torque", true);
+        state.push(index);
         if (torque != 0) {
             particulars().appliedTorque += torque;
         }
-        state.push(index);
     }
 
     /**

@@ -184,7 +184,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      */
     public void admit(int body, double tau) {
         trajectories.anchor(body, tau, state);
-        if (state.isOnlyPushed(body)) {
+        if (tau == 0 && state.isOnlyPushed(body)) {
             drivenMotion.push(body);
         } else {
             drivenMotion.forget(body);

@@ -61,8 +61,10 @@ public final class State implements Serializable {
 
     private final Touched touched;
 
-    /** Null between steps. */
+    /** Null but while listeners are called. */
     private Presence presence;
+    /** Whether a step is being made. */
+    private transient boolean stepping;
     /** Null until somebody follows it, so that a scene which nobody asks about pays nothing. */
     private transient PlaceLog placeLog;
 
@@ -170,20 +172,12 @@ public final class State implements Serializable {
         return f;
     }
 
-    /**
-     * The mass inverse matrix W.
-     *
-     * @return W, diagonal [1/m, 1/m, 1/I] per body, zero for a fixed body
-     */
+    /** {@return the mass inverse matrix W, diagonal [1/m, 1/m, 1/I] per body, zero for a fixed body} */
     public DiagonalMatrix w() {
         return w;
     }
 
-    /**
-     * What rounding has left of the vectors.
-     *
-     * @return null until a method asks for it
-     */
+    /** {@return what rounding has left of the vectors; null until a method asks for it} */
     public Carry carry() {
         return carry;
     }
@@ -194,38 +188,25 @@ public final class State implements Serializable {
         return carry;
     }
 
-    /**
-     * Whether this state holds one body that belongs to no engine.
-     *
-     * @return false for the state of an engine
-     */
+    /** {@return whether this state holds one body that belongs to no engine} */
     public boolean isOwn() {
         return own;
     }
 
-    /**
-     * Number of blocks, empty ones included.
-     *
-     * @return one more than the largest index in use
-     */
+    /** {@return number of blocks, empty ones included} */
     public int size() {
         return size;
     }
 
-    /**
-     * Number of bodies.
-     *
-     * @return blocks that hold a body
-     */
+    /** {@return number of bodies} */
     public int bodyCount() {
         return size - freeCount;
     }
 
     /**
-     * The body of a block.
+     * {@return the body of a block, or null if it is empty}
      *
      * @param index block number, 0 … size() − 1
-     * @return the body, or null for an empty block
      */
     public Body body(int index) {
         return bodies[index];
@@ -283,10 +264,9 @@ public final class State implements Serializable {
     }
 
     /**
-     * Whether forces have been applied to a body for the next step.
+     * {@return whether forces have been applied to a body for the next step}
      *
      * @param index the block
-     * @return false after the step
      */
     public boolean isPushed(int index) {
         return bodies[index].isPushed();
@@ -343,10 +323,48 @@ public final class State implements Serializable {
     /**
      * Sets who brings bodies to the present instant before they are written.
      *
-     * @param presence null between steps, when the vectors hold where all bodies are
+     * @param presence null between steps, when the vectors hold where all bodies are, and but for calls of listeners within them
+     * @param isStepping whether a step is being made
      */
-    public void setPresence(Presence presence) {
+    public void setPresence(Presence presence, boolean isStepping) {
         this.presence = presence;
+        stepping = isStepping;
+    }
+
+    /** {@return whether a step is being made, and a listener is called that may write} */
+    public boolean isOpenWithin() {
+        return presence != null;
+    }
+
+    /** Refuses what authors want to change while a step is being made, unless they are called to listen. */
+    public void requireOpen() {
+        if (stepping && presence == null) {
+            throw new IllegalStateException("a force, a constraint or a curve has changed something while it was asked in a step: "
+                    + "only listeners may, and agents between steps");
+        }
+    }
+
+    /**
+     * Notes that what forces do to a body may change, though all of its block stays: a surface, say. Brings it to the present
+     * instant first.
+     *
+     * @param index the block
+     */
+    public void stir(int index) {
+        if (presence != null && !touched.has(index)) {
+            presence.bring(index);
+        }
+        touched.note(index, true);
+    }
+
+    /**
+     * Notes that a body is written by its author.
+     *
+     * @param index the block
+     */
+    public void write(int index) {
+        requireOpen();
+        touch(index);
     }
 
     /**
@@ -367,6 +385,7 @@ public final class State implements Serializable {
      * @param index the block
      */
     void push(int index) {
+        requireOpen();
         if (presence != null) {
             touch(index);
         } else {
@@ -375,30 +394,24 @@ public final class State implements Serializable {
     }
 
     /**
-     * Whether forces were applied to a body between steps, and nothing else of it was written since.
+     * {@return whether forces on a body are others, by what was applied between steps or by {@link #stir}, and nothing was written}
      *
      * @param index the block
-     * @return false if {@link #touch(int)} was called, too
      */
     public boolean isOnlyPushed(int index) {
         return touched.isOnlyPushed(index);
     }
 
     /**
-     * Whether a body's block was written since the last call of {@link #clearTouched()}.
+     * {@return whether {@link #touch(int)} was called for a body since the last call of {@link #clearTouched()}}
      *
      * @param index the block
-     * @return true after {@link #touch(int)}
      */
     public boolean isTouched(int index) {
         return touched.has(index);
     }
 
-    /**
-     * How many blocks were written by their bodies' setters since the last call of {@link #clearTouched()}.
-     *
-     * @return their number
-     */
+    /** {@return how many blocks were written by their bodies' setters since the last call of {@link #clearTouched()}} */
     public int touchedCount() {
         return touched.count();
     }
@@ -413,7 +426,7 @@ public final class State implements Serializable {
         return touched.get(k);
     }
 
-    /** Gives back the room that is kept for more bodies: called once, when the bodies of a scene are complete, it seems. */
+    /** Gives back the room for more bodies: called once, when the bodies of a scene are complete, it seems. */
     public void trim() {
         if (size < bodies.length && size > LARGE) {
             grow(size);
@@ -425,11 +438,7 @@ public final class State implements Serializable {
         touched.clear();
     }
 
-    /**
-     * What tells which blocks were placed.
-     *
-     * @return notes from the first call on; one for all callers
-     */
+    /** {@return what tells which blocks were placed: notes from the first call on, one for all callers} */
     public PlaceLog placeLog() {
         placeLog = placeLog == null ? new PlaceLog() : placeLog;
         return placeLog;
@@ -468,20 +477,12 @@ public final class State implements Serializable {
         grouped = true;
     }
 
-    /**
-     * Whether a body may have a collision group of its own.
-     *
-     * @return false if all are of the group that bodies are in at first
-     */
+    /** {@return whether a body may have a collision group of its own} */
     public boolean isGrouped() {
         return grouped;
     }
 
-    /**
-     * Whether positions may change without notice in the log.
-     *
-     * @return true within a step, and after one that failed until the next one is over
-     */
+    /** {@return whether positions may change without notice: within a step, and after one that failed until the next is over} */
     public boolean isUnsettled() {
         return unsettled;
     }

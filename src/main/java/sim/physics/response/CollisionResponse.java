@@ -3,7 +3,6 @@
 package sim.physics.response;
 
 import java.io.Serializable;
-import java.util.List;
 import java.util.Objects;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.broad.Pairs;
@@ -359,28 +358,30 @@ public final class CollisionResponse implements Serializable {
     }
 
     /**
-     * Those who are told of collisions.
+     * Adds one who is told of collisions.
      *
-     * @return live
+     * @param listener not null
      */
-    public List<CollisionListener> listeners() {
-        return listeners.all();
+    public void add(CollisionListener listener) {
+        listeners.add(Objects.requireNonNull(listener, "listener"));
     }
 
     /**
-     * Number of pairs that have collided.
+     * Removes one who is told of collisions.
      *
-     * @return since the engine was made
+     * @param listener any
+     * @return false if it was not there
      */
+    public boolean remove(CollisionListener listener) {
+        return listeners.remove(listener);
+    }
+
+    /** {@return number of pairs that have collided since the engine was made} */
     public long impacts() {
         return impacts;
     }
 
-    /**
-     * The smallest gap at which a collision was ever solved.
-     *
-     * @return length, 0 or negative
-     */
+    /** {@return the smallest gap at which a collision was ever solved, 0 or negative} */
     public double deepest() {
         return deepest;
     }

@@ -14,7 +14,8 @@ final class Listeners implements Serializable {
 
     private final State state;
     private final Trajectories trajectories;
-    private final List<CollisionListener> all = new ArrayList<>();
+    /** Made anew when it changes, as one of them may do that who is being told. */
+    private List<CollisionListener> all = new ArrayList<>();
 
     /** Simulated time of the present instant. */
     private double now;
@@ -24,8 +25,16 @@ final class Listeners implements Serializable {
         this.trajectories = trajectories;
     }
 
-    List<CollisionListener> all() {
-        return all;
+    /** Adds one, who is told from the next collision on. */
+    void add(CollisionListener listener) {
+        all = new ArrayList<>(all);
+        all.add(listener);
+    }
+
+    /** Removes one, who is told no more from the next collision on; false if it was not there. */
+    boolean remove(CollisionListener listener) {
+        all = new ArrayList<>(all);
+        return all.remove(listener);
     }
 
     boolean isEmpty() {
@@ -40,8 +49,9 @@ final class Listeners implements Serializable {
     boolean ask(int a, int b, Impact impact) {
         publish(a, b);
         Contact contact = contact(a, b, impact, -impact.normalVelocity(), 0);
-        for (int k = 0; k < all.size(); k++) {
-            CollisionListener.Decision decision = all.get(k).colliding(contact);
+        List<CollisionListener> those = all;
+        for (int k = 0; k < those.size(); k++) {
+            CollisionListener.Decision decision = those.get(k).colliding(contact);
             if (decision == CollisionListener.Decision.IGNORE) {
                 return false;
             }
@@ -74,8 +84,9 @@ final class Listeners implements Serializable {
     void tell(int a, int b, Impact impact, double approach) {
         publish(a, b);
         Contact contact = contact(a, b, impact, approach, Math.sqrt(impact.jn * impact.jn + impact.jt * impact.jt));
-        for (int k = 0; k < all.size(); k++) {
-            all.get(k).collided(contact);
+        List<CollisionListener> those = all;
+        for (int k = 0; k < those.size(); k++) {
+            those.get(k).collided(contact);
         }
     }
 
