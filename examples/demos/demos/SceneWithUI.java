@@ -11,6 +11,8 @@ import sim.display.Display2D;
 import sim.display.GUIState;
 import sim.engine.SimState;
 import sim.physics.mason.BodyPortrayal2D;
+import sim.physics.mason.ContactsPortrayal2D;
+import sim.physics.mason.JointsPortrayal2D;
 import sim.physics.motion.Body;
 import sim.portrayal.Inspector;
 import sim.portrayal.continuous.ContinuousPortrayal2D;
@@ -20,6 +22,8 @@ public abstract class SceneWithUI extends GUIState {
     protected Display2D display;
     private JFrame frame;
     private final ContinuousPortrayal2D portrayal = new ContinuousPortrayal2D();
+    private final JointsPortrayal2D joints = new JointsPortrayal2D(Scene.WORLD, Scene.WORLD);
+    private final ContactsPortrayal2D contacts = new ContactsPortrayal2D(Scene.WORLD, Scene.WORLD);
 
     protected SceneWithUI(SimState state) {
         super(state);
@@ -59,6 +63,8 @@ public abstract class SceneWithUI extends GUIState {
             portrayal.setPortrayalForObject(
                     body, portrayals.computeIfAbsent(scene.colour(body), BodyPortrayal2D::new));
         }
+        joints.setField(scene.physics);
+        contacts.setField(scene.physics);
         display.reset();
         display.setBackdrop(scene.ground());
         display.repaint();
@@ -73,6 +79,8 @@ public abstract class SceneWithUI extends GUIState {
         controller.registerFrame(frame);
         frame.setVisible(true);
         display.attach(portrayal, "Bodies");
+        display.attach(joints, "Joints");
+        display.attach(contacts, "Contacts", false); // to be chosen in the display's menu of layers
     }
 
     @Override

@@ -619,6 +619,15 @@ public final class PhysicsEngine implements Steppable {
         touch(named);
     }
 
+    /**
+     * The sources of forces, in the order in which they were added.
+     *
+     * @return a copy
+     */
+    public List<ForceGenerator> allForceGenerators() {
+        return motion.generators();
+    }
+
     /** Lets all bodies start anew from their places. */
     private void touchAll() {
         for (Body body : bodies()) {

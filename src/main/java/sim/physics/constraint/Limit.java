@@ -97,6 +97,33 @@ public final class Limit extends Switched {
         return new Limit(new RodJoint(a, ax, ay, b, bx, by, length), Double.NEGATIVE_INFINITY, 0, 0);
     }
 
+    /**
+     * The lower bound.
+     *
+     * @return of the coordinate; may be −∞
+     */
+    public double getLower() {
+        return lower;
+    }
+
+    /**
+     * The upper bound.
+     *
+     * @return of the coordinate; may be ∞
+     */
+    public double getUpper() {
+        return upper;
+    }
+
+    /**
+     * With which restitution the coordinate hits a bound.
+     *
+     * @return 0: it stops; 1: it bounces off elastically
+     */
+    public double getRestitution() {
+        return restitution;
+    }
+
     /** The bounds that hold now: what was put beyond one is held where it is. */
     private double least(double bound) {
         return side < 0 ? held : bound;

@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
+import sim.physics.motion.Link;
 
 /**
  * A hinge: a point of one body stays on a point of another one, or of the world, (42)–(46).
@@ -14,7 +15,7 @@ import sim.physics.motion.Body;
  *   J̇ ẋ = −θ̇A² rA + θ̇B² rB
  * </pre>
  */
-public final class PinJoint extends Joint {
+public final class PinJoint extends Joint implements Link {
     private static final long serialVersionUID = 1L;
 
     private final double ax;
@@ -70,38 +71,22 @@ public final class PinJoint extends Joint {
         this.by = by;
     }
 
-    /**
-     * The hinge in the coordinates of the first body.
-     *
-     * @return length
-     */
+    @Override
     public double getAnchorAX() {
         return ax;
     }
 
-    /**
-     * The hinge in the coordinates of the first body.
-     *
-     * @return length
-     */
+    @Override
     public double getAnchorAY() {
         return ay;
     }
 
-    /**
-     * The hinge in the coordinates of the second body.
-     *
-     * @return length
-     */
+    @Override
     public double getAnchorBX() {
         return bx;
     }
 
-    /**
-     * The hinge in the coordinates of the second body.
-     *
-     * @return length
-     */
+    @Override
     public double getAnchorBY() {
         return by;
     }

@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import sim.physics.internal.Check;
 import sim.physics.motion.Body;
+import sim.physics.motion.Link;
 
 /**
  * A massless rod: two points keep their distance.
@@ -13,7 +14,7 @@ import sim.physics.motion.Body;
  *   J̇ ẋ = n·(−θ̇A² rA + θ̇B² rB) + (ḋ·ḋ − (n·ḋ)²) / |d|
  * </pre>
  */
-public final class RodJoint extends Joint {
+public final class RodJoint extends Joint implements Link {
     private static final long serialVersionUID = 1L;
 
     private final Anchor first;
@@ -64,6 +65,26 @@ public final class RodJoint extends Joint {
      */
     public double getLength() {
         return length;
+    }
+
+    @Override
+    public double getAnchorAX() {
+        return first.localX;
+    }
+
+    @Override
+    public double getAnchorAY() {
+        return first.localY;
+    }
+
+    @Override
+    public double getAnchorBX() {
+        return second.localX;
+    }
+
+    @Override
+    public double getAnchorBY() {
+        return second.localY;
     }
 
     @Override

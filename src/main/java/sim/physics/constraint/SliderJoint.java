@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import sim.physics.internal.Check;
 import sim.physics.motion.Body;
+import sim.physics.motion.Link;
 
 /**
  * A rail: a point of one body moves along a straight line of another one, or of the world, and the two do not turn
@@ -15,7 +16,7 @@ import sim.physics.motion.Body;
  *   C1 = θA − θB − c
  * </pre>
  */
-public final class SliderJoint extends Joint {
+public final class SliderJoint extends Joint implements Link {
     private static final long serialVersionUID = 1L;
 
     private final Anchor first;
@@ -61,6 +62,44 @@ public final class SliderJoint extends Joint {
         return (first.x - second.x) * ny - (first.y - second.y) * nx;
     }
 
+    /**
+     * Direction of the line, in the coordinates of the second body.
+     *
+     * @return x of a vector of length 1
+     */
+    public double getDirectionX() {
+        return normalY;
+    }
+
+    /**
+     * Direction of the line, in the coordinates of the second body.
+     *
+     * @return y of a vector of length 1
+     */
+    public double getDirectionY() {
+        return -normalX;
+    }
+
+    @Override
+    public double getAnchorAX() {
+        return first.localX;
+    }
+
+    @Override
+    public double getAnchorAY() {
+        return first.localY;
+    }
+
+    @Override
+    public double getAnchorBX() {
+        return second.localX;
+    }
+
+    @Override
+    public double getAnchorBY() {
+        return second.localY;
+    }
+
     @Override
     public int getRows() {
         return 2;
@@ -73,7 +112,7 @@ public final class SliderJoint extends Joint {
 
     /** The coordinate that {@link #getTravel} says. */
     Joint travel() {
-        return new Travel(getBodyA(), getBodyB(), first, second, normalY, -normalX);
+        return new Travel(this, first, second, getDirectionX(), getDirectionY());
     }
 
     @Override

@@ -78,6 +78,16 @@ abstract class Switched implements Constraint {
     }
 
     /**
+     * What this acts on: the constraint that it was made with; the rail of a motor or of ends of a rail; a {@link RodJoint} of a
+     * rope, a {@link GearJoint} of a turn.
+     *
+     * @return never null
+     */
+    public Constraint getCoordinate() {
+        return coordinate instanceof Travel travel ? travel.rail : coordinate;
+    }
+
+    /**
      * Whether the two bodies collide with one another, if no joint says so.
      *
      * @return false unless set

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.constraint;
 
-import sim.physics.motion.Body;
-
 /**
  * The travel along a rail as a coordinate of motors and stops: C = t·d, where t is the line's direction, which turns with the
  * second body. So it has the equations of the rail itself, {@link SliderJoint}, with t in the place of the normal.
@@ -11,14 +9,16 @@ import sim.physics.motion.Body;
 final class Travel extends Joint {
     private static final long serialVersionUID = 1L;
 
+    final SliderJoint rail;
     private final Anchor first;
     private final Anchor second;
     private final double alongX;
     private final double alongY;
 
     /** The line's direction is that in the coordinates of the second body. */
-    Travel(Body a, Body b, Anchor first, Anchor second, double alongX, double alongY) {
-        super(a, b);
+    Travel(SliderJoint rail, Anchor first, Anchor second, double alongX, double alongY) {
+        super(rail.getBodyA(), rail.getBodyB());
+        this.rail = rail;
         this.first = first;
         this.second = second;
         this.alongX = alongX;

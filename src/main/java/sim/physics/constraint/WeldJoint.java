@@ -3,9 +3,10 @@
 package sim.physics.constraint;
 
 import sim.physics.motion.Body;
+import sim.physics.motion.Link;
 
 /** Two bodies that move as one: a {@link PinJoint} that does not turn either. */
-public final class WeldJoint extends Joint {
+public final class WeldJoint extends Joint implements Link {
     private static final long serialVersionUID = 1L;
 
     private final PinJoint pin;
@@ -27,6 +28,26 @@ public final class WeldJoint extends Joint {
 
     PinJoint pin() {
         return pin;
+    }
+
+    @Override
+    public double getAnchorAX() {
+        return pin.getAnchorAX();
+    }
+
+    @Override
+    public double getAnchorAY() {
+        return pin.getAnchorAY();
+    }
+
+    @Override
+    public double getAnchorBX() {
+        return pin.getAnchorBX();
+    }
+
+    @Override
+    public double getAnchorBY() {
+        return pin.getAnchorBY();
     }
 
     @Override

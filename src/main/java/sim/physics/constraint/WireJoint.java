@@ -47,6 +47,33 @@ public final class WireJoint extends Joint {
         this.wire = Objects.requireNonNull(wire, "wire");
     }
 
+    /**
+     * The point that stays on the wire, in the coordinates of the body.
+     *
+     * @return x, length
+     */
+    public double getAnchorAX() {
+        return bead.localX;
+    }
+
+    /**
+     * The point that stays on the wire, in the coordinates of the body.
+     *
+     * @return y, length
+     */
+    public double getAnchorAY() {
+        return bead.localY;
+    }
+
+    /**
+     * The wire.
+     *
+     * @return in the world
+     */
+    public Curve getWire() {
+        return wire;
+    }
+
     boolean hasOwnWire() {
         return wire instanceof Line || wire instanceof Ring;
     }

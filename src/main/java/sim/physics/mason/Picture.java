@@ -6,6 +6,7 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
@@ -15,6 +16,7 @@ import javax.imageio.ImageIO;
 import sim.physics.PhysicsEngine;
 import sim.physics.internal.Check;
 import sim.physics.motion.Body;
+import sim.portrayal.DrawInfo2D;
 
 /** Draws an engine's bodies without a display, for runs on machines that have none. */
 public final class Picture {
@@ -56,12 +58,14 @@ public final class Picture {
     }
 
     /**
-     * Draws the bodies where they are.
+     * Draws the bodies where they are, and what layers of displays show over them: a {@link JointsPortrayal2D}, a
+     * {@link ContactsPortrayal2D}. Their fields are set to the engine.
      *
      * @param engine whose bodies
+     * @param layers none or some, the last one on top; the size of the world that they were made with does not matter
      * @return an image
      */
-    public BufferedImage draw(PhysicsEngine engine) {
+    public BufferedImage draw(PhysicsEngine engine, EnginePortrayal2D... layers) {
         int pixelsX = (int) Math.ceil(width * scale);
         int pixelsY = (int) Math.ceil(height * scale);
         BufferedImage image = new BufferedImage(pixelsX, pixelsY, BufferedImage.TYPE_INT_RGB);
@@ -79,6 +83,11 @@ public final class Picture {
                 graphics.fill(place.createTransformedShape(Outline.of(body.getShape())));
             }
         }
+        for (EnginePortrayal2D layer : layers) {
+            Rectangle2D.Double all = new Rectangle2D.Double(-x * scale, -y * scale, layer.getWidth() * scale, layer.getHeight() * scale);
+            layer.setField(engine);
+            layer.draw(engine, graphics, new DrawInfo2D(null, layer, all, new Rectangle2D.Double(0, 0, pixelsX, pixelsY)));
+        }
         graphics.dispose();
         return image;
     }
@@ -88,10 +97,11 @@ public final class Picture {
      *
      * @param engine whose bodies
      * @param file where to
+     * @param layers what is drawn over them
      * @throws IOException if it cannot be written
      */
-    public void write(PhysicsEngine engine, File file) throws IOException {
-        if (!ImageIO.write(draw(engine), "png", file)) {
+    public void write(PhysicsEngine engine, File file, EnginePortrayal2D... layers) throws IOException {
+        if (!ImageIO.write(draw(engine, layers), "png", file)) {
             throw new IOException("no writer for PNG files is at hand to write " + file);
         }
     }

@@ -17,7 +17,7 @@ import sim.physics.internal.Trig;
  * <p>It gives no force where both points are the same. Movable bodies that springs connect, directly or through others, are
  * integrated together. A spring leaves an engine with the first of its bodies that is removed from it, as a joint does.
  */
-public final class Spring implements ForceGenerator {
+public final class Spring implements ForceGenerator, Link {
     private static final long serialVersionUID = 1L;
 
     private final Body a;
@@ -64,6 +64,63 @@ public final class Spring implements ForceGenerator {
         this.length = Check.notNegative("length", length);
         this.stiffness = Check.notNegative("stiffness", stiffness);
         this.damping = Check.notNegative("damping", damping);
+    }
+
+    @Override
+    public Body getBodyA() {
+        return a;
+    }
+
+    @Override
+    public Body getBodyB() {
+        return b;
+    }
+
+    @Override
+    public double getAnchorAX() {
+        return ax;
+    }
+
+    @Override
+    public double getAnchorAY() {
+        return ay;
+    }
+
+    @Override
+    public double getAnchorBX() {
+        return bx;
+    }
+
+    @Override
+    public double getAnchorBY() {
+        return by;
+    }
+
+    /**
+     * The length at which it gives no force.
+     *
+     * @return L
+     */
+    public double getLength() {
+        return length;
+    }
+
+    /**
+     * Force by length.
+     *
+     * @return k
+     */
+    public double getStiffness() {
+        return stiffness;
+    }
+
+    /**
+     * Force by speed.
+     *
+     * @return c
+     */
+    public double getDamping() {
+        return damping;
     }
 
     @Override

@@ -40,7 +40,7 @@ class ArchitectureTest {
                 .layer("mason").definedBy("sim.physics.mason")
                 .whereLayer("mason").mayNotBeAccessedByAnyLayer()
                 .whereLayer("engine").mayOnlyBeAccessedByLayers("mason")
-                .whereLayer("response").mayOnlyBeAccessedByLayers("engine")
+                .whereLayer("response").mayOnlyBeAccessedByLayers("engine", "mason")
                 .whereLayer("lasting").mayOnlyBeAccessedByLayers("engine", "response")
                 .whereLayer("collision").mayOnlyBeAccessedByLayers("engine", "response", "lasting")
                 .whereLayer("narrow").mayOnlyBeAccessedByLayers("engine", "response", "lasting", "collision")
@@ -49,7 +49,7 @@ class ArchitectureTest {
                 .mayOnlyBeAccessedByLayers(
                         "engine", "response", "lasting", "constraint", "tree", "collision", "narrow", "mason", "query")
                 .whereLayer("query").mayOnlyBeAccessedByLayers("engine")
-                .whereLayer("constraint").mayOnlyBeAccessedByLayers("engine")
+                .whereLayer("constraint").mayOnlyBeAccessedByLayers("engine", "mason")
                 .whereLayer("tree").mayOnlyBeAccessedByLayers("constraint")
                 .whereLayer("matrix").mayOnlyBeAccessedByLayers("motion", "response", "lasting", "constraint", "tree")
                 .check(PRODUCT);
