@@ -5,10 +5,8 @@ package demos;
 import java.awt.Color;
 import sim.engine.SimState;
 import sim.engine.Steppable;
-import sim.field.continuous.Continuous2D;
 import sim.physics.PhysicsEngine;
 import sim.physics.Repeating;
-import sim.physics.mason.FieldMirror;
 import sim.physics.motion.Body;
 
 /** What the demos have in common: an engine, and what its picture looks like. */
@@ -19,7 +17,6 @@ public abstract class Scene extends SimState {
     public static final double WORLD = 200;
 
     public PhysicsEngine physics;
-    public Continuous2D field;
 
     protected Scene(long seed) {
         super(seed);
@@ -29,7 +26,6 @@ public abstract class Scene extends SimState {
     public void start() {
         super.start();
         physics = new PhysicsEngine();
-        field = new Continuous2D(WORLD, WORLD, WORLD); // walls are as long, and are to be seen from near too
         build();
         physics.scheduleOn(schedule);
     }
@@ -44,10 +40,5 @@ public abstract class Scene extends SimState {
     /** Runs something in every step of the schedule from its start on. */
     protected final void repeat(Steppable agent, int ordering) {
         schedule.scheduleOnce(schedule.getTime() < 0 ? 0 : schedule.getTime() + 1, ordering, new Repeating(agent, ordering, 1));
-    }
-
-    /** Shows the bodies in the field too, for a display. */
-    public final void mirror() {
-        repeat(new FieldMirror(physics, field), FieldMirror.ORDERING);
     }
 }

@@ -10,8 +10,10 @@ import sim.display.Controller;
 import sim.display.Display2D;
 import sim.display.GUIState;
 import sim.engine.SimState;
+import sim.field.continuous.Continuous2D;
 import sim.physics.mason.BodyPortrayal2D;
 import sim.physics.mason.ContactsPortrayal2D;
+import sim.physics.mason.FieldMirror;
 import sim.physics.mason.JointsPortrayal2D;
 import sim.physics.motion.Body;
 import sim.portrayal.Inspector;
@@ -44,7 +46,6 @@ public abstract class SceneWithUI extends GUIState {
     @Override
     public void start() {
         super.start();
-        ((Scene) state).mirror();
         setupPortrayals();
     }
 
@@ -58,7 +59,9 @@ public abstract class SceneWithUI extends GUIState {
     protected void setupPortrayals() {
         Scene scene = (Scene) state;
         Map<Color, BodyPortrayal2D> portrayals = new HashMap<>();
-        portrayal.setField(scene.field);
+        Continuous2D field = new Continuous2D(Scene.WORLD, Scene.WORLD, Scene.WORLD); // walls are as long, and are to be seen from near too
+        scheduleRepeatingImmediatelyAfter(new FieldMirror(scene.physics, field)); // of the display: models that run without one have no part of it
+        portrayal.setField(field);
         for (Body body : scene.physics.bodies()) {
             portrayal.setPortrayalForObject(
                     body, portrayals.computeIfAbsent(scene.colour(body), BodyPortrayal2D::new));

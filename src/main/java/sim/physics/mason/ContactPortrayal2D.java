@@ -79,7 +79,7 @@ public class ContactPortrayal2D extends SimplePortrayal2D {
 
     /** A dot, and the normal to both sides. */
     private static Sketch symbol(LastingContact contact) {
-        Sketch sketch = new Sketch(size(contact));
+        Sketch sketch = new Sketch(Sketch.size(contact.a(), contact.b()));
         double dx = 1.5 * sketch.size * contact.normalX();
         double dy = 1.5 * sketch.size * contact.normalY();
         sketch.disc(contact.x(), contact.y(), 0.6 * sketch.size);
@@ -87,7 +87,7 @@ public class ContactPortrayal2D extends SimplePortrayal2D {
     }
 
     private Sketch force(LastingContact contact) {
-        Sketch sketch = new Sketch(size(contact));
+        Sketch sketch = new Sketch(Sketch.size(contact.a(), contact.b()));
         Body body = contact.b().isFixed() ? contact.a() : contact.b();
         double fx = contact.forceX(body);
         double fy = contact.forceY(body);
@@ -95,13 +95,6 @@ public class ContactPortrayal2D extends SimplePortrayal2D {
         greatest = Math.max(greatest, force);
         double scale = forceScale > 0 ? forceScale : greatest > 0 ? LONGEST * sketch.size / greatest : 0;
         return sketch.arrow(contact.x(), contact.y(), contact.x() + scale * fx, contact.y() + scale * fy);
-    }
-
-    /** As large as symbols of joints; of fixed bodies the size says nothing. */
-    private static double size(LastingContact contact) {
-        Body a = contact.a();
-        Body b = contact.b();
-        return a.isFixed() ? Sketch.size(b, null) : Sketch.size(a, b.isFixed() ? null : b);
     }
 
     /** {@inheritDoc} Its bodies and force as they are at the end of each step. */

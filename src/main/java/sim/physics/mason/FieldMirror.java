@@ -13,8 +13,8 @@ import sim.physics.motion.Body;
 import sim.util.Double2D;
 
 /**
- * Shows the bodies of an engine in a field of MASON, at the places where the engine has them. Schedule it after the
- * engine. The field is a picture of the engine; moving an object in the field does not move the body. What else is in the field
+ * Shows the bodies of an engine in a field of MASON, at the places where the engine has them. Step it after the engine: in a
+ * {@code GUIState} by {@code scheduleRepeatingImmediatelyAfter}, or on the model's schedule with {@link #ORDERING}. The field is a picture of the engine; moving an object in the field does not move the body. What else is in the field
  * stays there.
  *
  * <p>MASON draws what is in a window, by its centre, and as far outside as the field's discretization is long. So let that be no less than

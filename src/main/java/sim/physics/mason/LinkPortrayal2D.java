@@ -55,7 +55,7 @@ public class LinkPortrayal2D extends SimplePortrayal2D {
     /**
      * Sets the size of symbols.
      *
-     * @param size radius of a pin's ring, length; 0: 0.15 times the root of the smaller body's area
+     * @param size radius of a pin's ring, length; 0: 0.15 times the root of the bodies' mean area
      */
     public void setSize(double size) {
         this.size = Check.notNegative("size", size);

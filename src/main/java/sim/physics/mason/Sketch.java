@@ -17,7 +17,7 @@ import sim.portrayal.DrawInfo2D;
 
 /** A symbol in world coordinates, as lines, dashed lines and areas, which is drawn or found under the mouse in pixels. */
 final class Sketch {
-    /** Size of a symbol, relative to the root of its smaller body's area. */
+    /** Size of a symbol, relative to the root of its bodies' area. */
     private static final double SIZE = 0.15;
 
     /** Width of lines, relative to the size of the symbol. */
@@ -37,10 +37,14 @@ final class Sketch {
         this.size = size;
     }
 
-    /** The size of symbols at two bodies. */
+    /** The size of symbols at two bodies, between theirs; of those that cannot move, walls, it says nothing. */
     static double size(Body a, Body b) {
-        double area = a.getShape().area();
-        return SIZE * Math.sqrt(b == null ? area : Math.min(area, b.getShape().area()));
+        double first = Math.sqrt(a.getShape().area());
+        if (b == null || b.isFixed()) {
+            return SIZE * first;
+        }
+        double second = Math.sqrt(b.getShape().area());
+        return SIZE * (a.isFixed() ? second : Math.sqrt(first * second));
     }
 
     Sketch line(double... xy) {

@@ -6,7 +6,8 @@ import sim.physics.motion.Body;
 
 /**
  * Two bodies that rest or lie on one another at the end of a step, and the force with which they press: its mean over the
- * step. Two points of an edge that lies flush are one contact, at the point where the force of both acts together.
+ * step. Two points of an edge that lies flush are one contact, at the point where the force of both acts together. What bore a force
+ * and has parted before the step was over is listed for that step.
  *
  * @param a one body
  * @param b the other body

@@ -9,6 +9,7 @@ import java.util.List;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.PairMarks;
 import sim.physics.collision.broad.Pairs;
+import sim.physics.collision.narrow.Distance;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -19,6 +20,9 @@ import sim.physics.response.lasting.RestingContacts;
 /** Says which bodies rest or lie on one another when a step is over, and tells those who want to know; else does nothing. */
 public final class LastingContacts implements Serializable {
     private static final long serialVersionUID = 1L;
+
+    /** Gap up to which what bears nothing touches, relative to the smaller body: a little more than heaps keep. */
+    private static final double CLOSED = 2e-4;
 
     private final State state;
     private final CollisionDetection detection;
@@ -31,6 +35,9 @@ public final class LastingContacts implements Serializable {
     private final List<Body> bodies = new ArrayList<>();
 
     private int[] places = {};
+
+    /** Null until it is needed. */
+    private transient Distance distance;
 
     LastingContacts(
             State state, CollisionDetection detection, RestingContacts resting, Heaps heaps, ContactLedger ledger) {
@@ -83,8 +90,20 @@ public final class LastingContacts implements Serializable {
 
     private boolean lasts(int pair) {
         PairMarks marks = detection.marks();
-        boolean lasts = (marks.isHeld(pair) || marks.isLasting(pair)) && !marks.isIgnored(pair);
-        return lasts && !(heaps.isForeseen(pair) && ledger.meanForce(pair, 0, false) + ledger.meanForce(pair, 1, false) == 0);
+        boolean isLoose = !marks.isHeld(pair) && marks.isLasting(pair);
+        return (marks.isHeld(pair) || isLoose && (force(pair) > 0 || isClosed(pair))) && !marks.isIgnored(pair);
+    }
+
+    private double force(int pair) {
+        return ledger.meanForce(pair, 0, false) + ledger.meanForce(pair, 1, false);
+    }
+
+    /** A pair of a heap lasts until it has parted by a hundredth of its size, so that it need not be found anew when it closes soon. */
+    private boolean isClosed(int pair) {
+        int a = detection.pairs().first(pair);
+        int b = detection.pairs().second(pair);
+        distance = distance == null ? new Distance() : distance;
+        return distance.between(state.body(a), state.body(b)) <= CLOSED * heaps.size(a, b);
     }
 
     /** The pairs that last, each once: of the body with the smaller index, but for a fixed one. */

@@ -295,6 +295,30 @@ class LastingContactTest {
         assertThat(ends.get(1)).isEqualTo(ends.get(0));
     }
 
+    /** A box that is lifted off another one so slowly that it is near for long touches nothing any more. */
+    @Test
+    void whatHasPartedIsNotListed() {
+        floor(0.5);
+        Body low = put(new Body(new Rectangle(1, 1)).at(0, 0.5), 0.5);
+        Body high = put(new Body(new Rectangle(1, 1)).at(0, 1.5), 0.5);
+        Log log = new Log();
+        engine.addContactListener(log);
+        run(30);
+        assertThat(engine.contacts(high)).hasSize(1);
+        int listed = 0;
+        for (int k = 0; k < 60; k++) {
+            high.addForce(0, 1.002 * G * high.getMass());
+            engine.step();
+            boolean isThere = !engine.contacts(high).isEmpty();
+            listed += isThere ? 1 : 0;
+            assertThat(isThere && high.getY() - low.getY() - 1 > 1e-3).isFalse();
+        }
+        assertThat(high.getY() - low.getY() - 1).isBetween(0.008, 0.011);
+        assertThat(listed).isLessThan(15);
+        assertThat(engine.contacts(low)).hasSize(1);
+        assertThat(log.lines).endsWith("ended");
+    }
+
     @Test
     void contactsAreAskedForBetweenSteps() {
         Body floor = floor(0);

@@ -30,7 +30,7 @@ class DocsTest {
 
     /** Names in the docs that are not this library's. */
     private static final Set<String> FOREIGN = Set.of(
-            "Model", "SimState", "GUIState", "SceneWithUI", "attach", "Serializable", "Continuous2D", "ForkJoinPool", "writeToCheckpoint", "readFromCheckpoint");
+            "Model", "SimState", "Serializable", "Continuous2D", "ForkJoinPool", "writeToCheckpoint", "readFromCheckpoint");
 
     @TempDir
     Path folder;

@@ -246,16 +246,6 @@ public final class Heaps implements Serializable {
     }
 
     /**
-     * Whether a pair was not lasting when the step began, and is solved with a large heap because it may close in the step.
-     *
-     * @param pair number of the pair
-     * @return true also if it has not closed
-     */
-    public boolean isForeseen(int pair) {
-        return large.foresees(pair);
-    }
-
-    /**
      * Ends a pair's lasting.
      *
      * @param pair number of the pair
