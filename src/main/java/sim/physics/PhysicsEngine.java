@@ -1116,6 +1116,16 @@ public final class PhysicsEngine implements Steppable {
         return audit().run();
     }
 
+    /** {@return whether MASON's inspectors leave out what the audit says of the last step, as there is none} */
+    public boolean hideStepReport() {
+        return audit == null;
+    }
+
+    /** {@return whether MASON's inspectors leave out what the audit says of all steps, as there is none} */
+    public boolean hideRunReport() {
+        return audit == null;
+    }
+
     private Audit audit() {
         if (audit == null) {
             throw new IllegalStateException("a report was asked for: call setAudited(true) before");

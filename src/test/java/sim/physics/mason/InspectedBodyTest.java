@@ -9,6 +9,7 @@ import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.shape.Rectangle;
 import sim.portrayal.Inspector;
@@ -44,6 +45,28 @@ class InspectedBodyTest {
         assertThat(readable).containsExactlyInAnyOrder("Shape", "Fixed", "Inertia", "KineticEnergy");
         assertThat(properties.getValue(index("VelocityY"))).isEqualTo(7.0);
         assertThat(properties.getDomain(index("Restitution"))).isInstanceOf(sim.util.Interval.class);
+    }
+
+    /** An inspector of an engine asks for all that it finds: nothing of it may throw, or the console is full of traces. */
+    @Test
+    void anEngineIsInspectedWithoutAnException() {
+        PhysicsEngine engine = new PhysicsEngine();
+        assertThat(readable(engine)).contains("Time", "Steps", "Impacts").doesNotContain("StepReport", "RunReport");
+        engine.setAudited(true);
+        assertThat(readable(engine)).contains("StepReport", "RunReport");
+    }
+
+    /** The properties that have a value. */
+    private static List<String> readable(Object object) {
+        List<String> names = new ArrayList<>();
+        Properties all = Properties.getProperties(object);
+        for (int k = 0; k < all.numProperties(); k++) {
+            if (!all.isHidden(k)) {
+                assertThat(all.getValue(k)).as(all.getName(k)).isNotNull();
+                names.add(all.getName(k));
+            }
+        }
+        return names;
     }
 
     @Test
