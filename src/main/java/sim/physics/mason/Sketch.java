@@ -7,6 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.Paint;
 import java.awt.RenderingHints;
 import java.awt.Shape;
+import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
@@ -149,6 +150,7 @@ final class Sketch {
     void draw(Graphics2D graphics, DrawInfo2D info, double x, double y, Paint paint) {
         AffineTransform place = toPixels(info, x, y);
         float pen = (float) pen(info);
+        Stroke stroke = graphics.getStroke(); // other portrayals draw with what they find
         Object control = graphics.getRenderingHint(RenderingHints.KEY_STROKE_CONTROL);
         graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE); // else lines are drawn to whole pixels
         graphics.setPaint(paint);
@@ -158,6 +160,7 @@ final class Sketch {
         float[] pattern = {3 * pen, 3 * pen};
         graphics.setStroke(new BasicStroke(pen, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, pattern, 0));
         graphics.draw(place.createTransformedShape(dashes));
+        graphics.setStroke(stroke);
         graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, control == null ? RenderingHints.VALUE_STROKE_DEFAULT : control);
     }
 

@@ -7,6 +7,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.Stroke;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
@@ -33,6 +36,7 @@ import sim.physics.shape.Rectangle;
 import sim.portrayal.DrawInfo2D;
 import sim.portrayal.LocationWrapper;
 import sim.portrayal.SimpleInspector;
+import sim.portrayal.simple.CircledPortrayal2D;
 import sim.util.Bag;
 import sim.util.Double2D;
 import sim.util.Properties;
@@ -356,6 +360,24 @@ class JointsPortrayalTest {
         assertThat(view.isPresent()).isFalse();
         assertThat(view.getNormalForce()).isZero();
         assertThat(wrapper.getLocation()).isNull();
+    }
+
+    /** MASON's wrappers draw around it, with the stroke that they find. */
+    @Test
+    void otherPortrayalsFindTheGraphicsAsTheyWere() {
+        engine.add(new PinJoint(box(50, 50), null, 50, 50));
+        BufferedImage image = new BufferedImage(100, 100, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        Stroke stroke = graphics.getStroke();
+        Object control = graphics.getRenderingHint(RenderingHints.KEY_STROKE_CONTROL);
+        joints.setField(engine);
+        joints.setPortrayalForAll(new CircledPortrayal2D(new LinkPortrayal2D(Color.RED), 0, 10, Color.GREEN, false));
+        Rectangle2D.Double all = new Rectangle2D.Double(0, 0, 100, 100);
+        joints.draw(engine, graphics, new DrawInfo2D(null, joints, all, all));
+        assertThat(graphics.getStroke()).isSameAs(stroke);
+        assertThat(graphics.getRenderingHint(RenderingHints.KEY_STROKE_CONTROL)).isEqualTo(control);
+        assertThat(image.getRGB(50, 50) & 0xff0000).isNotZero();
+        assertThat(image.getRGB(55, 50) & 0xff00).isNotZero();
     }
 
     @Test
