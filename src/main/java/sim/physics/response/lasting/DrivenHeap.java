@@ -60,7 +60,6 @@ final class DrivenHeap implements Serializable {
 
     /** Whether the impulses are right or nearly so, and whether the last integration was made under them. */
     private boolean isRight;
-
     private boolean isProbed;
 
     /** Whether missing gaps cannot be regained. */
@@ -141,32 +140,10 @@ final class DrivenHeap implements Serializable {
             }
         }
         for (int p = 0; p < system.size(); p++) {
-            if (p < system.contacts() || !switches.shares(p)) {
-                reply(heap, p);
+            if ((p < system.contacts() || !switches.shares(p)) && HeapReplies.areNeeded(system, p, heap, motion)) {
+                system.replies().find(system, p, heap, motion, ties, by.place);
             }
             system.measure(p);
-        }
-    }
-
-    /** Finds what a point's impulses do to bodies that are tied to others. */
-    private void reply(IntList heap, int p) {
-        int a = system.rows().body(p, 0);
-        int b = system.rows().body(p, 1);
-        int first = a >= 0 && motion.isTied(heap.values[a]) ? heap.values[a] : -1;
-        int second = b >= 0 && motion.isTied(heap.values[b]) ? heap.values[b] : -1;
-        if (first >= 0 && second >= 0 && ties.island(first) == ties.island(second)) {
-            reply(p, HeapReplies.BOTH, first);
-        } else {
-            reply(p, 0, first);
-            reply(p, 1, second);
-        }
-    }
-
-    private void reply(int p, int side, int body) {
-        if (body >= 0) {
-            IntList island = ties.island(body);
-            int place = by.place[island.values[0]] - 1;
-            system.replies().find(system.rows(), p, system.w, side, place, ties, island, p < system.contacts());
         }
     }
 
@@ -193,16 +170,17 @@ final class DrivenHeap implements Serializable {
         isSoft = false;
         boolean isSame = false;
         double before = Double.POSITIVE_INFINITY;
-        double expected = Math.max(scale, scales.fastestNow(heap));
-        double first = expected;
+        double first = Math.max(scale, scales.fastestNow(heap));
+        double expected = first;
         for (int k = 0; k < PROBES && !isSame; k++) {
-            if (!(probe(heap, length) <= FAST * expected)) {
-                isReleased |= k > 0; // or what the forces of before held in balance is not there any more
-                isSoft |= k > 0;
-                forget();
-                probe(heap, length);
+            if (!look(heap, length, FAST * expected, k > 0)) {
+                break; // for no forces: bounces are left
             }
+            system.renew();
             extrapolation.next(system.w, system.v);
+            if (!(scales.fastest(heap, system.v) <= FAST * expected)) {
+                extrapolation.unlearn(system.v); // differences that are next to none lead anywhere
+            }
             most = Math.max(most, scales.fastest(heap, system.v));
             kept.keep();
             isRight = isSoft ? system.solveSoftly(most) : system.solveUnlessFair(most, EQUAL * most);
@@ -222,7 +200,7 @@ final class DrivenHeap implements Serializable {
                 break;
             }
             if (k == 0 && isRight && !isReleased && error > SAME * most && extrapolation.isLearned()) {
-                improve(extrapolation, most);
+                improve(extrapolation, heap, most);
                 change = kept.change();
             }
             expected = Math.max(expected, scales.fastest(heap, system.v));
@@ -234,20 +212,42 @@ final class DrivenHeap implements Serializable {
         if (isProbed) {
             kept.goBack();
         }
+        restore(heap);
+        return most;
+    }
+
+    private void restore(IntList heap) {
         for (int k = 0; k < heap.size; k++) {
             if (isFirst(heap.values[k])) {
                 motion.restore(motion.companions(heap.values[k]));
             }
         }
-        return most;
+    }
+
+    /**
+     * Integrates under the last forces, or under none if those throw bodies about with more than a speed: what they held in balance is
+     * not there any more, or they are not those from which the search has set out. False if even soft points tear ties.
+     */
+    private boolean look(IntList heap, double length, double most, boolean isLate) {
+        double fastest = tryProbe(heap, length);
+        if (fastest <= most) {
+            return true;
+        }
+        boolean isVain = isSoft && fastest == Double.POSITIVE_INFINITY;
+        isProbed &= !isVain;
+        isReleased |= isLate;
+        isSoft |= isLate;
+        forget();
+        probe(heap, length);
+        return !isVain;
     }
 
     /** Improves the solution after the first integration by what is known of how impulses act over the time. */
-    private void improve(Extrapolation extrapolation, double scale) {
+    private void improve(Extrapolation extrapolation, IntList heap, double scale) {
         impulses = system.impulses(impulses);
         kept.takeAway(system.v);
         extrapolation.learn(system.w, system.v);
-        if (!system.solve(scale, true)) {
+        if (!system.solve(scale, true) || !(scales.fastest(heap, system.v) <= FAST * scale)) {
             extrapolation.unlearn(system.free());
             system.put(impulses);
         }
@@ -273,7 +273,9 @@ final class DrivenHeap implements Serializable {
     private void beginAnew(IntList heap, double length, double expected) {
         forget();
         kept.keep();
-        isRight = system.solveSoftly(Math.max(probe(heap, length), scales.fastest(heap, system.v)));
+        double most = Math.max(probe(heap, length), scales.fastest(heap, system.v));
+        system.renew();
+        isRight = system.solveSoftly(most);
         isReleased = true;
         isSoft = true;
         isProbed = false;
@@ -434,6 +436,15 @@ final class DrivenHeap implements Serializable {
             probes.keep(body, length);
         }
         return goesOn;
+    }
+
+    /** The same; an infinite speed where ties cannot be kept closed under the last forces, which throw their bodies about then. */
+    private double tryProbe(IntList heap, double length) {
+        try {
+            return probe(heap, length);
+        } catch (IllegalStateException tooStrong) {
+            return Double.POSITIVE_INFINITY;
+        }
     }
 
     /**

@@ -56,6 +56,7 @@ final class Heap implements Serializable {
     private final HeapSystem system = new HeapSystem();
     private final HeapStrike striking = new HeapStrike();
     private final HeapPull pulls;
+    private final HeapEffort effort;
     private final FlushGround flush;
     private final IntList heap = new IntList();
     private final Regain regain = new Regain();
@@ -123,6 +124,7 @@ final class Heap implements Serializable {
         this.notes = new HeapNotes(system, ledger);
         this.scales = new BodyScale(state, trajectories);
         this.pulls = new HeapPull(state, motion);
+        this.effort = new HeapEffort(scales);
         this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales);
         this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
@@ -180,6 +182,19 @@ final class Heap implements Serializable {
         }
         isFresh |= isEven();
         isResumed = !isFresh;
+        press(tau);
+        while (isDriven && effort.isTooMuch(system, courses.before(), pulls, heap, until - tau, trajectories.h())) {
+            until = tau + Math.max(effort.shorter(), trajectories.h() / SOLUTIONS);
+            by.hold(heap, until - tau);
+            driving.unpay(heap, tau, ties);
+            press(tau);
+        }
+        solve(tau);
+        publish(tau, changed);
+    }
+
+    /** Takes in the heap, ends what closes too fast in it, and finds what drives it. */
+    private void press(double tau) {
         gather(tau);
         if (isDriven) {
             driving.gather(heap, ties, regain, scale);
@@ -191,8 +206,6 @@ final class Heap implements Serializable {
             regain.raise(system);
             scale = driving.drive(heap, until - tau, scale);
         }
-        solve(tau);
-        publish(tau, changed);
     }
 
     /** Whether what the heap does to its bodies acts evenly over the time of the solution; else it does at its start. */
@@ -280,6 +293,7 @@ final class Heap implements Serializable {
         for (int k = 0; k < heap.size; k++) {
             int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
             System.arraycopy(system.v, 3 * k, trajectories.data(), o, State.BLOCK);
+            System.arraycopy(system.v, 3 * k, courses.before(), 3 * k, State.BLOCK);
         }
     }
 
@@ -395,7 +409,7 @@ final class Heap implements Serializable {
             isRough = true;
             done = free.solveRoughly(regain.time());
         }
-        if (!by.afford(heap, HeapEnergy.gained(system, from))) {
+        if (isDriven ? effort.isOver() : !by.afford(heap, HeapEnergy.gained(system, from))) {
             done = regainNothing(); // that must not add energy
             by.afford(heap, HeapEnergy.gained(system, from));
         }

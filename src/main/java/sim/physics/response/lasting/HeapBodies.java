@@ -194,6 +194,13 @@ final class HeapBodies implements Serializable {
         return hurried ? h : least;
     }
 
+    /** Lets forces hold for no longer than a time. */
+    void hold(IntList bodies, double time) {
+        for (int k = 0; k < bodies.size; k++) {
+            pace[bodies.values[k]] = time;
+        }
+    }
+
     /** Whether bodies have lost as much energy before in the step as they would gain now; takes note of it then. */
     boolean afford(IntList bodies, double gain) {
         double sum = -gain;

@@ -18,6 +18,18 @@ final class HeapEnergy {
         return s.isTied() ? sum : gainedAlone(s, from);
     }
 
+    /** The work of contacts and stops over a time in which velocities change evenly from some to those of the system. */
+    static double work(HeapSystem s, double[] from) {
+        double sum = 0;
+        for (int p = 0; p < s.size(); p++) {
+            double jn = s.isMotor(p) ? 0 : s.normalImpulse(p);
+            double jt = s.tangentImpulse(p);
+            sum += jn == 0 ? 0 : jn * (s.normal(p, s.v) + s.normal(p, from));
+            sum += jt == 0 ? 0 : jt * (s.tangent(p, s.v) + s.tangent(p, from));
+        }
+        return 0.5 * sum;
+    }
+
     /** Twice the kinetic energy of the bodies that can move, with some velocities. */
     static double of(HeapSystem s, double[] v) {
         double sum = 0;

@@ -5,6 +5,7 @@ package sim.physics.response.lasting;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.IntList;
+import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
 
@@ -50,6 +51,37 @@ final class HeapReplies implements Serializable {
         count[2 * p + 1] = 0;
     }
 
+    /** Whether a body of a point is tied to others; given the bodies of the heap. */
+    static boolean areNeeded(HeapSystem s, int p, IntList bodies, Motion motion) {
+        return isTied(s.rows().body(p, 0), bodies, motion) || isTied(s.rows().body(p, 1), bodies, motion);
+    }
+
+    private static boolean isTied(int place, IntList bodies, Motion motion) {
+        return place >= 0 && motion.isTied(bodies.values[place]);
+    }
+
+    /**
+     * Finds what a point's impulses do to bodies that are tied to others.
+     *
+     * @param bodies of the heap
+     * @param places by body: its number in the heap, plus 1
+     */
+    void find(HeapSystem s, int p, IntList bodies, Motion motion, Ties ties, int[] places) {
+        int a = s.rows().body(p, 0);
+        int b = s.rows().body(p, 1);
+        int first = isTied(a, bodies, motion) ? bodies.values[a] : -1;
+        int second = isTied(b, bodies, motion) ? bodies.values[b] : -1;
+        boolean isOne = first >= 0 && second >= 0 && ties.island(first) == ties.island(second);
+        if (first >= 0) {
+            IntList island = ties.island(first);
+            find(s.rows(), p, s.w, isOne ? BOTH : 0, places[island.values[0]] - 1, ties, island, p < s.contacts());
+        }
+        if (second >= 0 && !isOne) {
+            IntList island = ties.island(second);
+            find(s.rows(), p, s.w, 1, places[island.values[0]] - 1, ties, island, p < s.contacts());
+        }
+    }
+
     /**
      * Finds what units of impulse at a point do to tied bodies: at one of its sides, or at both at once where these are tied together.
      *
@@ -59,7 +91,7 @@ final class HeapReplies implements Serializable {
      * @param island the bodies, which have consecutive numbers in the heap
      * @param twice whether along the tangent too
      */
-    void find(ContactRows rows, int p, double[] w, int side, int place, Ties ties, IntList island, boolean twice) {
+    private void find(ContactRows rows, int p, double[] w, int side, int place, Ties ties, IntList island, boolean twice) {
         int n = 3 * island.size;
         int own = side == BOTH ? 2 * p : 2 * p + side;
         first[own] = place;

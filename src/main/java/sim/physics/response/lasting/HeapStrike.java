@@ -9,6 +9,9 @@ import sim.physics.internal.IntList;
 final class HeapStrike implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Part of the energy that a strike may add to it, where points have to part. */
+    private static final double GAIN = 1e-3;
+
     /** Speed at which points hardly close, relative to the bodies' or to what forces give them: more than what solutions leave. */
     private static final double HARDLY = 1e-10;
 
@@ -17,35 +20,34 @@ final class HeapStrike implements Serializable {
 
     private static final double LIFT = 0.1;
 
-    /** Part of the energy that a strike may add to it, where points have to part. */
-    private static final double GAIN = 1e-3;
-
     /** Least normal velocities, while others are in their place. */
     private double[] kept = {};
 
-    /** Whether points that are too deep hardly close: forces that act evenly come too late for them. */
     private boolean isStuck;
 
     HeapStrike() {
         // grows with the heaps
     }
 
-    /** Whether a point closes faster than it may, or one of those that are too deep does not close at all. */
+    /**
+     * Whether something is to happen at once: a point closes faster than it may, or is deeper than it may be and does not part, for
+     * which forces that act evenly come too late.
+     *
+     * @param deep points that are too deep
+     * @param speed of the bodies
+     * @param scale what forces give them
+     */
     boolean isDue(HeapSystem s, IntList deep, double speed, double scale) {
         isStuck = false;
         for (int k = 0; k < deep.size; k++) {
             isStuck |= Math.abs(s.normal(deep.values[k])) <= STRUCK * speed;
         }
-        return isStuck || isDue(s, HARDLY * Math.max(speed, scale));
-    }
-
-    private static boolean isDue(HeapSystem s, double speed) {
-        for (int p = 0; p < s.size(); p++) {
-            if (!s.isMotor(p) && s.normal(p) < Math.min(0, s.bound(p)) - speed) {
-                return true;
-            }
+        boolean isDue = isStuck;
+        double none = HARDLY * Math.max(speed, scale);
+        for (int p = 0; p < s.size() && !isDue; p++) {
+            isDue = !s.isMotor(p) && s.normal(p) < Math.min(0, s.bound(p)) - none;
         }
-        return false;
+        return isDue;
     }
 
     /**
@@ -54,7 +56,7 @@ final class HeapStrike implements Serializable {
      * @param rebounds by points behind the contacts: speeds with which they are to part then
      */
     void strike(HeapSystem s, double scale, double[] rebounds) {
-        double lift = isStuck ? LIFT : 0; // of the speed that points need which have to part
+        double lift = isStuck ? LIFT : 0;
         if (kept.length < s.size()) {
             kept = new double[2 * s.size()];
         }

@@ -112,6 +112,12 @@ final class HeapSystem implements Serializable {
         System.arraycopy(free, 0, v, 0, 3 * count);
     }
 
+    /** Takes the velocities at hand for those without impulses. */
+    void renew() {
+        free = free.length < v.length ? new double[v.length] : free;
+        System.arraycopy(v, 0, free, 0, 3 * count);
+    }
+
     /** Makes room for one more body, and gives it its inverse masses. */
     void enter(int place, double inverseMass, double inverseInertia) {
         if (v.length < 3 * place + 3) {
@@ -449,13 +455,10 @@ final class HeapSystem implements Serializable {
 
     private void begin(boolean regains) {
         tolerance.setError(0);
-        if (free.length < v.length) {
-            free = new double[v.length];
-        }
         if (regains) {
-            System.arraycopy(v, 0, free, 0, 3 * count);
+            renew();
         } else {
-            System.arraycopy(free, 0, v, 0, 3 * count);
+            again();
         }
         for (int p = 0; p < points; p++) {
             int o = STRIDE * p;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import sim.physics.internal.IntList;
+
+/**
+ * What contacts give to driven bodies while their forces hold. These keep the directions of the normals at the start of that
+ * time: where a limb turns about a peg its normal turns away, and a force that holds it up does work. That grows with the square
+ * of the time, so a shorter one makes it little.
+ */
+final class HeapEffort implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Share of the kinetic energy that contacts may give in a step. */
+    private static final double MOST = 1e-3;
+
+    /** Way, relative to its size, by which a body may be lifted against what forces do: the gaps that are kept. */
+    private static final double LIFT = 1e-4;
+
+    /** Time for which forces hold in any case, relative to the step. */
+    private static final double SHORT = 2e-3;
+
+    /** Bounds of what is left of a time that was too long. */
+    private static final double LEAST = 0.125;
+
+    private static final double GREATEST = 0.5;
+
+    private final BodyScale scales;
+    private double shorter;
+    private boolean isOver;
+
+    HeapEffort(BodyScale scales) {
+        this.scales = scales;
+    }
+
+    /**
+     * Whether contacts give too much while their forces hold, and these can be found for a shorter time.
+     *
+     * @param before velocities at the start of that time, those at its end being the system's
+     * @param pulls what forces do to the bodies
+     * @param time for which forces hold
+     * @param step of the engine
+     */
+    boolean isTooMuch(HeapSystem s, double[] before, HeapPull pulls, IntList heap, double time, double step) {
+        double work = HeapEnergy.work(s, before);
+        isOver = false;
+        if (!(work > 0)) {
+            return false;
+        }
+        double most = 0.5 * MOST * HeapEnergy.of(s, before) * time / step;
+        for (int k = 0; k < heap.size; k++) {
+            most += s.w[2 * k] == 0 ? 0 : LIFT * scales.radius(heap.values[k]) * pulls.of(heap.values[k]) / s.w[2 * k];
+        }
+        shorter = time * Math.max(LEAST, Math.min(GREATEST, most / work));
+        isOver = work > most;
+        return isOver && time > SHORT * step;
+    }
+
+    /** Whether contacts give too much, be the time as short as it is. */
+    boolean isOver() {
+        return isOver;
+    }
+
+    /** A time in which it may be little enough. */
+    double shorter() {
+        return shorter;
+    }
+}
