@@ -49,8 +49,16 @@ final class FlushGround implements Serializable {
         }
     }
 
-    /** The same for the bodies of a heap: the pairs of fixed ones on which they are to lie, too. They lie at a distance. */
-    IntList find(IntList heap, double tau) {
+    /** Lets the bodies of a heap lie also on what goes on flush with the ground that they lie on. */
+    void spread(IntList heap, double tau, LastingPairs lasting) {
+        IntList onto = find(heap, tau);
+        for (int k = 0; k < onto.size; k++) {
+            lasting.begin(onto.values[k]);
+        }
+    }
+
+    /** The pairs of fixed ones on which they are to lie, too. They lie at a distance. */
+    private IntList find(IntList heap, double tau) {
         Pairs pairs = detection.pairs();
         found.clear();
         for (int k = 0; k < heap.size; k++) {

@@ -174,7 +174,7 @@ final class Heap implements Serializable {
             large.leave(heap);
             return;
         }
-        spread(tau);
+        flush.spread(heap, tau, lasting);
         if (isDriven) {
             driving.unpay(heap, tau, ties);
         } else if (isRubbed) {
@@ -239,7 +239,7 @@ final class Heap implements Serializable {
                 }
             }
         }
-        isRubbed = !isTied && (isRubbed || isDriven && most() > MOST); // only such heaps can be stopped
+        isRubbed = !isTied && (isRubbed || isDriven && by.mostTurns(heap) > MOST); // only such heaps can be stopped
         isDriven &= !isRubbed;
         isRough = !isEven() && !isTied && large.isRough(heap);
         double h = trajectories.h();
@@ -249,14 +249,6 @@ final class Heap implements Serializable {
         isFresh = !struck;
         until = Math.min(isEven() ? h : paid, tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
-    }
-
-    /** Lets bodies lie also on what goes on flush with the ground that they lie on. */
-    private void spread(double tau) {
-        IntList onto = flush.find(heap, tau);
-        for (int k = 0; k < onto.size; k++) {
-            lasting.begin(onto.values[k]);
-        }
     }
 
     /** Includes a body, and those that move with it. */
@@ -423,7 +415,7 @@ final class Heap implements Serializable {
         if (isRubbed) {
             rubbing.end();
         }
-        halts = most() > MOST && !isDriven;
+        halts = by.mostTurns(heap) > MOST && !isDriven;
         if (halts) {
             HeapEnergy.halt(system);
         }
@@ -431,15 +423,6 @@ final class Heap implements Serializable {
 
     private boolean regainNothing() {
         return isDriven ? driving.regainNothing(scale) : isRubbed ? system.solve(scale, false) : free.regainNothing(scale, regain.time());
-    }
-
-    /** How often something has happened in this step to a body of the heap, at most. */
-    private int most() {
-        int most = 0;
-        for (int k = 0; k < heap.size; k++) {
-            most = Math.max(most, by.turns[heap.values[k]]);
-        }
-        return most;
     }
 
     /** Whether something has happened to a body of a heap that stands still. */
