@@ -58,6 +58,16 @@ public final class Picture {
     }
 
     /**
+     * Draws the bodies where they are.
+     *
+     * @param engine whose bodies
+     * @return an image
+     */
+    public BufferedImage draw(PhysicsEngine engine) {
+        return draw(engine, new EnginePortrayal2D[0]);
+    }
+
+    /**
      * Draws the bodies where they are, and what layers of displays show over them: a {@link JointsPortrayal2D}, a
      * {@link ContactsPortrayal2D}. Their fields are set to the engine.
      *
@@ -94,6 +104,17 @@ public final class Picture {
 
     /**
      * Draws the bodies into a PNG file.
+     *
+     * @param engine whose bodies
+     * @param file where to
+     * @throws IOException if it cannot be written
+     */
+    public void write(PhysicsEngine engine, File file) throws IOException {
+        write(engine, file, new EnginePortrayal2D[0]);
+    }
+
+    /**
+     * Draws the bodies into a PNG file, with layers over them.
      *
      * @param engine whose bodies
      * @param file where to
