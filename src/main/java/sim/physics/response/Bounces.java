@@ -113,6 +113,15 @@ final class Bounces implements Serializable {
         return count > 0;
     }
 
+    /**
+     * Whether a pair rattles on and on in a step, however fast it is to part: where a body can only turn, friction may stop it as soon
+     * as it does.
+     */
+    boolean isEndless(int pair) {
+        open(pair);
+        return rattles[pair] > Tolerances.ELASTIC_LIE_AFTER;
+    }
+
     /** The restitution of another point of a rattling pair, of which one approaches at a speed: none parts faster than that one. */
     double rattle(Impact c, double restitution, double approach) {
         double own = -c.normalVelocity();

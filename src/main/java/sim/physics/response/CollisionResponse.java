@@ -452,7 +452,8 @@ public final class CollisionResponse implements Serializable {
         }
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
-        boolean rattles = bounces.dampRattle(pair, a, b, impact);
+        boolean isLocked = jointed != null && jointed.has(a, b) && bounces.isEndless(pair) && startsToLie(pair, a, b);
+        boolean rattles = !isLocked && bounces.dampRattle(pair, a, b, impact);
         double rattle = impact.restitution;
         double first = -impact.normalVelocity();
         boolean restsNow = !rattles;
@@ -460,7 +461,7 @@ public final class CollisionResponse implements Serializable {
         bounces.writeOff(pair);
         int body = state.body(a).isFixed() ? b : a;
         boolean canRest = canRest(pair, a, b, tau, touching.size == 1 || pairs.isOnly(touching, body));
-        boolean lies = !rattles && !canRest && startsToLie(pair, a, b);
+        boolean lies = isLocked || !rattles && !canRest && startsToLie(pair, a, b);
         restsNow &= !lies;
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
