@@ -178,6 +178,9 @@ final class Admission implements Presence, Serializable {
         boolean isDriven = trajectories.isDriven(index);
         boolean moves = isDriven || !isThere;
         motion.admit(index, tau);
+        if (trajectories.isDriven(index)) {
+            resting.forget(index); // it was at rest until it was tied, or a spring was put on it
+        }
         boolean isKnown = detection.knows(index);
         boolean staysDriven = isDriven && trajectories.isDriven(index);
         if (isKnown && !(staysDriven && isOnlyPushed(index, tau))) { // else its path is told with those of all driven bodies
@@ -192,6 +195,14 @@ final class Admission implements Presence, Serializable {
         if (audit != null) {
             audit.admitted(index, tau);
         }
+    }
+
+    /** Takes note that a force acts no more which was applied for the step before: what bore the body with it bears something else now. */
+    void unpushed(int index) {
+        if (resting.rests(index)) {
+            resting.again(index);
+        }
+        heaps.struck(index);
     }
 
     /** Whether forces are applied to a body from the start of the step on, and nothing else of it is new. */

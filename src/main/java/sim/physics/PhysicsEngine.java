@@ -220,6 +220,7 @@ public final class PhysicsEngine implements Steppable {
         }
         groups.clear();
         for (int k = 0; k < changed.size; k++) {
+            admission.unpushed(changed.values[k]);
             moved(changed.values[k], 0, false, -1);
         }
         response.begin();

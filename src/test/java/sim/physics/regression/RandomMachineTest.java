@@ -43,7 +43,7 @@ class RandomMachineTest {
      * and they sank into one another, twice as deep in each step.
      */
     @ParameterizedTest
-    @ValueSource(longs = {48, 87, 107})
+    @ValueSource(longs = {48, 87, 107, 151})
     void nothingSinksIn(long seed) {
         RandomMachine scene = new RandomMachine(seed);
         for (int step = 0; step < STEPS; step++) {
