@@ -197,14 +197,6 @@ final class Admission implements Presence, Serializable {
         }
     }
 
-    /** Takes note that a force acts no more which was applied for the step before: what bore the body with it bears something else now. */
-    void unpushed(int index) {
-        if (resting.rests(index)) {
-            resting.again(index);
-        }
-        heaps.struck(index);
-    }
-
     /** Whether forces are applied to a body from the start of the step on, and nothing else of it is new. */
     private boolean isOnlyPushed(int index, double tau) {
         return tau == 0 && state.isOnlyPushed(index);

@@ -220,7 +220,7 @@ public final class PhysicsEngine implements Steppable {
         }
         groups.clear();
         for (int k = 0; k < changed.size; k++) {
-            admission.unpushed(changed.values[k]);
+            unpushed(changed.values[k]);
             moved(changed.values[k], 0, false, -1);
         }
         response.begin();
@@ -234,6 +234,14 @@ public final class PhysicsEngine implements Steppable {
         }
         followAll();
         groups.clear();
+    }
+
+    /** A force acts no more which was applied to a body for the step before: what bore the body with it bears something else now. */
+    private void unpushed(int body) {
+        if (response.resting().rests(body)) {
+            response.resting().again(body);
+        }
+        response.heaps().struck(body);
     }
 
     /** Whether driven bodies that collide with nobody may be moved without anybody's looking at their paths. */

@@ -452,7 +452,8 @@ public final class CollisionResponse implements Serializable {
         }
         impacts++;
         deepest = Math.min(deepest, manifold.gap);
-        boolean isLocked = jointed != null && jointed.has(a, b) && bounces.isEndless(pair) && startsToLie(pair, a, b);
+        boolean isEndless = jointed != null && jointed.has(a, b) && bounces.isEndless(pair);
+        boolean isLocked = isEndless && heaps.resume(a, b) && startsToLie(pair, a, b);
         boolean rattles = !isLocked && bounces.dampRattle(pair, a, b, impact);
         double rattle = impact.restitution;
         double first = -impact.normalVelocity();

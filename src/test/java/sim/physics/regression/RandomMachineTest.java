@@ -61,7 +61,7 @@ class RandomMachineTest {
      * it comes to lie.
      */
     @ParameterizedTest
-    @ValueSource(longs = {156, 288})
+    @ValueSource(longs = {156, 177, 288})
     void whatIsWedgedComesToLie(long seed) {
         RandomMachine scene = new RandomMachine(seed);
         for (int step = 0; step < STEPS; step++) {

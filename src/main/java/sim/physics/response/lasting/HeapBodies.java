@@ -140,6 +140,13 @@ final class HeapBodies implements Serializable {
         givenUp[body] = step + (2 << givenUpTimes[body]);
     }
 
+    /** Lets a body lie on others again. */
+    void resume(int body) {
+        if (knows(body)) {
+            givenUp[body] = 0;
+        }
+    }
+
     /** Takes note of a change of velocity. */
     void pay(int body, double tau, double[] from, double[] to, int at) {
         paidFrom[body] = tau;
@@ -199,6 +206,15 @@ final class HeapBodies implements Serializable {
         for (int k = 0; k < bodies.size; k++) {
             pace[bodies.values[k]] = time;
         }
+    }
+
+    /** How often something has happened in this step to one of some bodies, at most. */
+    int mostTurns(IntList bodies) {
+        int most = 0;
+        for (int k = 0; k < bodies.size; k++) {
+            most = Math.max(most, turns[bodies.values[k]]);
+        }
+        return most;
     }
 
     /** Whether bodies have lost as much energy before in the step as they would gain now; takes note of it then. */

@@ -148,6 +148,19 @@ public final class Heaps implements Serializable {
         return !paused && (!isDriven(body) || calm.isCalm(motion.companions(body), body));
     }
 
+    /**
+     * Lets two bodies lie on one another again that were to lie on nothing for some steps: bounces cost even more.
+     *
+     * @param a index
+     * @param b index
+     * @return false if they may not for another reason
+     */
+    public boolean resume(int a, int b) {
+        by.resume(a);
+        by.resume(b);
+        return mayLie(a, b);
+    }
+
     /** Whether so much has happened to a body in this step that it is to lie on nothing. */
     private boolean isTooOften(int body) {
         if (!isDriven(body)) {
