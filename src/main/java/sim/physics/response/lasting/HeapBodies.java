@@ -229,15 +229,6 @@ final class HeapBodies implements Serializable {
         return sum >= 0;
     }
 
-    /** How often something has happened in this step to one of some bodies, at most. */
-    int mostTurns(IntList bodies) {
-        int most = 0;
-        for (int k = 0; k < bodies.size; k++) {
-            most = Math.max(most, turns[bodies.values[k]]);
-        }
-        return most;
-    }
-
     /** Begins a step, or a body's time in a heap. */
     void begin(int body) {
         paidUntil[body] = 0;
