@@ -7,10 +7,11 @@ import sim.physics.internal.IntList;
 import sim.physics.motion.Trajectories;
 
 /**
- * Which heaps are large ones. While these move they are solved for a whole step and not to rounding: errors may bring their bodies 10⁻³ of
- * their size into one another, which the next steps regain, and a step of many bodies costs a hundredth. What is to touch within
- * the step is foreseen ({@link Foresight}). Where something happens in a step all the same, the heap is solved anew, but not often; from
- * then on what meets takes its impact alone. Large heaps that are slow are solved exactly, as all others, so that they come to rest.
+ * Which heaps are large ones, and which of these are solved roughly. If the exact solution of a large heap that moves is hard to find, it is
+ * solved once for a whole step from then on, and not to rounding: errors may bring its bodies 10⁻³ of their size into one another,
+ * which the next steps regain, and a step of hundreds of bodies costs a twentieth. What may touch within the step is foreseen
+ * ({@link Foresight}). Where something happens in it all the same, the heap is solved anew, but not often; from then on what meets takes its
+ * impact alone. Every so many steps the exact solution is tried again, by which piles come to rest.
  */
 final class LargeHeaps implements Serializable {
     private static final long serialVersionUID = 1L;
