@@ -31,10 +31,11 @@ final class LargeHeaps implements Serializable {
     /** Part of a fair error that an exact solution may leave. */
     private static final double SMALL = 0.03;
 
-    /** Easy solutions that make up for a hard one; and how many of them may be missing. */
+    /** Easy solutions that make up for a hard one; how many of them may be missing, and how many are when it is tried again. */
     private static final int HARD = 5;
 
-    private static final int MOST_HARD = 8;
+    private static final int MOST_HARD = 20;
+    private static final int FEWER = 16;
 
     private final Trajectories trajectories;
     private final HeapBodies by;
@@ -89,7 +90,7 @@ final class LargeHeaps implements Serializable {
         }
         for (int k = 0; k < heap.size && !goesOn; k++) {
             by.roughUntil[heap.values[k]] = trajectories.step() + PAUSE;
-            by.hard[heap.values[k]] = MOST_HARD / 2;
+            by.hard[heap.values[k]] = FEWER;
         }
         return isRight;
     }
