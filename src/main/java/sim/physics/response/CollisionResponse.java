@@ -72,8 +72,7 @@ public final class CollisionResponse implements Serializable {
         this.detection = detection;
         this.pairs = detection.pairs();
         this.listeners = new Listeners(state, trajectories);
-        this.loader = new ContactLoader(state, trajectories, detection);
-        loader.setListeners(listeners);
+        this.loader = new ContactLoader(state, trajectories, detection, listeners);
         this.simultaneous = new SimultaneousImpact(state);
         this.freeBounce = new FreeBounce(state, trajectories, detection.narrowPhase(), loader);
         this.bounces = new Bounces(trajectories, motion);

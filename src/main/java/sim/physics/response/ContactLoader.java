@@ -18,19 +18,16 @@ final class ContactLoader implements ContactPoints {
     private final Trajectories trajectories;
     private final CollisionDetection detection;
     private final Impact impact = new Impact();
+    private final Listeners listeners;
     private PairRule restitutionRule = PairRule.MINIMUM;
-    private Listeners listeners;
     private PairRule frictionRule = PairRule.GEOMETRIC_MEAN;
 
-    ContactLoader(State state, Trajectories trajectories, CollisionDetection detection) {
+    /** One for an engine whose listeners are asked and told of impacts. */
+    ContactLoader(State state, Trajectories trajectories, CollisionDetection detection, Listeners listeners) {
         this.state = state;
         this.trajectories = trajectories;
         this.detection = detection;
-    }
-
-    /** Those who are asked and told of impacts. */
-    void setListeners(Listeners who) {
-        listeners = who;
+        this.listeners = listeners;
     }
 
     @Override

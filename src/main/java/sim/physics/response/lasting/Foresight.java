@@ -7,7 +7,6 @@ import java.util.Arrays;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Tolerances;
-import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
@@ -25,7 +24,7 @@ final class Foresight implements Serializable {
 
     private final State state;
     private final Trajectories trajectories;
-    private final Motion motion;
+    private final HeapPull pulls;
     private final CollisionDetection detection;
     private final ContactPoints points;
     private final BodyScale scales;
@@ -33,18 +32,16 @@ final class Foresight implements Serializable {
     /** By pair: the step in which it was foreseen last, plus 1. */
     private double[] seen = {};
 
-    private final double[] fall = new double[State.BLOCK];
-
     Foresight(
             State state,
             Trajectories trajectories,
-            Motion motion,
+            HeapPull pulls,
             CollisionDetection detection,
             ContactPoints points,
             BodyScale scales) {
         this.state = state;
         this.trajectories = trajectories;
-        this.motion = motion;
+        this.pulls = pulls;
         this.detection = detection;
         this.points = points;
         this.scales = scales;
@@ -64,8 +61,7 @@ final class Foresight implements Serializable {
         if (!points.areForeseen()) {
             return;
         }
-        motion.fall(body, fall, 0);
-        double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
+        double pull = pulls.of(body);
         for (int m = 0; m < detection.pairs().countOf(body); m++) {
             int pair = detection.pairs().of(body, m);
             int other = detection.pairs().other(pair, body);

@@ -129,7 +129,7 @@ final class Heap implements Serializable {
         this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
         this.lasting = new LastingPairs(trajectories, detection, scales, ledger);
-        this.large = new LargeHeaps(trajectories, by, new Foresight(state, trajectories, motion, detection, points, scales));
+        this.large = new LargeHeaps(trajectories, by, new Foresight(state, trajectories, pulls, detection, points, scales));
         this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
     }
 

@@ -436,6 +436,7 @@ public final class Heaps implements Serializable {
      * @param body index
      */
     public void forget(int body) {
+        large.forget(body);
         if (members.size == 0 || !detection.knows(body)) {
             return;
         }

@@ -95,6 +95,14 @@ final class LargeHeaps implements Serializable {
         return isRight;
     }
 
+    /** Forgets what was hard of a body's heap: another one may get its number. */
+    void forget(int body) {
+        if (by.knows(body)) {
+            by.roughUntil[body] = 0;
+            by.hard[body] = 0;
+        }
+    }
+
     /** Whether a body was in a large heap that was solved some steps ago; 0: in this one. */
     private boolean wasSolved(int body, int ago) {
         return by.has(body) && by.solvedIn[body] == trajectories.step() + 1 - ago;
