@@ -21,6 +21,7 @@ import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 import sim.physics.response.lasting.Heaps;
 import sim.physics.response.lasting.RestingContacts;
+import sim.physics.stepping.TimeStepping;
 
 /**
  * Lets into the motion what authors have changed: bodies that were added, written or removed, and constraints that were
@@ -51,6 +52,9 @@ final class Admission implements Presence, Serializable {
 
     /** Null unless the engine is audited. */
     private Audit audit;
+
+    /** Null unless bodies are moved by time stepping. */
+    private TimeStepping stepped;
 
     /** By first body of an island the last round of closing joints that came to it. */
     private transient int[] closed = {};
@@ -83,6 +87,20 @@ final class Admission implements Presence, Serializable {
 
     void setAudit(Audit those) {
         audit = those;
+    }
+
+    /**
+     * Sets what moves the bodies, between steps: from now on it, and not events, is told of changes. All bodies start anew from
+     * where they are.
+     */
+    void setStepped(TimeStepping those) {
+        for (int k = 0; k < state.size(); k++) {
+            if (state.body(k) != null) {
+                forget(k);
+                state.touch(k);
+            }
+        }
+        stepped = those;
     }
 
     /** Sets the instant at which listeners are called. */
@@ -158,6 +176,10 @@ final class Admission implements Presence, Serializable {
     }
 
     private void admit(int index, double tau) {
+        if (stepped != null) {
+            stepped.admit(index);
+            return;
+        }
         if (audit != null) {
             audit.written(index, tau);
         }
@@ -488,13 +510,20 @@ final class Admission implements Presence, Serializable {
         if (audit != null) {
             audit.removed(index);
         }
+        forget(index);
+        detection.filter().forget(body);
+        state.remove(body);
+    }
+
+    private void forget(int index) {
+        if (stepped != null) {
+            stepped.remove(index);
+        }
         if (detection.knows(index)) {
             resting.forget(index);
             heaps.forget(index);
             detection.remove(index);
             motion.remove(index);
         }
-        detection.filter().forget(body);
-        state.remove(body);
     }
 }

@@ -40,6 +40,7 @@ import sim.physics.response.ContactListener;
 import sim.physics.response.ImpulseSolver;
 import sim.physics.response.LastingContact;
 import sim.physics.response.PairRule;
+import sim.physics.stepping.TimeStepping;
 
 /**
  * A physics engine for MASON: schedule it, and the bodies that were added move, collide and bounce.
@@ -92,6 +93,11 @@ public final class PhysicsEngine implements Steppable {
     /** Null unless it is asked for. */
     private Audit audit;
 
+    /** Null until it is asked for the first time; and whether it moves the bodies now. */
+    private TimeStepping timeStepping;
+
+    private boolean isStepped;
+
     private ConstraintSolver constraintSolver = new DirectSolver();
     private boolean broadPhaseIsChosen;
 
@@ -133,6 +139,10 @@ public final class PhysicsEngine implements Steppable {
         if (timeStep == 0) {
             return;
         }
+        if (isStepped) {
+            stepWithoutEvents();
+            return;
+        }
         stepping = true;
         state.setPresence(null, true);
         boolean isOver = false;
@@ -161,6 +171,52 @@ public final class PhysicsEngine implements Steppable {
             stepping = false;
         }
         tell();
+    }
+
+    /** A step of time stepping; listeners are called before it and after it, and may change anything but step the engine. */
+    private void stepWithoutEvents() {
+        beginWithoutEvents();
+        if (timeStepping.decisions().areOpen()) {
+            telling = true;
+            try {
+                timeStepping.decisions().ask();
+            } finally {
+                telling = false;
+            }
+            beginWithoutEvents();
+        }
+        stepping = true;
+        state.setPresence(null, true);
+        try {
+            timeStepping.solve(getTime());
+            steps++;
+        } finally {
+            state.setPresence(null, false);
+            stepping = false;
+        }
+        telling = true;
+        try {
+            timeStepping.decisions().tell();
+        } finally {
+            telling = false;
+        }
+    }
+
+    private void beginWithoutEvents() {
+        stepping = true;
+        state.setPresence(null, true);
+        try {
+            trajectories.begin(steps, timeStep);
+            detection.begin(steps, timeStep);
+            for (Constraint broken : timeStepping.overloaded()) {
+                constraints.remove(broken);
+            }
+            admission.admit(0);
+            timeStepping.begin(getTime(), timeStep);
+        } finally {
+            state.setPresence(null, false);
+            stepping = false;
+        }
     }
 
     /** The step is over; listeners of contacts that last may change anything, but for stepping the engine. */
@@ -685,6 +741,9 @@ public final class PhysicsEngine implements Steppable {
             constraints = new Constraints(state);
             constraints.setSolver(constraintSolver);
             admission.setConstraints(constraints);
+            if (timeStepping != null) {
+                timeStepping.setConstraints(constraints);
+            }
             response.setTies(constraints);
         }
         return constraints;
@@ -751,7 +810,8 @@ public final class PhysicsEngine implements Steppable {
         if (!contains(constraint)) {
             throw new IllegalStateException("constraint is " + constraint + ": it is not in this engine");
         }
-        return admission.reaction(constraint, getTime());
+        Reaction mean = isStepped ? timeStepping.reaction(constraint) : null;
+        return mean == null ? admission.reaction(constraint, getTime()) : mean;
     }
 
     /**
@@ -798,7 +858,7 @@ public final class PhysicsEngine implements Steppable {
      */
     public void addListener(CollisionListener listener) {
         state.requireOpen();
-        response.add(listener);
+        response.laws().add(listener);
         asksAuthors = true;
     }
 
@@ -809,7 +869,7 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if it was not
      */
     public void removeListener(CollisionListener listener) {
-        if (!response.remove(listener)) {
+        if (!response.laws().remove(listener)) {
             throw new IllegalStateException("listener is " + listener + ": it is not in this engine");
         }
     }
@@ -845,7 +905,7 @@ public final class PhysicsEngine implements Steppable {
      */
     public List<LastingContact> contacts() {
         requireBetweenSteps("contacts were asked for");
-        return response.lasting().all();
+        return isStepped ? timeStepping.contacts() : response.lasting().all();
     }
 
     /**
@@ -858,7 +918,7 @@ public final class PhysicsEngine implements Steppable {
     public List<LastingContact> contacts(Body body) {
         requireMine(body);
         requireBetweenSteps("contacts were asked for");
-        return response.lasting().of(body.index());
+        return isStepped ? timeStepping.contacts(body) : response.lasting().of(body.index());
     }
 
     /**
@@ -897,6 +957,54 @@ public final class PhysicsEngine implements Steppable {
         epochStep = steps;
         this.timeStep = timeStep;
         touchAll();
+    }
+
+    /**
+     * Number of substeps of time stepping.
+     *
+     * @return 0 unless set: events are found in continuous time
+     */
+    public int getTimeStepping() {
+        return isStepped ? timeStepping.getSubsteps() : 0;
+    }
+
+    /**
+     * Moves the bodies by time stepping, as game engines do, in place of finding events: each step is made of equal substeps, and in
+     * each of them contacts, joints, motors, stops and friction are solved once for impulses. That is of first order in the
+     * substep and needs no accuracy of its integrator, but what a step costs is known beforehand and small, however many bodies press
+     * on one another: for crowds and machines whose looks count more than their places.
+     *
+     * <p>Bodies may be in one another by some hundredths of their size, joints off by some thousandths of theirs, elastic bodies
+     * lose or gain energy, and what is fast and thin can pass through what is thin. Friction with the plane is that of an ellipsoidal
+     * limit surface. {@link CollisionListener}s are asked when bodies would touch in the step that begins, and told of it when
+     * it is over; in both cases as between steps. Threads and the {@link Integrator} are of no effect.
+     *
+     * @param substeps of a step; 4 is usual, twice as many halve the error; 0 for events
+     * @throws IllegalArgumentException if it is negative
+     * @throws IllegalStateException within a step, or if the engine is audited
+     */
+    public void setTimeStepping(int substeps) {
+        if (substeps < 0) {
+            throw new IllegalArgumentException("substeps are " + substeps + ": there must be 0, for events, or more");
+        }
+        requireBetweenSteps("time stepping was set");
+        if (substeps > 0 && audit != null) {
+            throw new IllegalStateException("time stepping was set while the engine is audited: call setAudited(false) before");
+        }
+        boolean wasStepped = isStepped;
+        isStepped = substeps > 0;
+        if (isStepped && timeStepping == null) {
+            timeStepping = new TimeStepping(state, motion, detection.filter(), response.laws());
+            timeStepping.setConstraints(constraints);
+        }
+        if (isStepped) {
+            timeStepping.setSubsteps(substeps);
+        }
+        if (isStepped != wasStepped) {
+            makeLatePaths();
+            state.settle(true);
+            admission.setStepped(isStepped ? timeStepping : null);
+        }
     }
 
     private void requireBetweenSteps(String what) {
@@ -1008,7 +1116,7 @@ public final class PhysicsEngine implements Steppable {
      */
     public void setPairRules(PairRule restitution, PairRule friction) {
         state.requireOpen();
-        response.setRules(restitution, friction);
+        response.laws().setRules(restitution, friction);
         asksAuthors = true;
         admission.stirAll();
     }
@@ -1069,7 +1177,7 @@ public final class PhysicsEngine implements Steppable {
      * @return since the engine was made
      */
     public long getImpacts() {
-        return response.impacts();
+        return response.impacts() + (timeStepping == null ? 0 : timeStepping.decisions().impacts());
     }
 
     /**
@@ -1078,7 +1186,7 @@ public final class PhysicsEngine implements Steppable {
      * @return length, not negative; rounding
      */
     public double getDeepestPenetration() {
-        return 0 - response.deepest();
+        return 0 - Math.min(response.deepest(), timeStepping == null ? 0 : timeStepping.deepest());
     }
 
     /**
@@ -1100,6 +1208,9 @@ public final class PhysicsEngine implements Steppable {
      */
     public void setAudited(boolean audited) {
         requireBetweenSteps("the audit was set");
+        if (audited && isStepped) {
+            throw new IllegalStateException("an audit was asked for under time stepping: call setTimeStepping(0) before");
+        }
         audit = audited ? new Audit(state, trajectories, motion) : null;
         motion.setObserver(audit);
         admission.setAudit(audit);

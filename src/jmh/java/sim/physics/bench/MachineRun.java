@@ -23,9 +23,9 @@ import java.util.function.Supplier;
 public final class MachineRun {
     private static final int STEPS = 600;
     private static final int WARM_UP = 40;
-    private static final String[] ENGINES = {"ours", "JBox2D", "dyn4j"};
+    private static final String[] ENGINES = {"ours", "stepped", "JBox2D", "dyn4j"};
     private static final List<Supplier<MachineWorld>> MAKERS =
-            List.of(OwnMachine::new, JBox2DMachine::new, Dyn4jMachine::new);
+            List.of(OwnMachine::new, () -> new OwnMachine(4), JBox2DMachine::new, Dyn4jMachine::new);
 
     private MachineRun() {}
 
@@ -86,7 +86,7 @@ public final class MachineRun {
         int middle = time.length / 2;
         System.out.printf(
                 Locale.ROOT,
-                "%-8s %-6s %8.1f us/step [%.1f, %.1f] %5.2f x; depth %.1e m, gap %.1e m, stop %.1e rad; x %.4f, y %.6f, vx %.9f%n",
+                "%-8s %-7s %8.1f us/step [%.1f, %.1f] %5.2f x; depth %.1e m, gap %.1e m, stop %.1e rad; x %.4f, y %.6f, vx %.9f%n",
                 name, ENGINES[e], time[middle], time[0], time[time.length - 1], times[0][middle] / time[middle],
                 judged.depth, judged.gap, judged.over, judged.x(machine.main), judged.y(machine.main),
                 judged.vx(machine.main));

@@ -29,7 +29,13 @@ final class OwnMachine implements MachineWorld {
     private final Map<Integer, Motor> motors = new HashMap<>();
 
     OwnMachine() {
+        this(0);
+    }
+
+    /** One moved by time stepping, unless the substeps are 0. */
+    OwnMachine(int substeps) {
         engine.setTimeStep(STEP);
+        engine.setTimeStepping(substeps);
         engine.add(new Gravity(0, -GRAVITY));
     }
 

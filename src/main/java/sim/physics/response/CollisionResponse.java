@@ -47,6 +47,7 @@ public final class CollisionResponse implements Serializable {
     private final RestingContacts resting;
     private final Heaps heaps;
     private final LastingContacts lasting;
+    private final ContactLaws laws;
     private final Wedged wedged;
     private transient Manifold manifold;
 
@@ -80,6 +81,7 @@ public final class CollisionResponse implements Serializable {
         this.resting = new RestingContacts(state, trajectories, motion, detection, loader, ledger);
         this.heaps = new Heaps(state, trajectories, motion, detection, loader, resting, ledger);
         this.lasting = new LastingContacts(state, detection, resting, heaps, ledger);
+        this.laws = new ContactLaws(loader, listeners, lasting);
         this.wedged = new Wedged(trajectories, detection);
     }
 
@@ -346,33 +348,9 @@ public final class CollisionResponse implements Serializable {
         return solver;
     }
 
-    /**
-     * Sets how the coefficients of two bodies make that of a contact.
-     *
-     * @param restitution rule for the restitution
-     * @param friction rule for the friction
-     */
-    public void setRules(PairRule restitution, PairRule friction) {
-        loader.setRules(restitution, friction);
-    }
-
-    /**
-     * Adds one who is told of collisions.
-     *
-     * @param listener not null
-     */
-    public void add(CollisionListener listener) {
-        listeners.add(Objects.requireNonNull(listener, "listener"));
-    }
-
-    /**
-     * Removes one who is told of collisions.
-     *
-     * @param listener any
-     * @return false if it was not there
-     */
-    public boolean remove(CollisionListener listener) {
-        return listeners.remove(listener);
+    /** {@return what authors say of contacts, live} */
+    public ContactLaws laws() {
+        return laws;
     }
 
     /** {@return number of pairs that have collided since the engine was made} */

@@ -49,18 +49,21 @@ final class Listeners implements Serializable {
     boolean ask(int a, int b, Impact impact) {
         publish(a, b);
         Contact contact = contact(a, b, impact, -impact.normalVelocity(), 0);
+        CollisionListener.Decision decision = ask(contact);
+        impact.sticky |= decision == CollisionListener.Decision.STICK;
+        return decision != CollisionListener.Decision.IGNORE;
+    }
+
+    /** The first decision for something else than a bounce. */
+    CollisionListener.Decision ask(Contact contact) {
         List<CollisionListener> those = all;
         for (int k = 0; k < those.size(); k++) {
             CollisionListener.Decision decision = those.get(k).colliding(contact);
-            if (decision == CollisionListener.Decision.IGNORE) {
-                return false;
-            }
-            if (decision == CollisionListener.Decision.STICK) {
-                impact.sticky = true;
-                return true;
+            if (decision == CollisionListener.Decision.IGNORE || decision == CollisionListener.Decision.STICK) {
+                return decision;
             }
         }
-        return true;
+        return CollisionListener.Decision.BOUNCE;
     }
 
     /** Tells of each pair of a simultaneous impact once, with the impulses of its points together. */
@@ -83,7 +86,10 @@ final class Listeners implements Serializable {
     /** Tells of an impact, with the speed before it. */
     void tell(int a, int b, Impact impact, double approach) {
         publish(a, b);
-        Contact contact = contact(a, b, impact, approach, Math.sqrt(impact.jn * impact.jn + impact.jt * impact.jt));
+        tell(contact(a, b, impact, approach, Math.sqrt(impact.jn * impact.jn + impact.jt * impact.jt)));
+    }
+
+    void tell(Contact contact) {
         List<CollisionListener> those = all;
         for (int k = 0; k < those.size(); k++) {
             those.get(k).collided(contact);

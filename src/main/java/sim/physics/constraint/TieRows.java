@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import sim.physics.internal.Softness;
+import sim.physics.motion.Body;
+import sim.physics.motion.State;
+
+/**
+ * The equations of constraints, motors and stops as time stepping solves them: one after the other for impulses that act in a
+ * substep, each with those of its own rows together.
+ */
+public final class TieRows implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private static final int BLOCK = State.BLOCK;
+    private static final int ROWS = Equations.ROWS;
+
+    /** Values of J of a constraint: for its first body, and for its second one. */
+    private static final int J = 2 * BLOCK * ROWS;
+
+    /** What is less of a diagonal entry than this, relative to the largest, is no equation. */
+    private static final double SINGULAR = 1e-14;
+
+    /** What a constraint is. */
+    private enum Kind {
+        JOINT,
+        MOTOR,
+        STOP
+    }
+
+    private final State state;
+    private final Equations equations = new Equations();
+    private Constraint[] ties = {};
+    private Kind[] kinds = {};
+
+    /** Per constraint: the blocks of its bodies, −1 for the world. */
+    private int[] blocks = {};
+
+    private double[] j = {};
+    private double[] c = {};
+    /** The inverse of J W Jᵀ, 3 × 3. */
+    private double[] inverse = {};
+    /** Impulses of this substep; of a stop that of its lower and its upper bound. */
+    private double[] impulse = {};
+    /** Their sums over the substeps, along J. */
+    private double[] sum = {};
+    /** Speeds of stops at the start of the step. */
+    private double[] approach = {};
+
+    /** Whether a bound of a stop has borne something in this step. */
+    private boolean[] hit = {};
+
+    /** The changes that these rows are for. */
+    private long version = -1;
+
+    /**
+     * Makes rows of no constraint.
+     *
+     * @param state the state vectors
+     */
+    public TieRows(State state) {
+        this.state = state;
+    }
+
+    /**
+     * Takes the constraints of an engine; impulses of those that stay are kept.
+     *
+     * @param constraints all of them, regrouped
+     */
+    public void gather(Constraints constraints) {
+        if (version == constraints.grouping()) {
+            return;
+        }
+        version = constraints.grouping();
+        List<Constraint> all = constraints.all();
+        Map<Constraint, Integer> before = new IdentityHashMap<>();
+        for (int k = 0; k < ties.length; k++) {
+            before.put(ties[k], k);
+        }
+        int n = all.size();
+        double[] kept = new double[ROWS * n];
+        ties = new Constraint[n];
+        kinds = new Kind[n];
+        blocks = new int[2 * n];
+        for (int k = 0; k < n; k++) {
+            Constraint tie = all.get(k);
+            Integer old = before.get(tie);
+            ties[k] = tie;
+            kinds[k] = tie instanceof Motor ? Kind.MOTOR : tie instanceof Limit ? Kind.STOP : Kind.JOINT;
+            blocks[2 * k] = BLOCK * tie.getBodyA().index();
+            blocks[2 * k + 1] = tie.getBodyB() == null ? -1 : BLOCK * tie.getBodyB().index();
+            if (old != null) {
+                System.arraycopy(impulse, ROWS * old, kept, ROWS * k, ROWS);
+            }
+        }
+        impulse = kept;
+        j = new double[J * n];
+        c = new double[ROWS * n];
+        inverse = new double[ROWS * ROWS * n];
+        sum = new double[ROWS * n];
+        approach = new double[n];
+        hit = new boolean[2 * n];
+    }
+
+    /** {@return whether there is none} */
+    public boolean isEmpty() {
+        return ties.length == 0;
+    }
+
+    /**
+     * The blocks of the bodies of a constraint.
+     *
+     * @param k number in the order of adding, twice, plus 1 for the second body
+     * @return where it begins in the state vectors; −1 for the world
+     */
+    public int block(int k) {
+        return blocks[k];
+    }
+
+    /** {@return number of constraints} */
+    public int count() {
+        return ties.length;
+    }
+
+    /** Begins a step. */
+    public void begin() {
+        evaluate();
+        Arrays.fill(sum, 0);
+        Arrays.fill(hit, false);
+        for (int k = 0; k < ties.length; k++) {
+            approach[k] = kinds[k] == Kind.STOP ? speed(k, 0, state.v()) : 0;
+        }
+    }
+
+    /** Evaluates all equations where the state vectors say that the bodies are. */
+    public void evaluate() {
+        double[] w = state.w().values();
+        for (int k = 0; k < ties.length; k++) {
+            Constraint tie = ties[k];
+            Constraint one = kinds[k] == Kind.JOINT ? tie : ((Switched) tie).coordinate();
+            equations.clear();
+            one.evaluate(equations);
+            int rows = tie.getRows();
+            for (int r = 0; r < rows; r++) {
+                c[ROWS * k + r] = equations.c[r];
+            }
+            System.arraycopy(equations.jA, 0, j, J * k, BLOCK * rows);
+            System.arraycopy(equations.jB, 0, j, J * k + BLOCK * ROWS, BLOCK * rows);
+            invert(k, rows, w);
+        }
+    }
+
+    /** K = J W Jᵀ of a constraint, inverted; a row that nothing can move gets zeros. */
+    private void invert(int k, int rows, double[] w) {
+        int o = ROWS * ROWS * k;
+        if (rows == 1) {
+            double only = stiffness(k, 0, 0, w);
+            inverse[o] = only > 0 ? 1 / only : 0;
+            return;
+        }
+        double k00 = stiffness(k, 0, 0, w);
+        double k01 = stiffness(k, 0, 1, w);
+        double k11 = stiffness(k, 1, 1, w);
+        if (rows == 2) {
+            double det = k00 * k11 - k01 * k01;
+            boolean isRegular = det > SINGULAR * k00 * k11;
+            inverse[o] = isRegular ? k11 / det : k00 > 0 ? 1 / k00 : 0;
+            inverse[o + 1] = isRegular ? -k01 / det : 0;
+            inverse[o + 3] = inverse[o + 1];
+            inverse[o + 4] = isRegular ? k00 / det : k11 > 0 && !(k00 > 0) ? 1 / k11 : 0;
+            return;
+        }
+        double k02 = stiffness(k, 0, 2, w);
+        double k12 = stiffness(k, 1, 2, w);
+        double k22 = stiffness(k, 2, 2, w);
+        double a = k11 * k22 - k12 * k12;
+        double b = k02 * k12 - k01 * k22;
+        double d = k01 * k12 - k02 * k11;
+        double det = k00 * a + k01 * b + k02 * d;
+        if (!(det > SINGULAR * k00 * k11 * k22)) {
+            Arrays.fill(inverse, o, o + ROWS * ROWS, 0); // row by row
+            inverse[o] = k00 > 0 ? 1 / (ROWS * k00) : 0;
+            inverse[o + 4] = k11 > 0 ? 1 / (ROWS * k11) : 0;
+            inverse[o + 8] = k22 > 0 ? 1 / (ROWS * k22) : 0;
+            return;
+        }
+        inverse[o] = a / det;
+        inverse[o + 1] = b / det;
+        inverse[o + 2] = d / det;
+        inverse[o + 3] = b / det;
+        inverse[o + 4] = (k00 * k22 - k02 * k02) / det;
+        inverse[o + 5] = (k01 * k02 - k00 * k12) / det;
+        inverse[o + 6] = d / det;
+        inverse[o + 7] = inverse[o + 5];
+        inverse[o + 8] = (k00 * k11 - k01 * k01) / det;
+    }
+
+    private double stiffness(int k, int row, int column, double[] w) {
+        int o = J * k + BLOCK * row;
+        int p = J * k + BLOCK * column;
+        int a = blocks[2 * k];
+        int b = blocks[2 * k + 1];
+        double entry = w[a] * j[o] * j[p] + w[a + 1] * j[o + 1] * j[p + 1] + w[a + 2] * j[o + 2] * j[p + 2];
+        if (b >= 0) {
+            o += BLOCK * ROWS;
+            p += BLOCK * ROWS;
+            entry += w[b] * j[o] * j[p] + w[b + 1] * j[o + 1] * j[p + 1] + w[b + 2] * j[o + 2] * j[p + 2];
+        }
+        return entry;
+    }
+
+    /** Gives the bodies the impulses of the substep before. */
+    public void start() {
+        for (int k = 0; k < ties.length; k++) {
+            if (kinds[k] == Kind.STOP) {
+                push(k, 0, impulse[ROWS * k] - impulse[ROWS * k + 1]);
+            } else {
+                for (int r = 0; r < ties[k].getRows(); r++) {
+                    push(k, r, impulse[ROWS * k + r]);
+                }
+            }
+        }
+    }
+
+    private double speed(int k, int row, double[] v) {
+        int o = J * k + BLOCK * row;
+        int a = blocks[2 * k];
+        int b = blocks[2 * k + 1];
+        double speed = j[o] * v[a] + j[o + 1] * v[a + 1] + j[o + 2] * v[a + 2];
+        if (b >= 0) {
+            o += BLOCK * ROWS;
+            speed += j[o] * v[b] + j[o + 1] * v[b + 1] + j[o + 2] * v[b + 2];
+        }
+        return speed;
+    }
+
+    private void push(int k, int row, double by) {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        int o = J * k + BLOCK * row;
+        int a = blocks[2 * k];
+        int b = blocks[2 * k + 1];
+        v[a] += w[a] * j[o] * by;
+        v[a + 1] += w[a + 1] * j[o + 1] * by;
+        v[a + 2] += w[a + 2] * j[o + 2] * by;
+        if (b >= 0) {
+            o += BLOCK * ROWS;
+            v[b] += w[b] * j[o] * by;
+            v[b + 1] += w[b + 1] * j[o + 1] * by;
+            v[b + 2] += w[b + 2] * j[o + 2] * by;
+        }
+    }
+
+    /**
+     * Solves all constraints once.
+     *
+     * @param softness how places are regained; {@link Softness#RIGID} if they are not
+     * @param h substep
+     */
+    public void solve(Softness softness, double h) {
+        for (int k = 0; k < ties.length; k++) {
+            switch (kinds[k]) {
+                case JOINT -> join(k, softness);
+                case MOTOR -> drive(k, (Motor) ties[k], h);
+                case STOP -> stop(k, (Limit) ties[k], softness, h);
+            }
+        }
+    }
+
+    private void join(int k, Softness softness) {
+        double[] v = state.v();
+        int o = ROWS * k;
+        int m = ROWS * o;
+        int rows = ties[k].getRows();
+        double mass = softness.mass();
+        double back = softness.impulse();
+        double r0 = speed(k, 0, v) + softness.rate() * c[o];
+        if (rows == 1) {
+            take(k, 0, -mass * inverse[m] * r0 - back * impulse[o]);
+            return;
+        }
+        double r1 = speed(k, 1, v) + softness.rate() * c[o + 1];
+        if (rows == 2) {
+            take(k, 0, -mass * (inverse[m] * r0 + inverse[m + 1] * r1) - back * impulse[o]);
+            take(k, 1, -mass * (inverse[m + 3] * r0 + inverse[m + 4] * r1) - back * impulse[o + 1]);
+            return;
+        }
+        double r2 = speed(k, 2, v) + softness.rate() * c[o + 2];
+        for (int r = 0; r < ROWS; r++, m += ROWS) {
+            double by = inverse[m] * r0 + inverse[m + 1] * r1 + inverse[m + 2] * r2;
+            take(k, r, -mass * by - back * impulse[o + r]);
+        }
+    }
+
+    private void take(int k, int row, double by) {
+        impulse[ROWS * k + row] += by;
+        push(k, row, by);
+    }
+
+    private void drive(int k, Motor motor, double h) {
+        double most = motor.getLimit() * h;
+        double old = impulse[ROWS * k];
+        double asked = old - inverse[ROWS * ROWS * k] * (speed(k, 0, state.v()) - motor.getSpeed());
+        take(k, 0, Math.max(-most, Math.min(most, asked)) - old);
+    }
+
+    private void stop(int k, Limit stop, Softness softness, double h) {
+        double q = c[ROWS * k];
+        bound(k, 0, q - stop.getLower(), 1, softness, h);
+        bound(k, 1, stop.getUpper() - q, -1, softness, h);
+    }
+
+    /** One bound of a stop: what is left of the way may be gone in the substep, what is beyond it is regained. */
+    private void bound(int k, int side, double gap, int sign, Softness softness, double h) {
+        int o = ROWS * k + side;
+        if (gap == Double.POSITIVE_INFINITY) {
+            return;
+        }
+        double speed = sign * speed(k, 0, state.v());
+        boolean isOpen = gap > 0;
+        double aim = isOpen ? gap / h : softness.rate() * gap;
+        double mass = isOpen ? 1 : softness.mass();
+        double back = isOpen ? 0 : softness.impulse();
+        double old = impulse[o];
+        double now = Math.max(0, old - mass * inverse[ROWS * ROWS * k] * (speed + aim) - back * old);
+        impulse[o] = now;
+        hit[2 * k + side] |= now > 0;
+        push(k, 0, sign * (now - old));
+    }
+
+    /** Adds the impulses of a substep to those of the step. */
+    public void add() {
+        for (int k = 0; k < ties.length; k++) {
+            int o = ROWS * k;
+            boolean isStop = kinds[k] == Kind.STOP;
+            sum[o] += isStop ? impulse[o] - impulse[o + 1] : impulse[o];
+            sum[o + 1] += isStop ? 0 : impulse[o + 1];
+            sum[o + 2] += isStop ? 0 : impulse[o + 2];
+        }
+    }
+
+    /** Lets coordinates bounce off stops that they have hit. */
+    public void bounce() {
+        for (int k = 0; k < ties.length; k++) {
+            if (kinds[k] != Kind.STOP || ((Limit) ties[k]).getRestitution() == 0) {
+                continue;
+            }
+            double aim = -((Limit) ties[k]).getRestitution() * approach[k];
+            double speed = speed(k, 0, state.v());
+            boolean isLower = hit[2 * k] && aim > speed && approach[k] < 0;
+            boolean isUpper = hit[2 * k + 1] && aim < speed && approach[k] > 0;
+            if (isLower || isUpper) {
+                double by = inverse[ROWS * ROWS * k] * (aim - speed);
+                push(k, 0, by);
+                sum[ROWS * k] += by;
+            }
+        }
+    }
+
+    /**
+     * What a constraint did in the last step, in the mean.
+     *
+     * @param constraint one of them
+     * @param time the step
+     * @return its force; null if it has not been solved
+     */
+    public Reaction reaction(Constraint constraint, double time) {
+        int k = Arrays.asList(ties).indexOf(constraint);
+        return k < 0 ? null : reaction(k, time);
+    }
+
+    private Reaction reaction(int k, double time) {
+        double x = 0;
+        double y = 0;
+        double turn = 0;
+        for (int r = 0; r < ties[k].getRows(); r++) {
+            int o = J * k + BLOCK * r;
+            double force = sum[ROWS * k + r] / time;
+            x += j[o] * force;
+            y += j[o + 1] * force;
+            turn += j[o + 2] * force;
+        }
+        return new Reaction(x, y, turn);
+    }
+
+    /**
+     * The joints that broke under what they did in the last step.
+     *
+     * @param time the step
+     * @return those; empty if none did
+     */
+    public List<Constraint> overloaded(double time) {
+        List<Constraint> those = List.of();
+        for (int k = 0; k < ties.length; k++) {
+            if (ties[k] instanceof Joint joint && joint.isBreakable() && joint.breaksUnder(reaction(k, time))) {
+                those = those.isEmpty() ? new ArrayList<>() : those;
+                those.add(joint);
+            }
+        }
+        return those;
+    }
+
+    /**
+     * Whether a body is one of a constraint's.
+     *
+     * @param body any
+     * @return true if a constraint ties it
+     */
+    public boolean ties(Body body) {
+        for (Constraint tie : ties) {
+            if (tie.getBodyA() == body || tie.getBodyB() == body) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.internal;
+
+/**
+ * How a constraint that is off its place is brought back by time stepping: as by a damped spring that is integrated implicitly
+ * (Catto, <i>Soft constraints</i>, GDC 2011), whose frequency is a part of that of the substeps.
+ *
+ * @param rate part of what it is off that goes in a unit of time
+ * @param mass how much of the impulse counts that a rigid constraint would take
+ * @param impulse how much of what it has taken so far is given back
+ */
+public record Softness(double rate, double mass, double impulse) {
+    /** A constraint that has no place to go back to. */
+    public static final Softness RIGID = new Softness(0, 1, 0);
+
+    /**
+     * That of a spring.
+     *
+     * @param frequency in oscillations a substep
+     * @param damping ratio
+     * @param h substep
+     * @return its softness
+     */
+    public static Softness of(double frequency, double damping, double h) {
+        double angle = 2 * Math.PI * frequency;
+        double sum = 2 * damping + angle;
+        double product = angle * sum;
+        return new Softness(angle / (h * sum), product / (1 + product), 1 / (1 + product));
+    }
+}

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.internal.Growth;
+import sim.physics.internal.IntList;
+
+/**
+ * Friction with the plane as time stepping solves it: one impulse of force and torque for each body, which stops it or is on the
+ * limit surface, there in the direction that takes most energy. The limit surface is taken for the ellipsoid through the
+ * largest force and the largest torque (Howe and Cutkosky, <i>Practical force-motion models for sliding manipulation</i>, 1996).
+ */
+public final class SurfaceRows implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private static final int ROUNDS = 20;
+    private static final double REACHED = 1e-12;
+
+    private static final int STRIDE = 6;
+
+    /** Largest force, at rest and while sliding; torque over force. */
+    private static final int STATIC = 3;
+
+    private static final int KINETIC = 4;
+    private static final int ARM = 5;
+
+    private final State state;
+    private final Generators generators;
+    private final IntList bodies = new IntList();
+
+    /** Per body of the list: force, torque, and the largest ones, as impulses of a substep. */
+    private double[] rows = {};
+
+    private final double[] out = new double[State.BLOCK];
+
+    SurfaceRows(State state, Generators generators) {
+        this.state = state;
+        this.generators = generators;
+    }
+
+    /** {@return whether nothing rubs on the plane} */
+    public boolean isEmpty() {
+        return generators.surface == null;
+    }
+
+    /**
+     * Begins a step.
+     *
+     * @param movable the bodies
+     */
+    public void begin(IntList movable) {
+        int before = bodies.size;
+        int[] old = before == 0 ? null : Arrays.copyOf(bodies.values, before);
+        double[] oldRows = before == 0 ? null : Arrays.copyOf(rows, STRIDE * before);
+        bodies.clear();
+        if (STRIDE * movable.size > rows.length) {
+            rows = new double[STRIDE * Growth.length(movable.size, movable.size)];
+        }
+        for (int k = 0, m = 0; k < movable.size; k++) {
+            Body body = state.body(movable.values[k]);
+            if (!generators.surface.actsOn(body)) {
+                continue;
+            }
+            int o = STRIDE * bodies.size;
+            bodies.add(movable.values[k]);
+            while (m < before && old[m] < movable.values[k]) {
+                m++;
+            }
+            boolean isOld = m < before && old[m] == movable.values[k];
+            for (int i = 0; i < State.BLOCK; i++) {
+                rows[o + i] = isOld ? oldRows[STRIDE * m + i] : 0;
+            }
+            double weight = body.getMass() * generators.surface.getGravity();
+            rows[o + STATIC] = body.getSurfaceStaticFriction() * weight;
+            rows[o + KINETIC] = body.getSurfaceFriction() * weight;
+            body.surfacePatch().friction(0, 0, 1, 0, out);
+            rows[o + ARM] = -out[State.THETA];
+        }
+    }
+
+    /** Gives the bodies the impulses of the substep before. */
+    public void start() {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            int o = STRIDE * k;
+            v[b] += w[b] * rows[o];
+            v[b + 1] += w[b + 1] * rows[o + 1];
+            v[b + 2] += w[b + 2] * rows[o + 2];
+        }
+    }
+
+    /**
+     * Solves all bodies once.
+     *
+     * @param h substep
+     */
+    public void solve(double h) {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            int o = STRIDE * k;
+            double vx = v[b] - w[b] * rows[o]; // without friction
+            double vy = v[b + 1] - w[b] * rows[o + 1];
+            double spin = v[b + 2] - w[b + 2] * rows[o + 2];
+            double arm = rows[o + ARM];
+            boolean rests = held(vx, vy, spin, w[b], w[b + 2], arm) <= rows[o + STATIC] * h;
+            if (rests) {
+                rows[o] = -vx / w[b];
+                rows[o + 1] = -vy / w[b];
+                rows[o + 2] = -spin / w[b + 2];
+                v[b] = 0;
+                v[b + 1] = 0;
+                v[b + 2] = 0;
+            } else {
+                slide(o, b, vx, vy, spin, rows[o + KINETIC] * h);
+            }
+        }
+    }
+
+    /** The force to stop a body, in the measure of the ellipsoid. */
+    private static double held(double vx, double vy, double spin, double w, double wSpin, double arm) {
+        double force = (vx * vx + vy * vy) / (w * w);
+        double turn = spin / (wSpin * arm);
+        return Math.sqrt(force + turn * turn);
+    }
+
+    /**
+     * The impulse −D u/σ against the velocity u that is left, D the squares of the ellipsoid's axes and σ² = u·D u: with
+     * u = v / (1 + w D/σ) an equation for σ, which is convex, by Newton's method from below.
+     */
+    private void slide(int o, int b, double vx, double vy, double spin, double most) {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        double arm = rows[o + ARM];
+        if (most == 0) {
+            v[b] = vx;
+            v[b + 1] = vy;
+            v[b + 2] = spin;
+            Arrays.fill(rows, o, o + State.BLOCK, 0);
+            return;
+        }
+        double d = most * most;
+        double dTurn = d * arm * arm;
+        double line = d * (vx * vx + vy * vy);
+        double turn = dTurn * spin * spin;
+        double add = w[b] * d;
+        double addTurn = w[b + 2] * dTurn;
+        double sigma = 0;
+        for (int round = 0; round < ROUNDS; round++) {
+            double p = 1 / (sigma + add);
+            double q = 1 / (sigma + addTurn);
+            double excess = line * p * p + turn * q * q - 1;
+            double step = excess / (2 * (line * p * p * p + turn * q * q * q));
+            sigma += step;
+            if (!(Math.abs(step) > REACHED * sigma)) {
+                break;
+            }
+        }
+        double keep = sigma / (sigma + add);
+        double keepTurn = sigma / (sigma + addTurn);
+        v[b] = vx * keep;
+        v[b + 1] = vy * keep;
+        v[b + 2] = spin * keepTurn;
+        rows[o] = (v[b] - vx) / w[b];
+        rows[o + 1] = (v[b + 1] - vy) / w[b];
+        rows[o + 2] = (v[b + 2] - spin) / w[b + 2];
+    }
+}

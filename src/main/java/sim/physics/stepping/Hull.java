@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import java.io.Serializable;
+import sim.physics.shape.Shape;
+
+/** A shape's corners and the outward normals of its edges, in the body's own frame; one for all bodies of a shape. */
+final class Hull implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    final Shape shape;
+
+    /** Number of corners; 1: a circle. */
+    final int count;
+
+    final double radius;
+    final double bounding;
+    final double[] x;
+    final double[] y;
+
+    /** Normals of the edges from each corner to the next one. */
+    final double[] nx;
+
+    final double[] ny;
+
+    Hull(Shape shape) {
+        this.shape = shape;
+        count = shape.vertexCount();
+        radius = shape.radius();
+        bounding = shape.boundingRadius();
+        x = new double[count];
+        y = new double[count];
+        nx = new double[count];
+        ny = new double[count];
+        for (int k = 0; k < count; k++) {
+            x[k] = shape.vertexX(k);
+            y[k] = shape.vertexY(k);
+        }
+        for (int k = 0; count > 1 && k < count; k++) {
+            int next = k + 1 < count ? k + 1 : 0;
+            double ex = x[next] - x[k];
+            double ey = y[next] - y[k];
+            double length = Math.sqrt(ex * ex + ey * ey);
+            nx[k] = ey / length;
+            ny[k] = -ex / length;
+        }
+    }
+
+    int next(int k) {
+        return k + 1 < count ? k + 1 : 0;
+    }
+}

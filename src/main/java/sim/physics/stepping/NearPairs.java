@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.collision.CollisionFilter;
+import sim.physics.collision.broad.Boxes;
+import sim.physics.collision.broad.BroadPhase;
+import sim.physics.collision.broad.BruteForce;
+import sim.physics.collision.broad.CellGrid;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.internal.Growth;
+import sim.physics.motion.State;
+
+/** The pairs of bodies that may touch within the step, and what is kept of them from step to step. */
+final class NearPairs implements Pairs.Listener, Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** The two do not collide at all. */
+    static final int FORBIDDEN = 1;
+    /** Listeners have been asked what to do, and it is this. */
+    static final int DECIDED = 2;
+
+    static final int IGNORED = 4;
+    static final int STICKY = 8;
+    /** They pressed on one another in the last step. */
+    static final int TOUCHED = 16;
+    /** Listeners of lasting contacts have been told of them. */
+    static final int TOLD = 32;
+
+    /** Values kept of a pair: impulses along normal and tangent of two points. */
+    static final int KEPT = 4;
+
+    /** Number of bodies from which a grid finds the pairs. */
+    private static final int CROWD = 50;
+
+    /** Room of a box around a body in units of its size, and in steps of its way. */
+    private static final double ROOM = 0.1;
+
+    private static final double STEPS = 3;
+
+    private final State state;
+    private final Poses poses;
+    private final CollisionFilter filter;
+    private final Boxes boxes = new Boxes();
+    private final Pairs pairs = new Pairs();
+    private BroadPhase broad = new BruteForce();
+    private int bodies;
+
+    int[] flags = {};
+    double[] kept = {};
+    int[] features = {};
+
+    /** Told of a pair that ends. */
+    private final Ending ending;
+
+    /** Who wants to know when a pair ends of which somebody was told. */
+    interface Ending extends Serializable {
+        void ended(int a, int b);
+    }
+
+    private double minX;
+    private double minY;
+    private double maxX;
+    private double maxY;
+
+    NearPairs(State state, Poses poses, CollisionFilter filter, Ending ending) {
+        this.state = state;
+        this.poses = poses;
+        this.filter = filter;
+        this.ending = ending;
+        pairs.setListener(this);
+    }
+
+    Pairs pairs() {
+        return pairs;
+    }
+
+    /** Takes a body in. */
+    void add(int body, double h) {
+        boxes.ensure(body + 1);
+        pairs.ensure(body + 1);
+        boxes.setFixed(body, state.body(body).isFixed());
+        bound(body, h, STEPS, ROOM);
+        boxes.set(body, minX, minY, maxX, maxY);
+        bodies++;
+        broad.add(body, boxes, pairs);
+        if (bodies == CROWD && broad instanceof BruteForce) {
+            toGrid();
+        }
+    }
+
+    private void toGrid() {
+        broad = new CellGrid();
+        for (int k = 0; k < state.size(); k++) {
+            if (poses.knows(k)) {
+                broad.add(k, boxes, pairs);
+            }
+        }
+    }
+
+    void remove(int body) {
+        broad.remove(body, boxes, pairs);
+        bodies--;
+    }
+
+    /** A body was written: its box is made anew, and its pairs may be others. */
+    void written(int body, double h) {
+        bound(body, h, STEPS, ROOM);
+        boxes.set(body, minX, minY, maxX, maxY);
+        broad.update(body, boxes, pairs);
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            filter(pairs.of(body, k));
+        }
+    }
+
+    /** Makes the boxes anew that bodies may leave in the step. */
+    void update(double h) {
+        double[] d = boxes.data();
+        for (int k = 0; k < poses.movable.size; k++) {
+            int body = poses.movable.values[k];
+            poses.turn(body);
+            bound(body, h, 1, 0);
+            int o = Boxes.STRIDE * body;
+            boolean isOut = minX < d[o] || minY < d[o + 1] || maxX > d[o + 2] || maxY > d[o + 3];
+            if (isOut) {
+                bound(body, h, STEPS, ROOM);
+                boxes.set(body, minX, minY, maxX, maxY);
+                broad.update(body, boxes, pairs);
+            }
+        }
+    }
+
+    /** The box of a body and of its way in some steps, with some room. */
+    private void bound(int body, double h, double steps, double room) {
+        Hull hull = poses.hull(body);
+        double[] x = state.x();
+        double[] v = state.v();
+        int b = State.BLOCK * body;
+        double wideX = hull.radius;
+        double wideY = hull.radius;
+        double turned = 0;
+        double lowX = -wideX;
+        double lowY = -wideY;
+        if (hull.count > 1) {
+            double cos = poses.turns[2 * body];
+            double sin = poses.turns[2 * body + 1];
+            lowX = Double.POSITIVE_INFINITY;
+            lowY = lowX;
+            wideX = -lowX;
+            wideY = -lowX;
+            for (int k = 0; k < hull.count; k++) {
+                double px = cos * hull.x[k] - sin * hull.y[k];
+                double py = sin * hull.x[k] + cos * hull.y[k];
+                lowX = Math.min(lowX, px);
+                wideX = Math.max(wideX, px);
+                lowY = Math.min(lowY, py);
+                wideY = Math.max(wideY, py);
+            }
+            turned = Math.min(2, Math.abs(v[b + 2]) * h * steps) * hull.bounding;
+        }
+        double way = h * steps;
+        double more = room * hull.bounding + turned;
+        minX = x[b] + lowX + Math.min(0, way * v[b]) - more;
+        minY = x[b + 1] + lowY + Math.min(0, way * v[b + 1]) - more;
+        maxX = x[b] + wideX + Math.max(0, way * v[b]) + more;
+        maxY = x[b + 1] + wideY + Math.max(0, way * v[b + 1]) + more;
+    }
+
+    @Override
+    public void pairBegan(int pair) {
+        if (pair >= flags.length) {
+            int length = Growth.length(flags.length, pair + 1);
+            flags = Arrays.copyOf(flags, length);
+            kept = Arrays.copyOf(kept, KEPT * length);
+            features = Arrays.copyOf(features, 2 * length);
+        }
+        flags[pair] = 0;
+        Arrays.fill(kept, KEPT * pair, KEPT * pair + KEPT, 0);
+        Arrays.fill(features, 2 * pair, 2 * pair + 2, 0);
+        filter(pair);
+    }
+
+    private void filter(int pair) {
+        int a = pairs.first(pair);
+        int b = pairs.second(pair);
+        boolean forbids = !filter.allows(state.body(a), state.body(b));
+        flags[pair] = forbids ? flags[pair] | FORBIDDEN : flags[pair] & ~FORBIDDEN;
+    }
+
+    @Override
+    public void pairEnded(int pair) {
+        if ((flags[pair] & TOLD) != 0) {
+            ending.ended(pairs.first(pair), pairs.second(pair));
+        }
+        flags[pair] = FORBIDDEN;
+    }
+
+    boolean is(int pair, int flag) {
+        return (flags[pair] & flag) != 0;
+    }
+}

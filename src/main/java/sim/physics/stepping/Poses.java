@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import sim.physics.internal.Growth;
+import sim.physics.internal.IntList;
+import sim.physics.internal.Trig;
+import sim.physics.motion.Body;
+import sim.physics.motion.State;
+import sim.physics.shape.Shape;
+
+/** Where the bodies are at the start of a step, and their hulls. */
+final class Poses implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final State state;
+    private final Map<Shape, Hull> shared = new HashMap<>();
+    private Hull[] hulls = {};
+
+    /** [cos θ, sin θ] per body. */
+    double[] turns = {};
+
+    /** The movable bodies, and the fixed ones. */
+    final IntList movable = new IntList();
+
+    Poses(State state) {
+        this.state = state;
+    }
+
+    void ensure(int bodies) {
+        if (hulls.length < bodies) {
+            int length = Growth.length(hulls.length, bodies);
+            hulls = Arrays.copyOf(hulls, length);
+            turns = Arrays.copyOf(turns, 2 * length);
+        }
+    }
+
+    boolean knows(int body) {
+        return body < hulls.length && hulls[body] != null;
+    }
+
+    Hull hull(int body) {
+        return hulls[body];
+    }
+
+    /** Takes a body in. */
+    void add(int index) {
+        ensure(index + 1);
+        Body body = state.body(index);
+        hulls[index] = shared.computeIfAbsent(body.getShape(), Hull::new);
+        if (!body.isFixed()) {
+            movable.insert(index);
+        }
+    }
+
+    void remove(int index) {
+        hulls[index] = null;
+        if (movable.contains(index)) {
+            movable.takeOut(index);
+        }
+    }
+
+    void clear() {
+        Arrays.fill(hulls, null);
+        movable.clear();
+        shared.clear();
+    }
+
+    /** Turns a body's frame to where it is now. */
+    void turn(int body) {
+        if (hulls[body].count > 1) {
+            Trig.sinCos(state.x()[State.BLOCK * body + State.THETA], turns, 2 * body);
+        }
+    }
+}

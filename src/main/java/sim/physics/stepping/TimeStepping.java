@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import java.util.List;
+import sim.physics.collision.CollisionFilter;
+import sim.physics.collision.broad.Pairs;
+import sim.physics.constraint.Constraint;
+import sim.physics.constraint.Constraints;
+import sim.physics.constraint.Reaction;
+import sim.physics.constraint.TieRows;
+import sim.physics.internal.Softness;
+import sim.physics.motion.Body;
+import sim.physics.motion.Motion;
+import sim.physics.motion.State;
+import sim.physics.motion.SteppedForces;
+import sim.physics.motion.SurfaceRows;
+import sim.physics.response.ContactLaws;
+import sim.physics.response.LastingContact;
+
+/**
+ * Moves the bodies by fixed substeps, in each of which contacts, joints, motors, stops and friction are solved once for
+ * impulses, one after the other (Moreau, <i>Unilateral contact and dry friction in finite freedom dynamics</i>, 1988; in small
+ * steps, Macklin et al., <i>Small steps in physics simulation</i>, 2019, with soft constraints and a second solution without
+ * them after the places have changed, Catto, <i>Solver2D</i>, 2024). Of first order in the substep, and at a cost that is known
+ * beforehand: no event is searched for, and no solution is iterated to an end.
+ */
+public final class TimeStepping implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Oscillations in a substep, and damping ratios, with which depths of contacts and gaps of joints are regained. */
+    private static final double CONTACT_FREQUENCY = 1.0 / 8;
+
+    private static final double CONTACT_DAMPING = 10;
+    private static final double JOINT_FREQUENCY = 1.0 / 4;
+    private static final double JOINT_DAMPING = 2;
+
+    /** Gap, relative to the smaller body, from which on a contact is kept in mind whatever the speeds are. */
+    private static final double NEAR = 0.01;
+
+    /** Depth that is regained in a step at most, relative to the smaller body. */
+    private static final double REGAIN = 0.1;
+
+    /** Friction of what sticks. */
+    private static final double STICKS = 1e100;
+
+    private final State state;
+    private final ContactLaws laws;
+    private final SteppedForces forces;
+    private final SurfaceRows surface;
+    private final Poses poses;
+    private final NearPairs near;
+    private final Touch touch;
+    private final ContactRows rows;
+    private final TieRows ties;
+    private final Decisions decisions;
+
+    /** Null until the first constraint is added. */
+    private Constraints constraints;
+
+    private int substeps;
+    private double[] a = {};
+
+    /** Whether something acts on a body but forces. */
+    private boolean[] isHeld = {};
+
+    private double h;
+    private double deepest;
+
+    /**
+     * Makes one that knows of no body.
+     *
+     * @param state the state vectors
+     * @param motion knows the forces
+     * @param filter which bodies collide
+     * @param laws what authors say of contacts
+     */
+    public TimeStepping(State state, Motion motion, CollisionFilter filter, ContactLaws laws) {
+        this.state = state;
+        this.laws = laws;
+        forces = new SteppedForces(motion, state);
+        surface = forces.surface();
+        poses = new Poses(state);
+        rows = new ContactRows(state);
+        ties = new TieRows(state);
+        decisions = new Decisions(state, laws, rows);
+        near = new NearPairs(state, poses, filter, decisions);
+        decisions.setPairs(near);
+        touch = new Touch(state, poses);
+    }
+
+    /** {@return number of substeps of a step} */
+    public int getSubsteps() {
+        return substeps;
+    }
+
+    /**
+     * Sets the number of substeps.
+     *
+     * @param substeps at least 1
+     */
+    public void setSubsteps(int substeps) {
+        this.substeps = substeps;
+    }
+
+    /**
+     * Sets what ties bodies together.
+     *
+     * @param constraints live; null for nothing
+     */
+    public void setConstraints(Constraints constraints) {
+        this.constraints = constraints;
+    }
+
+    /**
+     * Takes a body in, or takes note that it was written.
+     *
+     * @param body index
+     */
+    public void admit(int body) {
+        if (!poses.knows(body)) {
+            poses.add(body);
+            poses.turn(body);
+            near.add(body, h);
+        } else if (!state.isOnlyPushed(body)) {
+            poses.turn(body);
+            near.written(body, h);
+        }
+        forces.admit(body);
+    }
+
+    /**
+     * Forgets a body.
+     *
+     * @param body index
+     */
+    public void remove(int body) {
+        if (poses.knows(body)) {
+            near.remove(body);
+            poses.remove(body);
+        }
+    }
+
+    /** {@return what is asked and told of contacts} */
+    public Decisions decisions() {
+        return decisions;
+    }
+
+    /**
+     * Begins a step: finds forces, and what may touch.
+     *
+     * @param time simulated time
+     * @param step its length
+     */
+    public void begin(double time, double step) {
+        h = step;
+        forces.begin();
+        if (a.length < state.x().length) {
+            a = new double[state.x().length];
+            isHeld = new boolean[a.length / State.BLOCK];
+        }
+        forces.load(poses.movable, time, a);
+        near.update(step);
+        rows.begin();
+        decisions.begin(time, step);
+        Pairs pairs = near.pairs();
+        for (int pair = 0; pair < pairs.capacity(); pair++) {
+            if (!near.is(pair, NearPairs.FORBIDDEN)) {
+                look(pair, pairs.first(pair), pairs.second(pair));
+            }
+        }
+    }
+
+    private void look(int pair, int first, int second) {
+        double size = Math.min(poses.hull(first).bounding, poses.hull(second).bounding);
+        touch.find(first, second, NEAR * size + h * speed(State.BLOCK * first, State.BLOCK * second, first, second));
+        if (touch.count == 0) {
+            near.flags[pair] &= NearPairs.TOLD;
+            return;
+        }
+        if (near.is(pair, NearPairs.IGNORED)) {
+            return;
+        }
+        double friction = near.is(pair, NearPairs.STICKY) ? STICKS : laws.friction(first, second);
+        double restitution = near.is(pair, NearPairs.STICKY) ? 0 : laws.restitution(first, second);
+        rows.add(pair, first, second, touch, friction, restitution, a, REGAIN * size / h);
+        if (decisions.isOpen(rows.count - 1)) {
+            rows.dropLast();
+            return;
+        }
+        for (int k = 0; k < touch.count; k++) {
+            deepest = Math.min(deepest, touch.gap[k]);
+            int id = touch.feature[k];
+            for (int m = 0; m < 2; m++) {
+                if (near.features[2 * pair + m] == id && near.kept[NearPairs.KEPT * pair + 2 * m] > 0) {
+                    int o = NearPairs.KEPT * pair + 2 * m;
+                    rows.remember(rows.count - 1, k, near.kept[o], near.kept[o + 1]);
+                }
+            }
+        }
+    }
+
+    /** A bound of the speed at which two bodies may come nearer. */
+    private double speed(int i, int k, int first, int second) {
+        double[] v = state.v();
+        double x = Math.abs(v[k] - v[i]) + h * Math.abs(a[k] - a[i]);
+        double y = Math.abs(v[k + 1] - v[i + 1]) + h * Math.abs(a[k + 1] - a[i + 1]);
+        double turn = Math.abs(v[i + 2]) * poses.hull(first).bounding + Math.abs(v[k + 2]) * poses.hull(second).bounding;
+        return Math.sqrt(x * x + y * y) + turn;
+    }
+
+    /**
+     * Goes through the step.
+     *
+     * @param time simulated time of its start
+     */
+    public void solve(double time) {
+        double d = h / substeps;
+        boolean isTied = constraints != null;
+        boolean isRubbed = !surface.isEmpty();
+        if (isTied) {
+            ties.gather(constraints);
+            ties.begin();
+        }
+        if (isRubbed) {
+            surface.begin(poses.movable);
+        }
+        findHeld(isTied, isRubbed);
+        Softness contact = Softness.of(CONTACT_FREQUENCY, CONTACT_DAMPING, d);
+        Softness joint = Softness.of(JOINT_FREQUENCY, JOINT_DAMPING, d);
+        boolean isUneven = forces.areUneven();
+        for (int k = 0; k < substeps; k++) {
+            if (k > 0 && isUneven) {
+                forces.load(poses.movable, time + k * d, a);
+            }
+            accelerate(d);
+            start(isTied, isRubbed);
+            solve(isTied, isRubbed, joint, contact, true, d);
+            move(d);
+            if (isTied) {
+                ties.evaluate();
+            }
+            solve(isTied, isRubbed, Softness.RIGID, Softness.RIGID, false, d);
+            rows.add();
+            if (isTied) {
+                ties.add();
+            }
+        }
+        rows.bounce(h);
+        if (isTied) {
+            ties.bounce();
+        }
+        keep();
+        forces.end();
+    }
+
+    private void accelerate(double d) {
+        double[] v = state.v();
+        for (int k = 0; k < poses.movable.size; k++) {
+            int b = State.BLOCK * poses.movable.values[k];
+            v[b] += d * a[b];
+            v[b + 1] += d * a[b + 1];
+            v[b + 2] += d * a[b + 2];
+        }
+    }
+
+    private void start(boolean isTied, boolean isRubbed) {
+        if (isRubbed) {
+            surface.start();
+        }
+        if (isTied) {
+            ties.start();
+        }
+        rows.start();
+    }
+
+    private void solve(
+            boolean isTied, boolean isRubbed, Softness joint, Softness contact, boolean regains, double d) {
+        if (isRubbed) {
+            surface.solve(d);
+        }
+        if (isTied) {
+            ties.solve(joint, d);
+        }
+        rows.solve(contact, regains, d);
+    }
+
+    /** Places by the new velocities; what only forces act on goes along its parabola. */
+    private void move(double d) {
+        double[] x = state.x();
+        double[] v = state.v();
+        for (int k = 0; k < poses.movable.size; k++) {
+            int body = poses.movable.values[k];
+            int b = State.BLOCK * body;
+            double back = isHeld[body] ? 0 : 0.5 * d;
+            x[b] += d * (v[b] - back * a[b]);
+            x[b + 1] += d * (v[b + 1] - back * a[b + 1]);
+            x[b + 2] += d * (v[b + 2] - back * a[b + 2]);
+        }
+    }
+
+    private void findHeld(boolean isTied, boolean isRubbed) {
+        Arrays.fill(isHeld, isRubbed);
+        for (int k = 0; k < rows.count; k++) {
+            isHeld[rows.first(k)] = true;
+            isHeld[rows.second(k)] = true;
+        }
+        for (int k = 0; isTied && k < 2 * ties.count(); k++) {
+            if (ties.block(k) >= 0) {
+                isHeld[ties.block(k) / State.BLOCK] = true;
+            }
+        }
+    }
+
+    /** Keeps the impulses for the step to come. */
+    private void keep() {
+        for (int k = 0; k < rows.count; k++) {
+            int pair = rows.pair(k);
+            int n = rows.pointCount(k);
+            for (int m = 0; m < 2; m++) {
+                int o = NearPairs.KEPT * pair + 2 * m;
+                near.features[2 * pair + m] = m < n ? rows.feature(k, m) : 0;
+                near.kept[o] = m < n ? rows.normal(k, m) : 0;
+                near.kept[o + 1] = m < n ? rows.tangent(k, m) : 0;
+            }
+        }
+    }
+
+    /** {@return the smallest gap at which a step ever began, 0 or negative} */
+    public double deepest() {
+        return deepest;
+    }
+
+    /**
+     * What a constraint did in the last step, in the mean.
+     *
+     * @param constraint one of the engine
+     * @return its force; null before its first step
+     */
+    public Reaction reaction(Constraint constraint) {
+        return ties.reaction(constraint, h);
+    }
+
+    /** {@return the joints that broke in the last step} */
+    public List<Constraint> overloaded() {
+        return constraints == null ? List.of() : ties.overloaded(h);
+    }
+
+    /** {@return the contacts that last, as a new list} */
+    public List<LastingContact> contacts() {
+        return decisions.contacts(null);
+    }
+
+    /**
+     * The contacts of a body that last.
+     *
+     * @param body one of the engine
+     * @return a new list
+     */
+    public List<LastingContact> contacts(Body body) {
+        return decisions.contacts(body);
+    }
+}

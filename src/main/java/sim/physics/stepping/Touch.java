@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import java.io.Serializable;
+import sim.physics.motion.State;
+
+/**
+ * Where two bodies touch, or would soon: a normal from the first to the second one and up to two points with their gaps. Polygons
+ * by the direction in which they are farthest apart or least deep in one another (separating axes), and the edge that faces it,
+ * clipped to the other one's.
+ */
+final class Touch implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Depth, relative to the size, by which the second body's edge must be the better one to be taken: else edges change places. */
+    private static final double PREFERENCE = 1e-3;
+
+    private final Poses poses;
+    private final State state;
+
+    int count;
+    double nx;
+    double ny;
+
+    /** Per point: place in the world relative to the first body's centre, gap, and which features these are. */
+    final double[] px = new double[2];
+
+    final double[] py = new double[2];
+    final double[] gap = new double[2];
+    final int[] feature = new int[2];
+
+    /** The second body's centre from the first one's. */
+    private double dx;
+
+    private double dy;
+
+    /** The edge that was found by {@link #separation}, and that separation. */
+    private int edge;
+
+    private int corner;
+
+    Touch(State state, Poses poses) {
+        this.state = state;
+        this.poses = poses;
+    }
+
+    /** Finds the points of two bodies whose gaps are at most a margin. */
+    void find(int a, int b, double margin) {
+        double[] x = state.x();
+        int i = State.BLOCK * a;
+        int k = State.BLOCK * b;
+        dx = x[k] - x[i];
+        dy = x[k + 1] - x[i + 1];
+        count = 0;
+        Hull first = poses.hull(a);
+        Hull second = poses.hull(b);
+        if (first.count > 1 && second.count > 1) {
+            edges(a, b, first, second, margin);
+        } else if (first.count == 1 && second.count == 1) {
+            circles(first, second, margin);
+        } else if (first.count > 1) {
+            roundOn(a, first, second.radius, dx, dy, margin, false);
+        } else {
+            roundOn(b, second, first.radius, -dx, -dy, margin, true);
+        }
+    }
+
+    private void circles(Hull first, Hull second, double margin) {
+        double square = dx * dx + dy * dy;
+        double sum = first.radius + second.radius;
+        if (square > (sum + margin) * (sum + margin)) {
+            return;
+        }
+        double distance = Math.sqrt(square);
+        nx = distance > 0 ? dx / distance : 1;
+        ny = distance > 0 ? dy / distance : 0;
+        add(0.5 * (first.radius + distance - second.radius) * nx, 0.5 * (first.radius + distance - second.radius) * ny,
+                distance - sum, 0);
+    }
+
+    private void add(double x, double y, double distance, int id) {
+        px[count] = x;
+        py[count] = y;
+        gap[count] = distance;
+        feature[count++] = id;
+    }
+
+    /** A circle on a polygon, whose centre is (cx, cy) from the polygon's; the circle is the second body unless it is the other way. */
+    private void roundOn(int polygon, Hull hull, double radius, double cx, double cy, double margin, boolean isOther) {
+        double cos = poses.turns[2 * polygon];
+        double sin = poses.turns[2 * polygon + 1];
+        double x = cos * cx + sin * cy;
+        double y = cos * cy - sin * cx;
+        int best = 0;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < hull.count; k++) {
+            double s = hull.nx[k] * (x - hull.x[k]) + hull.ny[k] * (y - hull.y[k]);
+            if (s > most) {
+                most = s;
+                best = k;
+            }
+        }
+        if (most > radius + margin) {
+            return;
+        }
+        double n0 = hull.nx[best];
+        double n1 = hull.ny[best];
+        double distance = most;
+        if (most > 0) {
+            int next = hull.next(best);
+            double along = n0 * (y - hull.y[best]) - n1 * (x - hull.x[best]);
+            double length = n0 * (hull.y[next] - hull.y[best]) - n1 * (hull.x[next] - hull.x[best]);
+            if (along < 0 || along > length) {
+                int near = along < 0 ? best : next;
+                double ex = x - hull.x[near];
+                double ey = y - hull.y[near];
+                distance = Math.sqrt(ex * ex + ey * ey);
+                if (distance > radius + margin) {
+                    return;
+                }
+                n0 = ex / distance;
+                n1 = ey / distance;
+            }
+        }
+        double wx = cos * n0 - sin * n1;
+        double wy = sin * n0 + cos * n1;
+        double back = 0.5 * (distance + radius); // half way between the surfaces
+        double x0 = cx - back * wx;
+        double y0 = cy - back * wy;
+        nx = isOther ? -wx : wx;
+        ny = isOther ? -wy : wy;
+        add(isOther ? x0 + dx : x0, isOther ? y0 + dy : y0, distance - radius, 0);
+    }
+
+    private void edges(int a, int b, Hull first, Hull second, double margin) {
+        double cosA = poses.turns[2 * a];
+        double sinA = poses.turns[2 * a + 1];
+        double cosB = poses.turns[2 * b];
+        double sinB = poses.turns[2 * b + 1];
+        double cos = cosA * cosB + sinA * sinB; // the second frame in the first one
+        double sin = cosA * sinB - sinA * cosB;
+        double x = cosA * dx + sinA * dy;
+        double y = cosA * dy - sinA * dx;
+        double byFirst = separation(first, second, cos, sin, x, y);
+        if (byFirst > margin) {
+            return;
+        }
+        int edgeA = edge;
+        int cornerB = corner;
+        double bx = -(cos * x + sin * y); // the first centre in the second frame
+        double by = sin * x - cos * y;
+        double bySecond = separation(second, first, cos, -sin, bx, by);
+        if (bySecond > margin) {
+            return;
+        }
+        boolean isSecond = bySecond > byFirst + PREFERENCE * Math.min(first.bounding, second.bounding);
+        if (isSecond) {
+            clip(second, first, edge, corner, cos, -sin, bx, by, margin);
+            toWorld(cosB, sinB, dx, dy, true);
+        } else {
+            clip(first, second, edgeA, cornerB, cos, sin, x, y, margin);
+            toWorld(cosA, sinA, 0, 0, false);
+        }
+    }
+
+    /** The largest distance of an edge's line from all of another hull, which is turned and put at (x, y) in the frame of the first. */
+    private double separation(Hull on, Hull other, double cos, double sin, double x, double y) {
+        double most = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < on.count; k++) {
+            double n0 = on.nx[k];
+            double n1 = on.ny[k];
+            double turnedX = cos * n0 + sin * n1; // the normal in the other frame
+            double turnedY = cos * n1 - sin * n0;
+            double least = Double.POSITIVE_INFINITY;
+            int nearest = 0;
+            for (int m = 0; m < other.count; m++) {
+                double height = turnedX * other.x[m] + turnedY * other.y[m];
+                if (height < least) {
+                    least = height;
+                    nearest = m;
+                }
+            }
+            least += n0 * (x - on.x[k]) + n1 * (y - on.y[k]);
+            if (least > most) {
+                most = least;
+                edge = k;
+                corner = nearest;
+            }
+        }
+        return most;
+    }
+
+    /** The points of the other hull's edge over an edge, in the frame of the hull that the edge is of. */
+    private void clip(
+            Hull on, Hull other, int edge, int corner, double cos, double sin, double x, double y, double margin) {
+        double n0 = on.nx[edge];
+        double n1 = on.ny[edge];
+        double length = n0 * (on.y[on.next(edge)] - on.y[edge]) - n1 * (on.x[on.next(edge)] - on.x[edge]);
+        int before = corner > 0 ? corner - 1 : other.count - 1;
+        double turnedX = cos * n0 + sin * n1;
+        double turnedY = cos * n1 - sin * n0;
+        boolean isBefore = turnedX * other.nx[before] + turnedY * other.ny[before]
+                < turnedX * other.nx[corner] + turnedY * other.ny[corner];
+        int from = isBefore ? before : corner; // the edge that faces this one runs against it
+        int to = other.next(from);
+        double fromX = x + cos * other.x[from] - sin * other.y[from] - on.x[edge];
+        double fromY = y + sin * other.x[from] + cos * other.y[from] - on.y[edge];
+        double toX = x + cos * other.x[to] - sin * other.y[to] - on.x[edge];
+        double toY = y + sin * other.x[to] + cos * other.y[to] - on.y[edge];
+        double right = n0 * fromY - n1 * fromX;
+        double left = n0 * toY - n1 * toX;
+        double rightGap = n0 * fromX + n1 * fromY;
+        double leftGap = n0 * toX + n1 * toY;
+        nx = n0;
+        ny = n1;
+        if (left > length || right < 0) {
+            corners(on, edge, left > length, fromX, fromY, toX, toY, length, margin, id(edge, from, left > length ? 1 : 0));
+            return;
+        }
+        double slope = right - left > 0 ? (rightGap - leftGap) / (right - left) : 0;
+        double l = Math.max(left, 0);
+        double r = Math.min(right, length);
+        over(on, edge, l, leftGap + slope * (l - left), margin, id(edge, to, left < 0 ? 3 : 2));
+        if (r > l) {
+            over(on, edge, r, leftGap + slope * (r - left), margin, id(edge, from, right > length ? 5 : 4));
+        }
+    }
+
+    private static int id(int edge, int corner, int which) {
+        return (edge * 4096 + corner) * 8 + which;
+    }
+
+    /** A point at a distance along an edge and above it. */
+    private void over(Hull on, int edge, double along, double height, double margin, int id) {
+        if (height <= margin) {
+            double x = on.x[edge] - ny * along + 0.5 * nx * height;
+            double y = on.y[edge] + nx * along + 0.5 * ny * height;
+            add(x, y, height, id);
+        }
+    }
+
+    /** The facing edge is beyond the end of this one: the corners may meet, along the line between them. */
+    private void corners(
+            Hull on, int edge, boolean isEnd, double fromX, double fromY, double toX, double toY, double length, double margin, int id) {
+        double endX = isEnd ? -ny * length : 0;
+        double endY = isEnd ? nx * length : 0;
+        double ex = (isEnd ? toX : fromX) - endX;
+        double ey = (isEnd ? toY : fromY) - endY;
+        double distance = Math.sqrt(ex * ex + ey * ey);
+        if (distance > margin || !(distance > 0) || nx * ex + ny * ey <= 0) {
+            return;
+        }
+        nx = ex / distance;
+        ny = ey / distance;
+        add(on.x[edge] + endX + 0.5 * ex, on.y[edge] + endY + 0.5 * ey, distance, id);
+    }
+
+    /** Normal and points, from the frame of one of the two to the world; (x, y) is its centre. */
+    private void toWorld(double cos, double sin, double x, double y, boolean isSecond) {
+        for (int k = 0; k < count; k++) {
+            double localX = px[k];
+            double localY = py[k];
+            px[k] = x + cos * localX - sin * localY;
+            py[k] = y + sin * localX + cos * localY;
+            feature[k] = isSecond ? ~feature[k] : feature[k];
+        }
+        double n0 = nx;
+        nx = isSecond ? sin * ny - cos * n0 : cos * n0 - sin * ny;
+        ny = isSecond ? -(sin * n0 + cos * ny) : sin * n0 + cos * ny;
+    }
+}
