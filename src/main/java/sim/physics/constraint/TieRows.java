@@ -37,8 +37,17 @@ public final class TieRows implements Serializable {
 
     private final State state;
     private final Equations equations = new Equations();
+
+    /** The pins, which have a loop of their own; and all others. */
+    private final List<PinJoint> pins = new ArrayList<>();
+
+    private final PinImpulses pinImpulses;
     private Constraint[] ties = {};
     private Kind[] kinds = {};
+    private int[] rows = {};
+
+    /** The turn that a constraint is about, whose J does not change; null for others. */
+    private GearJoint[] gears = {};
 
     /** Per constraint: the blocks of its bodies, −1 for the world. */
     private int[] blocks = {};
@@ -67,6 +76,7 @@ public final class TieRows implements Serializable {
      */
     public TieRows(State state) {
         this.state = state;
+        pinImpulses = new PinImpulses(state);
     }
 
     /**
@@ -79,28 +89,53 @@ public final class TieRows implements Serializable {
             return;
         }
         version = constraints.grouping();
-        List<Constraint> all = constraints.all();
-        Map<Constraint, Integer> before = new IdentityHashMap<>();
+        Map<Constraint, double[]> before = new IdentityHashMap<>();
         for (int k = 0; k < ties.length; k++) {
-            before.put(ties[k], k);
+            before.put(ties[k], Arrays.copyOfRange(impulse, ROWS * k, ROWS * k + ROWS));
         }
-        int n = all.size();
-        double[] kept = new double[ROWS * n];
-        ties = new Constraint[n];
-        kinds = new Kind[n];
-        blocks = new int[2 * n];
-        for (int k = 0; k < n; k++) {
-            Constraint tie = all.get(k);
-            Integer old = before.get(tie);
-            ties[k] = tie;
-            kinds[k] = tie instanceof Motor ? Kind.MOTOR : tie instanceof Limit ? Kind.STOP : Kind.JOINT;
-            blocks[2 * k] = BLOCK * tie.getBodyA().index();
-            blocks[2 * k + 1] = tie.getBodyB() == null ? -1 : BLOCK * tie.getBodyB().index();
-            if (old != null) {
-                System.arraycopy(impulse, ROWS * old, kept, ROWS * k, ROWS);
+        for (int k = 0; k < pins.size(); k++) {
+            before.put(pins.get(k), new double[] {pinImpulses.impulse(k, 0), pinImpulses.impulse(k, 1)});
+        }
+        pins.clear();
+        List<Constraint> others = new ArrayList<>();
+        for (Constraint tie : constraints.all()) {
+            if (tie instanceof PinJoint pin) {
+                pins.add(pin);
+            } else {
+                others.add(tie);
             }
         }
-        impulse = kept;
+        pinImpulses.gather(pins);
+        for (int k = 0; k < pins.size(); k++) {
+            double[] old = before.get(pins.get(k));
+            if (old != null) {
+                pinImpulses.setImpulse(k, old[0], old[1]);
+            }
+        }
+        gather(others, before);
+    }
+
+    private void gather(List<Constraint> others, Map<Constraint, double[]> before) {
+        int n = others.size();
+        ties = others.toArray(new Constraint[0]);
+        kinds = new Kind[n];
+        rows = new int[n];
+        gears = new GearJoint[n];
+        blocks = new int[2 * n];
+        impulse = new double[ROWS * n];
+        for (int k = 0; k < n; k++) {
+            Constraint tie = ties[k];
+            Constraint one = tie instanceof Switched s ? s.coordinate() : tie;
+            kinds[k] = tie instanceof Motor ? Kind.MOTOR : tie instanceof Limit ? Kind.STOP : Kind.JOINT;
+            rows[k] = tie.getRows();
+            gears[k] = one instanceof GearJoint gear ? gear : null;
+            blocks[2 * k] = BLOCK * tie.getBodyA().index();
+            blocks[2 * k + 1] = tie.getBodyB() == null ? -1 : BLOCK * tie.getBodyB().index();
+            double[] old = before.get(tie);
+            if (old != null) {
+                System.arraycopy(old, 0, impulse, ROWS * k, old.length);
+            }
+        }
         j = new double[J * n];
         c = new double[ROWS * n];
         inverse = new double[ROWS * ROWS * n];
@@ -109,29 +144,31 @@ public final class TieRows implements Serializable {
         hit = new boolean[2 * n];
     }
 
-    /** {@return whether there is none} */
-    public boolean isEmpty() {
-        return ties.length == 0;
-    }
-
     /**
-     * The blocks of the bodies of a constraint.
+     * Marks the bodies that are tied.
      *
-     * @param k number in the order of adding, twice, plus 1 for the second body
-     * @return where it begins in the state vectors; −1 for the world
+     * @param marks by body
      */
-    public int block(int k) {
-        return blocks[k];
+    public void mark(boolean[] marks) {
+        for (PinJoint pin : pins) {
+            mark(marks, pin);
+        }
+        for (Constraint tie : ties) {
+            mark(marks, tie);
+        }
     }
 
-    /** {@return number of constraints} */
-    public int count() {
-        return ties.length;
+    private static void mark(boolean[] marks, Constraint tie) {
+        marks[tie.getBodyA().index()] = true;
+        if (tie.getBodyB() != null) {
+            marks[tie.getBodyB().index()] = true;
+        }
     }
 
     /** Begins a step. */
     public void begin() {
-        evaluate();
+        pinImpulses.begin();
+        evaluate(true);
         Arrays.fill(sum, 0);
         Arrays.fill(hit, false);
         for (int k = 0; k < ties.length; k++) {
@@ -139,21 +176,27 @@ public final class TieRows implements Serializable {
         }
     }
 
-    /** Evaluates all equations where the state vectors say that the bodies are. */
+    /** Evaluates all equations where the state vectors say that the bodies are, within a step. */
     public void evaluate() {
+        pinImpulses.evaluate();
+        evaluate(false);
+    }
+
+    private void evaluate(boolean isFirst) {
+        double[] x = state.x();
         double[] w = state.w().values();
         for (int k = 0; k < ties.length; k++) {
-            Constraint tie = ties[k];
-            Constraint one = kinds[k] == Kind.JOINT ? tie : ((Switched) tie).coordinate();
-            equations.clear();
-            one.evaluate(equations);
-            int rows = tie.getRows();
-            for (int r = 0; r < rows; r++) {
-                c[ROWS * k + r] = equations.c[r];
+            if (gears[k] != null && !isFirst) {
+                int b = blocks[2 * k + 1];
+                c[ROWS * k] = gears[k].open(x[blocks[2 * k] + State.THETA], b < 0 ? 0 : x[b + State.THETA]);
+                continue;
             }
-            System.arraycopy(equations.jA, 0, j, J * k, BLOCK * rows);
-            System.arraycopy(equations.jB, 0, j, J * k + BLOCK * ROWS, BLOCK * rows);
-            invert(k, rows, w);
+            equations.clear();
+            (kinds[k] == Kind.JOINT ? ties[k] : ((Switched) ties[k]).coordinate()).evaluate(equations);
+            System.arraycopy(equations.c, 0, c, ROWS * k, rows[k]);
+            System.arraycopy(equations.jA, 0, j, J * k, BLOCK * rows[k]);
+            System.arraycopy(equations.jB, 0, j, J * k + BLOCK * ROWS, BLOCK * rows[k]);
+            invert(k, rows[k], w);
         }
     }
 
@@ -218,11 +261,12 @@ public final class TieRows implements Serializable {
 
     /** Gives the bodies the impulses of the substep before. */
     public void start() {
+        pinImpulses.start();
         for (int k = 0; k < ties.length; k++) {
             if (kinds[k] == Kind.STOP) {
                 push(k, 0, impulse[ROWS * k] - impulse[ROWS * k + 1]);
             } else {
-                for (int r = 0; r < ties[k].getRows(); r++) {
+                for (int r = 0; r < rows[k]; r++) {
                     push(k, r, impulse[ROWS * k + r]);
                 }
             }
@@ -272,22 +316,23 @@ public final class TieRows implements Serializable {
                 case STOP -> stop(k, (Limit) ties[k], softness, h);
             }
         }
+        pinImpulses.solve(softness); // last, as what is solved last is right
     }
 
     private void join(int k, Softness softness) {
         double[] v = state.v();
         int o = ROWS * k;
         int m = ROWS * o;
-        int rows = ties[k].getRows();
+        int count = rows[k];
         double mass = softness.mass();
         double back = softness.impulse();
         double r0 = speed(k, 0, v) + softness.rate() * c[o];
-        if (rows == 1) {
+        if (count == 1) {
             take(k, 0, -mass * inverse[m] * r0 - back * impulse[o]);
             return;
         }
         double r1 = speed(k, 1, v) + softness.rate() * c[o + 1];
-        if (rows == 2) {
+        if (count == 2) {
             take(k, 0, -mass * (inverse[m] * r0 + inverse[m + 1] * r1) - back * impulse[o]);
             take(k, 1, -mass * (inverse[m + 3] * r0 + inverse[m + 4] * r1) - back * impulse[o + 1]);
             return;
@@ -337,6 +382,7 @@ public final class TieRows implements Serializable {
 
     /** Adds the impulses of a substep to those of the step. */
     public void add() {
+        pinImpulses.add();
         for (int k = 0; k < ties.length; k++) {
             int o = ROWS * k;
             boolean isStop = kinds[k] == Kind.STOP;
@@ -372,15 +418,25 @@ public final class TieRows implements Serializable {
      * @return its force; null if it has not been solved
      */
     public Reaction reaction(Constraint constraint, double time) {
+        int pin = pins.indexOf(constraint);
+        if (pin >= 0) {
+            return pinReaction(pin, time);
+        }
         int k = Arrays.asList(ties).indexOf(constraint);
         return k < 0 ? null : reaction(k, time);
+    }
+
+    private Reaction pinReaction(int k, double time) {
+        double x = pinImpulses.sum(k, 0) / time;
+        double y = pinImpulses.sum(k, 1) / time;
+        return new Reaction(x, y, pinImpulses.arm(k, 0) * y - pinImpulses.arm(k, 1) * x);
     }
 
     private Reaction reaction(int k, double time) {
         double x = 0;
         double y = 0;
         double turn = 0;
-        for (int r = 0; r < ties[k].getRows(); r++) {
+        for (int r = 0; r < rows[k]; r++) {
             int o = J * k + BLOCK * r;
             double force = sum[ROWS * k + r] / time;
             x += j[o] * force;
@@ -398,6 +454,12 @@ public final class TieRows implements Serializable {
      */
     public List<Constraint> overloaded(double time) {
         List<Constraint> those = List.of();
+        for (int k = 0; k < pins.size(); k++) {
+            if (pins.get(k).isBreakable() && pins.get(k).breaksUnder(pinReaction(k, time))) {
+                those = those.isEmpty() ? new ArrayList<>() : those;
+                those.add(pins.get(k));
+            }
+        }
         for (int k = 0; k < ties.length; k++) {
             if (ties[k] instanceof Joint joint && joint.isBreakable() && joint.breaksUnder(reaction(k, time))) {
                 those = those.isEmpty() ? new ArrayList<>() : those;
@@ -405,20 +467,5 @@ public final class TieRows implements Serializable {
             }
         }
         return those;
-    }
-
-    /**
-     * Whether a body is one of a constraint's.
-     *
-     * @param body any
-     * @return true if a constraint ties it
-     */
-    public boolean ties(Body body) {
-        for (Constraint tie : ties) {
-            if (tie.getBodyA() == body || tie.getBodyB() == body) {
-                return true;
-            }
-        }
-        return false;
     }
 }

@@ -307,10 +307,8 @@ public final class TimeStepping implements Serializable {
             isHeld[rows.first(k)] = true;
             isHeld[rows.second(k)] = true;
         }
-        for (int k = 0; isTied && k < 2 * ties.count(); k++) {
-            if (ties.block(k) >= 0) {
-                isHeld[ties.block(k) / State.BLOCK] = true;
-            }
+        if (isTied) {
+            ties.mark(isHeld);
         }
     }
 

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import java.util.List;
+import sim.physics.internal.IntList;
+import sim.physics.internal.Softness;
+import sim.physics.internal.Trig;
+import sim.physics.motion.State;
+
+/** The pins of a scene, (42)–(46), as time stepping solves them, all in one loop: two rows each, with equations as in {@link PinJoint}. */
+final class PinImpulses implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private static final int BLOCK = State.BLOCK;
+
+    /** Turn in a substep from which on cosines are found anew. */
+    private static final double LARGE = 0.25;
+
+    /** What is less of a determinant than this, relative to the diagonal, says that the rows are one. */
+    private static final double SINGULAR = 1e-14;
+
+    /** Values of a pin: arms in the bodies' frames, arms in the world, C, the inverse of J W Jᵀ, impulse, and its sum in the step. */
+    private static final int STRIDE = 17;
+
+    private static final int ARM = 4;
+    private static final int C = 8;
+    private static final int INVERSE = 10;
+    private static final int IMPULSE = 13;
+    private static final int SUM = 15;
+
+    private final State state;
+
+    /** Per pin the blocks of its bodies; the second one is −1 for the world. */
+    private int[] blocks = {};
+
+    private double[] data = {};
+    private int count;
+
+    /** Bodies with a pin beside their centre; the angles at which their cosines and sines hold. */
+    private final IntList turning = new IntList();
+
+    private double[] angles = {};
+
+    /** [cos θ, sin θ] by body. */
+    private double[] turns = {};
+
+    PinImpulses(State state) {
+        this.state = state;
+    }
+
+    int count() {
+        return count;
+    }
+
+    /** Takes pins; their impulses are zero. */
+    void gather(List<PinJoint> pins) {
+        count = pins.size();
+        blocks = new int[2 * count];
+        data = new double[STRIDE * count];
+        turning.clear();
+        for (int k = 0; k < count; k++) {
+            PinJoint pin = pins.get(k);
+            int o = STRIDE * k;
+            blocks[2 * k] = BLOCK * pin.getBodyA().index();
+            blocks[2 * k + 1] = pin.getBodyB() == null ? -1 : BLOCK * pin.getBodyB().index();
+            data[o] = pin.getAnchorAX();
+            data[o + 1] = pin.getAnchorAY();
+            data[o + 2] = pin.getAnchorBX();
+            data[o + 3] = pin.getAnchorBY();
+            System.arraycopy(data, o, data, o + ARM, ARM); // as they are where the body does not turn
+            need(blocks[2 * k], data[o], data[o + 1]);
+            need(blocks[2 * k + 1], data[o + 2], data[o + 3]);
+        }
+        turns = new double[2 * state.size()];
+        angles = new double[turning.size];
+        Arrays.fill(angles, Double.NaN);
+    }
+
+    private void need(int block, double x, double y) {
+        if (block >= 0 && (x != 0 || y != 0) && !turning.contains(block / BLOCK)) {
+            turning.add(block / BLOCK);
+        }
+    }
+
+    void setImpulse(int k, double x, double y) {
+        data[STRIDE * k + IMPULSE] = x;
+        data[STRIDE * k + IMPULSE + 1] = y;
+    }
+
+    double impulse(int k, int row) {
+        return data[STRIDE * k + IMPULSE + row];
+    }
+
+    /** The sum in the step. */
+    double sum(int k, int row) {
+        return data[STRIDE * k + SUM + row];
+    }
+
+    /** An arm in the world where it was evaluated last: x, y of the first body's, and of the second one's. */
+    double arm(int k, int which) {
+        return data[STRIDE * k + ARM + which];
+    }
+
+    /** Begins a step. */
+    void begin() {
+        Arrays.fill(angles, Double.NaN);
+        for (int o = SUM; o < data.length; o += STRIDE) {
+            data[o] = 0;
+            data[o + 1] = 0;
+        }
+        evaluate();
+    }
+
+    /** Adds the impulses of a substep to those of the step. */
+    void add() {
+        for (int o = 0; o < data.length; o += STRIDE) {
+            data[o + SUM] += data[o + IMPULSE];
+            data[o + SUM + 1] += data[o + IMPULSE + 1];
+        }
+    }
+
+    /** Evaluates all pins where the state vectors say that the bodies are. */
+    void evaluate() {
+        turn();
+        double[] d = data;
+        double[] x = state.x();
+        double[] w = state.w().values();
+        for (int k = 0, o = 0; k < count; k++, o += STRIDE) {
+            int a = blocks[2 * k];
+            int b = blocks[2 * k + 1];
+            arm(o, o + ARM, a);
+            double ax = d[o + ARM];
+            double ay = d[o + ARM + 1];
+            double k00 = w[a] + w[a + 2] * ay * ay;
+            double k01 = -w[a + 2] * ax * ay;
+            double k11 = w[a] + w[a + 2] * ax * ax;
+            double placeX = d[o + 2];
+            double placeY = d[o + 3];
+            if (b >= 0) {
+                arm(o + 2, o + ARM + 2, b);
+                double bx = d[o + ARM + 2];
+                double by = d[o + ARM + 3];
+                k00 += w[b] + w[b + 2] * by * by;
+                k01 -= w[b + 2] * bx * by;
+                k11 += w[b] + w[b + 2] * bx * bx;
+                placeX = x[b] + bx;
+                placeY = x[b + 1] + by;
+            }
+            d[o + C] = x[a] + ax - placeX;
+            d[o + C + 1] = x[a + 1] + ay - placeY;
+            double det = k00 * k11 - k01 * k01;
+            double per = det > SINGULAR * k00 * k11 ? 1 / det : 0;
+            d[o + INVERSE] = k11 * per;
+            d[o + INVERSE + 1] = -k01 * per;
+            d[o + INVERSE + 2] = k00 * per;
+        }
+    }
+
+    private void arm(int from, int to, int block) {
+        double px = data[from];
+        double py = data[from + 1];
+        if (px != 0 || py != 0) {
+            double cos = turns[2 * (block / BLOCK)];
+            double sin = turns[2 * (block / BLOCK) + 1];
+            data[to] = cos * px - sin * py;
+            data[to + 1] = sin * px + cos * py;
+        }
+    }
+
+    /** Cosines and sines: turned on by what the angles have changed since the last substep, with series for small turns. */
+    private void turn() {
+        double[] x = state.x();
+        for (int k = 0; k < turning.size; k++) {
+            int body = turning.values[k];
+            double theta = x[BLOCK * body + State.THETA];
+            double by = theta - angles[k];
+            angles[k] = theta;
+            if (!(Math.abs(by) < LARGE)) {
+                Trig.sinCos(theta, turns, 2 * body);
+            } else if (by != 0) {
+                double s = by * by;
+                double sin = by * (1 - s / 6 * (1 - s / 20 * (1 - s / 42 * (1 - s / 72 * (1 - s / 110)))));
+                double cos = 1 - s / 2 * (1 - s / 12 * (1 - s / 30 * (1 - s / 56 * (1 - s / 90))));
+                double c = turns[2 * body];
+                double t = turns[2 * body + 1];
+                turns[2 * body] = c * cos - t * sin;
+                turns[2 * body + 1] = t * cos + c * sin;
+            }
+        }
+    }
+
+    /** Gives the bodies the impulses of the substep before. */
+    void start() {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        for (int k = 0, o = 0; k < count; k++, o += STRIDE) {
+            push(v, w, k, o, data[o + IMPULSE], data[o + IMPULSE + 1]);
+        }
+    }
+
+    private void push(double[] v, double[] w, int k, int o, double jx, double jy) {
+        double[] d = data;
+        int a = blocks[2 * k];
+        int b = blocks[2 * k + 1];
+        v[a] += w[a] * jx;
+        v[a + 1] += w[a + 1] * jy;
+        v[a + 2] += w[a + 2] * (d[o + ARM] * jy - d[o + ARM + 1] * jx);
+        if (b >= 0) {
+            v[b] -= w[b] * jx;
+            v[b + 1] -= w[b + 1] * jy;
+            v[b + 2] -= w[b + 2] * (d[o + ARM + 2] * jy - d[o + ARM + 3] * jx);
+        }
+    }
+
+    /** Solves all pins once. */
+    void solve(Softness softness) {
+        double rate = softness.rate();
+        double mass = softness.mass();
+        double back = softness.impulse();
+        double[] d = data;
+        double[] v = state.v();
+        double[] w = state.w().values();
+        for (int k = 0, o = 0; k < count; k++, o += STRIDE) {
+            int a = blocks[2 * k];
+            int b = blocks[2 * k + 1];
+            double ux = v[a] - d[o + ARM + 1] * v[a + 2] + rate * d[o + C];
+            double uy = v[a + 1] + d[o + ARM] * v[a + 2] + rate * d[o + C + 1];
+            if (b >= 0) {
+                ux -= v[b] - d[o + ARM + 3] * v[b + 2];
+                uy -= v[b + 1] + d[o + ARM + 2] * v[b + 2];
+            }
+            double jx = -mass * (d[o + INVERSE] * ux + d[o + INVERSE + 1] * uy) - back * d[o + IMPULSE];
+            double jy = -mass * (d[o + INVERSE + 1] * ux + d[o + INVERSE + 2] * uy) - back * d[o + IMPULSE + 1];
+            d[o + IMPULSE] += jx;
+            d[o + IMPULSE + 1] += jy;
+            push(v, w, k, o, jx, jy);
+        }
+    }
+}
