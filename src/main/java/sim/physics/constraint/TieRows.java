@@ -83,10 +83,11 @@ public final class TieRows implements Serializable {
      * Takes the constraints of an engine; impulses of those that stay are kept.
      *
      * @param constraints all of them, regrouped
+     * @return whether they are others than before
      */
-    public void gather(Constraints constraints) {
+    public boolean gather(Constraints constraints) {
         if (version == constraints.grouping()) {
-            return;
+            return false;
         }
         version = constraints.grouping();
         Map<Constraint, double[]> before = new IdentityHashMap<>();
@@ -113,6 +114,7 @@ public final class TieRows implements Serializable {
             }
         }
         gather(others, before);
+        return true;
     }
 
     private void gather(List<Constraint> others, Map<Constraint, double[]> before) {

@@ -16,7 +16,7 @@ final class ContactRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values of a point. */
-    private static final int STRIDE = 15;
+    private static final int STRIDE = 19;
 
     private static final int AX = 0;
     private static final int AY = 1;
@@ -37,6 +37,13 @@ final class ContactRows implements Serializable {
     private static final int TANGENT_SUM = 12;
     private static final int FORCED = 13;
     private static final int FEATURE = 14;
+
+    /** What turns of the bodies do to the gap, of first order, and of second: nothing to discs. */
+    private static final int LEVER_A = 15;
+
+    private static final int LEVER_B = 16;
+    private static final int ARM_A = 17;
+    private static final int ARM_B = 18;
 
     /** Values of a pair: normal, friction, restitution, largest speed at which depth is regained. */
     private static final int PAIR = 5;
@@ -149,6 +156,10 @@ final class ContactRows implements Serializable {
         points[p + FORCED] =
                 nx * (forces[b] - forces[a]) + ny * (forces[b + 1] - forces[a + 1]) + leverB * forces[b + 2] - leverA * forces[a + 2];
         points[p + FEATURE] = touch.feature[k];
+        points[p + LEVER_A] = leverA;
+        points[p + LEVER_B] = leverB;
+        points[p + ARM_A] = touch.isDiscA ? 0 : slipA;
+        points[p + ARM_B] = touch.isDiscB ? 0 : slipB;
         points[p + NORMAL] = 0;
         points[p + TANGENT] = 0;
         points[p + MOST] = 0;
@@ -250,7 +261,7 @@ final class ContactRows implements Serializable {
         double aim = 0;
         double mass = 1;
         double back = 0;
-        if (gap > 0) {
+        if (gap >= 0) {
             aim = gap / h;
         } else if (regains) {
             aim = Math.max(softness.rate() * gap, -normals[PAIR * k + REGAIN]);
@@ -270,11 +281,8 @@ final class ContactRows implements Serializable {
         double turnA = x[a + 2] - from[a + 2];
         double turnB = x[b + 2] - from[b + 2];
         double moved = nx * (x[b] - from[b] - (x[a] - from[a])) + ny * (x[b + 1] - from[b + 1] - (x[a + 1] - from[a + 1]));
-        double leverA = points[p + AX] * ny - points[p + AY] * nx;
-        double leverB = points[p + BX] * ny - points[p + BY] * nx;
-        double armA = points[p + AX] * nx + points[p + AY] * ny;
-        double armB = points[p + BX] * nx + points[p + BY] * ny;
-        double turned = leverB * turnB - leverA * turnA - 0.5 * (armB * turnB * turnB - armA * turnA * turnA);
+        double turned = points[p + LEVER_B] * turnB - points[p + LEVER_A] * turnA;
+        turned -= 0.5 * (points[p + ARM_B] * turnB * turnB - points[p + ARM_A] * turnA * turnA);
         return points[p + GAP] + moved + turned;
     }
 

@@ -31,17 +31,20 @@ public final class TimeStepping implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Oscillations in a substep, and damping ratios, with which depths of contacts and gaps of joints are regained. */
-    private static final double CONTACT_FREQUENCY = 1.0 / 8;
+    private static final double CONTACT_FREQUENCY = 1.0 / 4;
 
-    private static final double CONTACT_DAMPING = 10;
-    private static final double JOINT_FREQUENCY = 1.0 / 4;
-    private static final double JOINT_DAMPING = 2;
+    private static final double CONTACT_DAMPING = 5;
+    private static final double JOINT_FREQUENCY = 0.4;
+    private static final double JOINT_DAMPING = 1;
 
     /** Gap, relative to the smaller body, from which on a contact is kept in mind whatever the speeds are. */
     private static final double NEAR = 0.01;
 
     /** Depth that is regained in a step at most, relative to the smaller body. */
     private static final double REGAIN = 0.1;
+
+    /** Solutions of a substep where something is new, of whose impulses nothing is known. */
+    private static final int COLD = 8;
 
     /** Friction of what sticks. */
     private static final double STICKS = 1e100;
@@ -61,6 +64,9 @@ public final class TimeStepping implements Serializable {
     private Constraints constraints;
 
     private int substeps;
+
+    /** Whether bodies or constraints are new. */
+    private boolean isCold;
     private double[] a = {};
 
     /** Whether something acts on a body but forces. */
@@ -124,6 +130,7 @@ public final class TimeStepping implements Serializable {
             poses.add(body);
             poses.turn(body);
             near.add(body, h);
+            isCold = true;
         } else if (!state.isOnlyPushed(body)) {
             poses.turn(body);
             near.written(body, h);
@@ -221,7 +228,7 @@ public final class TimeStepping implements Serializable {
         boolean isTied = constraints != null;
         boolean isRubbed = !surface.isEmpty();
         if (isTied) {
-            ties.gather(constraints);
+            isCold |= ties.gather(constraints);
             ties.begin();
         }
         if (isRubbed) {
@@ -237,7 +244,9 @@ public final class TimeStepping implements Serializable {
             }
             accelerate(d);
             start(isTied, isRubbed);
-            solve(isTied, isRubbed, joint, contact, true, d);
+            for (int m = isCold ? COLD : 1; m > 0; m--) {
+                solve(isTied, isRubbed, joint, contact, true, d);
+            }
             move(d);
             if (isTied) {
                 ties.evaluate();
@@ -253,6 +262,7 @@ public final class TimeStepping implements Serializable {
             ties.bounce();
         }
         keep();
+        isCold = false;
         forces.end();
     }
 

@@ -30,6 +30,11 @@ final class Touch implements Serializable {
     final double[] gap = new double[2];
     final int[] feature = new int[2];
 
+    /** Whether the two are discs, whose points do not go along when they turn. */
+    boolean isDiscA;
+
+    boolean isDiscB;
+
     /** The second body's centre from the first one's. */
     private double dx;
 
@@ -55,6 +60,8 @@ final class Touch implements Serializable {
         count = 0;
         Hull first = poses.hull(a);
         Hull second = poses.hull(b);
+        isDiscA = first.count == 1;
+        isDiscB = second.count == 1;
         if (first.count > 1 && second.count > 1) {
             edges(a, b, first, second, margin);
         } else if (first.count == 1 && second.count == 1) {
