@@ -4,14 +4,12 @@ package sim.physics;
 
 import java.io.Serializable;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.Overlaps;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.Reaction;
-import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.Groups;
@@ -56,13 +54,8 @@ final class Admission implements Presence, Serializable {
     /** Null unless bodies are moved by time stepping. */
     private TimeStepping stepped;
 
-    /** By first body of an island the last round of closing joints that came to it. */
-    private transient int[] closed = {};
-
-    private transient int rounds;
-
-    /** Positions and velocities of bodies that were written. */
-    private double[] written = {};
+    private final IslandRounds rounds = new IslandRounds();
+    private final WrittenBlocks written;
 
     Admission(
             State state,
@@ -77,6 +70,7 @@ final class Admission implements Presence, Serializable {
         this.trajectories = trajectories;
         this.motion = motion;
         this.detection = detection;
+        written = new WrittenBlocks(state);
     }
 
     void setConstraints(Constraints those) {
@@ -256,31 +250,20 @@ final class Admission implements Presence, Serializable {
 
     /** Closes the joints of the islands that have bodies that start anew; their bodies all start anew then. */
     private void close(double tau) {
-        int round = ++rounds;
+        rounds.begin();
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
             if (state.body(index) == null || !motion.isTied(index) || isOnlyPushed(index, tau)) {
                 continue;
             }
             IntList island = constraints.island(index);
-            if (isFirst(island, round)) {
+            if (rounds.isFirst(island)) {
                 for (int m = 0; m < island.size; m++) {
                     bring(island.values[m], tau);
                 }
                 constraints.assemble(island);
             }
         }
-    }
-
-    /** Whether an island has not been asked about in this round. */
-    private boolean isFirst(IntList island, int round) {
-        int first = island.values[0];
-        if (closed == null || closed.length <= first) { // null: just restored
-            closed = closed == null ? new int[first + 1] : Arrays.copyOf(closed, Growth.length(closed.length, first + 1));
-        }
-        boolean yes = closed[first] != round;
-        closed[first] = round;
-        return yes;
     }
 
     /** Brings a body that was not written to the present instant, and lets it start anew from there. */
@@ -327,7 +310,7 @@ final class Admission implements Presence, Serializable {
     /** Brings those that move together with bodies that were written or leave, but not these themselves. */
     private void bringOthers(double tau) {
         int writtenBodies = state.touchedCount();
-        exchangeWritten(writtenBodies, false);
+        written.keep(writtenBodies);
         for (int k = 0; k < writtenBodies; k++) {
             bringCompanions(state.touched(k), tau);
         }
@@ -340,7 +323,7 @@ final class Admission implements Presence, Serializable {
                 }
             }
         }
-        exchangeWritten(writtenBodies, true);
+        written.putBack(writtenBodies);
     }
 
     private void bringCompanions(int index, double tau) {
@@ -373,21 +356,6 @@ final class Admission implements Presence, Serializable {
             bring(concerned.values[k], tau);
         }
         groups.commit();
-    }
-
-    /** Keeps the blocks of bodies that were written, or puts them back: bodies are brought in the same vectors. */
-    private void exchangeWritten(int bodies, boolean back) {
-        int n = State.BLOCK;
-        if (written.length < 2 * n * bodies) {
-            written = new double[4 * n * bodies];
-        }
-        double[] x = state.x();
-        double[] v = state.v();
-        for (int k = 0, at = 0; k < bodies; k++, at += 2 * n) {
-            int b = n * state.touched(k);
-            System.arraycopy(back ? written : x, back ? at : b, back ? x : written, back ? b : at, n);
-            System.arraycopy(back ? written : v, back ? at + n : b, back ? v : written, back ? b : at + n, n);
-        }
     }
 
     /** Removes the springs of a body that leaves; those at their other ends start anew without, from where the vectors say. */
@@ -483,11 +451,11 @@ final class Admission implements Presence, Serializable {
     int separate(List<Body> bodies) {
         Overlaps overlaps = overlaps();
         int sweeps = overlaps.separate(bodies);
-        int rounds = 0;
+        int round = 0;
         for (int more = sweeps; more > 0 && constraints != null; sweeps += more) {
             close(0);
             state.placedAll();
-            if (++rounds > MAX_ROUNDS) {
+            if (++round > MAX_ROUNDS) {
                 throw new IllegalStateException(overlaps.find(bodies).size() + " pairs of bodies still overlap after "
                         + MAX_ROUNDS + " rounds of parting them and closing their joints: is there room?");
             }

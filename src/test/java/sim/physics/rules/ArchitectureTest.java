@@ -53,7 +53,7 @@ class ArchitectureTest {
                 .whereLayer("query").mayOnlyBeAccessedByLayers("engine")
                 .whereLayer("constraint").mayOnlyBeAccessedByLayers("engine", "mason", "stepping")
                 .whereLayer("tree").mayOnlyBeAccessedByLayers("constraint")
-                .whereLayer("matrix").mayOnlyBeAccessedByLayers("motion", "response", "lasting", "constraint", "tree")
+                .whereLayer("matrix").mayOnlyBeAccessedByLayers("motion", "response", "lasting", "constraint", "tree", "stepping")
                 .check(PRODUCT);
     }
 
