@@ -77,21 +77,26 @@ public final class CrowdRun {
         int steps = Integer.parseInt(args[2]);
         int rounds = Integer.parseInt(args[3]);
         double[] own = new double[rounds];
+        double[] stepped = new double[rounds];
         double[] peer = new double[rounds];
         for (int r = -1; r < rounds; r++) { // the first round warms up
             double[][] places = places(robots + boxes, 7 + r);
-            double a = own(robots, places, steps);
+            double a = own(robots, places, steps, 0);
+            double c = own(robots, places, steps, 4);
             double b = dyn4j(robots, places, steps);
             if (r >= 0) {
                 own[r] = a;
+                stepped[r] = c;
                 peer[r] = b;
             }
         }
         Arrays.sort(own);
+        Arrays.sort(stepped);
         Arrays.sort(peer);
         System.out.printf(
-                Locale.ROOT, "%d robots, %d boxes: ours %.1f us/step [%.1f, %.1f], dyn4j %.1f [%.1f, %.1f]%n", robots, boxes,
-                own[rounds / 2], own[0], own[rounds - 1], peer[rounds / 2], peer[0], peer[rounds - 1]);
+                Locale.ROOT, "%d robots, %d boxes: ours %.1f us/step [%.1f, %.1f], by time stepping %.1f [%.1f, %.1f], dyn4j %.1f [%.1f, %.1f]%n",
+                robots, boxes, own[rounds / 2], own[0], own[rounds - 1],
+                stepped[rounds / 2], stepped[0], stepped[rounds - 1], peer[rounds / 2], peer[0], peer[rounds - 1]);
     }
 
     /** Centre and angle of each body, apart from all others. */
@@ -113,9 +118,10 @@ public final class CrowdRun {
         return places;
     }
 
-    private static double own(int robots, double[][] places, int steps) {
+    private static double own(int robots, double[][] places, int steps, int substeps) {
         PhysicsEngine engine = new PhysicsEngine();
         engine.setTimeStep(STEP);
+        engine.setTimeStepping(substeps);
         engine.add(new SurfaceFriction(G));
         for (int end = 0; end < 2; end++) {
             engine.add(Body.fixed(new Rectangle(1, SIDE + 2)).at(end * (SIDE + 1) - 0.5, SIDE / 2));

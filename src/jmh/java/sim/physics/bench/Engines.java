@@ -9,7 +9,7 @@ import sim.physics.scenes.SceneData;
 final class Engines {
     /** All names: own-euler differs from own in the integrator, the others in continuous detection and thresholds. */
     static final List<String> NAMES = List.of(
-            "own", "own-euler", "dyn4j", "dyn4j-noccd", "dyn4j-noccd-rv0", "jbox2d", "jbox2d-noccd");
+            "own", "own-euler", "own-stepped", "dyn4j", "dyn4j-noccd", "dyn4j-noccd-rv0", "jbox2d", "jbox2d-noccd");
 
     private Engines() {}
 
@@ -22,8 +22,9 @@ final class Engines {
      */
     static Runner create(String engine, SceneData scene) {
         return switch (engine) {
-            case "own" -> new OwnRunner(scene, false);
-            case "own-euler" -> new OwnRunner(scene, true);
+            case "own" -> new OwnRunner(scene, false, 0);
+            case "own-euler" -> new OwnRunner(scene, true, 0);
+            case "own-stepped" -> new OwnRunner(scene, false, 4);
             case "dyn4j" -> new Dyn4jRunner(scene, Dyn4jRunner.Setup.DEFAULT);
             case "dyn4j-noccd" -> new Dyn4jRunner(scene, Dyn4jRunner.Setup.NO_CCD);
             case "dyn4j-noccd-rv0" -> new Dyn4jRunner(scene, Dyn4jRunner.Setup.NO_CCD_NO_THRESHOLD);

@@ -12,13 +12,14 @@ import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
 import sim.physics.shape.Shape;
 
-/** A scene in this engine, in the scene's own units, as delivered (RK4) or with Euler. */
+/** A scene in this engine, in the scene's own units, as delivered (RK4), with Euler, or by time stepping where there are substeps. */
 final class OwnRunner implements Runner {
     private final PhysicsEngine engine = new PhysicsEngine();
     private final Body[] bodies;
 
-    OwnRunner(SceneData scene, boolean euler) {
+    OwnRunner(SceneData scene, boolean euler, int substeps) {
         engine.setTimeStep(scene.dt());
+        engine.setTimeStepping(substeps);
         if (euler) {
             engine.setIntegrator(new Euler());
         }

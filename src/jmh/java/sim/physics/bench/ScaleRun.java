@@ -54,7 +54,7 @@ public final class ScaleRun {
         double[] micros = new double[runs];
         for (int r = 0; r < runs; r++) {
             long begin = System.nanoTime();
-            new OwnRunner(scene, false).step();
+            new OwnRunner(scene, false, 0).step();
             micros[r] = (System.nanoTime() - begin) / 1e3;
         }
         double[] warm = Arrays.copyOfRange(micros, runs / 2, runs);
@@ -107,7 +107,7 @@ public final class ScaleRun {
 
     /** All that can be reached from an engine with a gas, after some steps. */
     private static void memory(int n, int steps) {
-        OwnRunner gas = new OwnRunner(Gas.s3(n, 1001), false);
+        OwnRunner gas = new OwnRunner(Gas.s3(n, 1001), false, 0);
         for (int k = 0; k < steps; k++) {
             gas.step();
         }
@@ -124,7 +124,7 @@ public final class ScaleRun {
         double[] micros = new double[rounds];
         for (int r = -rounds; r < rounds; r++) {
             SceneData scene = Gas.s3(n, 500 + r);
-            PhysicsEngine engine = new OwnRunner(scene, false).engine();
+            PhysicsEngine engine = new OwnRunner(scene, false, 0).engine();
             BareStep bare = new BareStep(scene);
             boolean first = r % 2 == 0;
             double before = first ? CpuTime.of(engine::step, steps) : 0;
@@ -148,9 +148,9 @@ public final class ScaleRun {
     }
 
     private static void growth(int n, int rounds) {
-        OwnRunner small = new OwnRunner(Gas.s3(1000, 1001), false);
+        OwnRunner small = new OwnRunner(Gas.s3(1000, 1001), false, 0);
         CpuTime.of(small::step, 4000);
-        OwnRunner large = new OwnRunner(Gas.s3(n, 1001), false);
+        OwnRunner large = new OwnRunner(Gas.s3(n, 1001), false, 0);
         CpuTime.of(large::step, 60);
         double[][] results = new double[3][rounds];
         int steps = Math.max(1, 2_000_000 / n);

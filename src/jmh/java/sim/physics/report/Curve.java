@@ -24,11 +24,12 @@ record Curve(String engine, String method, OwnMethod own, int order) {
                 // dense systems of hundreds of unknowns: not what an implicit method is for
                 boolean large = scene.model.parts.size() > 40 && (method.name().equals("Radau IIA"));
                 if (applies && !large) {
-                    curves.add(new Curve(OURS, method.name(), method, method.name().endsWith("Euler") ? 1 : 4));
+                    curves.add(new Curve(OURS, method.name(), method, method.name().endsWith("Euler") || method == OwnMethod.TIME_STEPPING ? 1 : 4));
                 }
             }
         } else {
             curves.add(new Curve(OURS, OwnMethod.EXACT_PATHS.name(), OwnMethod.EXACT_PATHS, 1));
+            curves.add(new Curve(OURS, OwnMethod.TIME_STEPPING.name(), OwnMethod.TIME_STEPPING, 1));
         }
         for (String engine : new String[] {"dyn4j", "JBox2D", "Box2D (libGDX)", "MuJoCo", "pymunk"}) {
             boolean there = !isPython(engine) || python.has(engine);
@@ -81,7 +82,7 @@ record Curve(String engine, String method, OwnMethod own, int order) {
         double dt = scene.duration / scene.samples / (isAdaptive() ? 1 : setting);
         Model model = scene.model;
         return switch (engine) {
-            case OURS -> new OwnWorld(model, own.maker().apply(isAdaptive() ? setting : 0), dt, count);
+            case OURS -> new OwnWorld(model, own.maker().apply(isAdaptive() ? setting : 0), dt, count, own == OwnMethod.TIME_STEPPING ? OwnMethod.SUBSTEPS : 0);
             case "dyn4j" -> new Dyn4jWorld(model, dt, isTuned());
             case "JBox2D" -> new JBox2DWorld(model, dt, isTuned());
             default -> new GdxWorld(model, dt, isTuned());

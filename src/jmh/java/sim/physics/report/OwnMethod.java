@@ -23,6 +23,11 @@ import sim.physics.motion.SymplecticEuler;
  * @param maker makes it, of a tolerance
  */
 record OwnMethod(String name, boolean adaptive, boolean conservative, DoubleFunction<Integrator> maker) {
+    /** In place of events and integrators; steps of four substeps. */
+    static final OwnMethod TIME_STEPPING = new OwnMethod("time stepping", false, false, tolerance -> new SymplecticEuler());
+
+    static final int SUBSTEPS = 4;
+
     static final List<OwnMethod> ALL = List.of(
             new OwnMethod("Euler", false, false, tolerance -> new Euler()),
             new OwnMethod("Symplectic Euler", false, false, tolerance -> new SymplecticEuler()),
@@ -33,7 +38,8 @@ record OwnMethod(String name, boolean adaptive, boolean conservative, DoubleFunc
             new OwnMethod("DOP853", true, false, DormandPrince853::new),
             new OwnMethod("GBS", true, false, GraggBulirschStoer::new),
             new OwnMethod("Radau IIA", true, false, RadauIIA::new),
-            new OwnMethod("Automatic", true, false, Automatic::new));
+            new OwnMethod("Automatic", true, false, Automatic::new),
+            TIME_STEPPING);
 
     /** Where no integrator has anything to do. */
     static final OwnMethod EXACT_PATHS = new OwnMethod("exact paths", false, false, tolerance -> new RungeKutta4());

@@ -30,7 +30,13 @@ final class OwnWorld implements World {
     private long steps;
 
     OwnWorld(Model model, Integrator integrator, double dt, boolean count) {
+        this(model, integrator, dt, count, 0);
+    }
+
+    /** One moved by time stepping, unless the substeps are 0. */
+    OwnWorld(Model model, Integrator integrator, double dt, boolean count, int substeps) {
         engine.setTimeStep(dt);
+        engine.setTimeStepping(substeps);
         engine.setIntegrator(integrator);
         bodies = new Body[model.parts.size()];
         for (int k = 0; k < bodies.length; k++) {

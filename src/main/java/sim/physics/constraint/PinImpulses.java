@@ -192,6 +192,14 @@ final class PinImpulses implements Serializable {
         }
     }
 
+    double[] copy() {
+        return data.clone();
+    }
+
+    void putBack(double[] copy) {
+        data = copy;
+    }
+
     /** Gives the bodies the impulses of the substep before. */
     void start() {
         double[] v = state.v();

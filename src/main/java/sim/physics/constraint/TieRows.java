@@ -25,6 +25,9 @@ public final class TieRows implements Serializable {
     /** Values of J of a constraint: for its first body, and for its second one. */
     private static final int J = 2 * BLOCK * ROWS;
 
+    /** How often joints are solved after a bounce. */
+    private static final int ROUNDS = 8;
+
     /** What is less of a diagonal entry than this, relative to the largest, is no equation. */
     private static final double SINGULAR = 1e-14;
 
@@ -394,8 +397,15 @@ public final class TieRows implements Serializable {
         }
     }
 
-    /** Lets coordinates bounce off stops that they have hit. */
-    public void bounce() {
+    /**
+     * Lets coordinates bounce off stops that they have hit.
+     *
+     * @param hasBounced whether bodies have bounced off one another: then ties take what they do not allow
+     */
+    public void bounce(boolean hasBounced) {
+        if (hasBounced) {
+            settle();
+        }
         for (int k = 0; k < ties.length; k++) {
             if (kinds[k] != Kind.STOP || ((Limit) ties[k]).getRestitution() == 0) {
                 continue;
@@ -410,6 +420,22 @@ public final class TieRows implements Serializable {
                 sum[ROWS * k] += by;
             }
         }
+    }
+
+    /** Solves joints for velocities once more; what that takes is no guess for the step to come. */
+    private void settle() {
+        double[] kept = impulse.clone();
+        double[] keptOfPins = pinImpulses.copy();
+        for (int round = 0; round < ROUNDS; round++) {
+            for (int k = 0; k < ties.length; k++) {
+                if (kinds[k] == Kind.JOINT) {
+                    join(k, Softness.RIGID);
+                }
+            }
+            pinImpulses.solve(Softness.RIGID);
+        }
+        impulse = kept;
+        pinImpulses.putBack(keptOfPins);
     }
 
     /**

@@ -32,7 +32,9 @@ final class ContactRows implements Serializable {
     /** Speed at which it opens at the start. */
     private static final int APPROACH = 9;
 
-    private static final int MOST = 10;
+    /** The part of what it has taken that a point gives once more. */
+    private static final int RESTORED = 10;
+
     private static final int NORMAL_SUM = 11;
     private static final int TANGENT_SUM = 12;
     private static final int FORCED = 13;
@@ -52,16 +54,24 @@ final class ContactRows implements Serializable {
     private static final int BOUNCE = 3;
     private static final int REGAIN = 4;
 
+    /** How often what bounces is solved in turn at most; and when that is enough, relative to the impulse. */
+    private static final int TURNS = 16;
+
+    private static final double SETTLED = 1e-4;
+
     private final State state;
 
     int count;
     /** Per pair: its number, its bodies, its first point and the one after its last. */
     private int[] pairs = {};
 
-    private static final int INTS = 6;
+    private static final int INTS = 7;
 
     /** Whether the pair has bounced in this step. */
     private static final int BOUNCED = 5;
+
+    /** Whether it pressed in the step before. */
+    private static final int PRESSED = 6;
 
     private double[] normals = {};
     private double[] points = {};
@@ -102,8 +112,10 @@ final class ContactRows implements Serializable {
      *
      * @param forced acceleration by which forces close the gap
      * @param regain the largest speed at which depth is regained
+     * @param hasPressed whether the two pressed on one another in the step before
      */
-    void add(int pair, int a, int b, Touch touch, double friction, double restitution, double[] forces, double regain) {
+    void add(
+            int pair, int a, int b, Touch touch, double friction, double restitution, double[] forces, double regain, boolean hasPressed) {
         if (INTS * (count + 1) > pairs.length) {
             int length = Growth.length(pairs.length / INTS, count + 1);
             pairs = Arrays.copyOf(pairs, INTS * length);
@@ -115,6 +127,7 @@ final class ContactRows implements Serializable {
         pairs[o + 2] = b;
         pairs[o + 3] = used;
         pairs[o + BOUNCED] = 0;
+        pairs[o + PRESSED] = hasPressed ? 1 : 0;
         int n = PAIR * count++;
         normals[n] = touch.nx;
         normals[n + 1] = touch.ny;
@@ -162,7 +175,6 @@ final class ContactRows implements Serializable {
         points[p + ARM_B] = touch.isDiscB ? 0 : slipB;
         points[p + NORMAL] = 0;
         points[p + TANGENT] = 0;
-        points[p + MOST] = 0;
         points[p + NORMAL_SUM] = 0;
         points[p + TANGENT_SUM] = 0;
     }
@@ -271,7 +283,6 @@ final class ContactRows implements Serializable {
         double old = points[p + NORMAL];
         double now = Math.max(0, old - mass * points[p + NORMAL_MASS] * (nx * ux + ny * uy + aim) - back * old);
         points[p + NORMAL] = now;
-        points[p + MOST] = Math.max(points[p + MOST], now);
         push(v, w, a, b, p, nx * (now - old), ny * (now - old));
     }
 
@@ -294,36 +305,78 @@ final class ContactRows implements Serializable {
         }
     }
 
-    /** Lets what has met bounce, unless forces alone give such a speed in the step. */
-    void bounce(double h) {
+    /**
+     * Lets what has met bounce, by Poisson's hypothesis: what compression has taken, restitution gives once more, in part. Of what
+     * meets at the same time that keeps the energy of elastic bodies, as v⁺ = 2 v − v⁻ is the mirror image of v⁻ in the
+     * projection v. What forces alone give in the step does not bounce.
+     *
+     * @return whether something has bounced
+     */
+    boolean bounce(double h) {
         double[] v = state.v();
         double[] w = state.w().values();
-        for (int k = 0; k < count; k++) {
-            double restitution = normals[PAIR * k + BOUNCE];
-            for (int m = pairs[INTS * k + 3]; restitution > 0 && m < pairs[INTS * k + 4]; m++) {
-                int p = STRIDE * m;
-                double approach = points[p + APPROACH];
-                double slow = 2 * h * Math.max(0, -points[p + FORCED]);
-                if (points[p + MOST] > 0 && approach < -slow) {
-                    pairs[INTS * k + BOUNCED] = 1;
-                    bounce(v, w, k, p, -restitution * approach);
+        if (!findImpacts(h)) {
+            return false;
+        }
+        boolean goesOn = true;
+        for (int turn = 0; goesOn && turn < TURNS; turn++) {
+            goesOn = false;
+            for (int k = 0; k < count; k++) {
+                for (int m = pairs[INTS * k + 3]; hasBounced(k) && m < pairs[INTS * k + 4]; m++) {
+                    goesOn |= points[STRIDE * m + RESTORED] > 0 && compress(v, w, k, STRIDE * m);
                 }
             }
         }
+        for (int k = 0; k < count; k++) {
+            for (int m = pairs[INTS * k + 3]; hasBounced(k) && m < pairs[INTS * k + 4]; m++) {
+                restore(v, w, k, STRIDE * m, h);
+            }
+        }
+        return true;
     }
 
-    private void bounce(double[] v, double[] w, int k, int p, double aim) {
+    /** Notes which points have met and will bounce; false if none does. */
+    private boolean findImpacts(double h) {
+        boolean any = false;
+        for (int k = 0; k < count; k++) {
+            for (int m = pairs[INTS * k + 3]; normals[PAIR * k + BOUNCE] > 0 && m < pairs[INTS * k + 4]; m++) {
+                int p = STRIDE * m;
+                double pull = h * Math.max(0, -points[p + FORCED]);
+                boolean isImpact = points[p + APPROACH] < -2 * pull || !hasPressed(k) && pull == 0;
+                boolean bounces = isImpact && points[p + NORMAL_SUM] > 0;
+                points[p + RESTORED] = bounces ? normals[PAIR * k + BOUNCE] : 0;
+                pairs[INTS * k + BOUNCED] |= bounces ? 1 : 0;
+                any |= bounces;
+            }
+        }
+        return any;
+    }
+
+    /** Takes what is left of a point's approach, as the gap that it still had is of no more use; whether there was anything. */
+    private boolean compress(double[] v, double[] w, int k, int p) {
         int a = State.BLOCK * first(k);
         int b = State.BLOCK * second(k);
         double nx = normals[PAIR * k];
         double ny = normals[PAIR * k + 1];
         double ux = v[b] - points[p + BY] * v[b + 2] - v[a] + points[p + AY] * v[a + 2];
         double uy = v[b + 1] + points[p + BX] * v[b + 2] - v[a + 1] - points[p + AX] * v[a + 2];
-        double old = points[p + NORMAL];
-        double now = Math.max(0, old - points[p + NORMAL_MASS] * (nx * ux + ny * uy - aim));
-        points[p + NORMAL] = now;
-        points[p + NORMAL_SUM] += now - old;
+        double old = points[p + NORMAL_SUM];
+        double now = Math.max(0, old - points[p + NORMAL_MASS] * (nx * ux + ny * uy));
+        points[p + NORMAL_SUM] = now;
         push(v, w, a, b, p, nx * (now - old), ny * (now - old));
+        return Math.abs(now - old) > SETTLED * (now + old);
+    }
+
+    private void restore(double[] v, double[] w, int k, int p, double h) {
+        double pull = 0.5 * h * Math.max(0, -points[p + FORCED]) * points[p + NORMAL_MASS];
+        double by = points[p + RESTORED] * Math.max(0, points[p + NORMAL_SUM] - pull);
+        points[p + NORMAL] = 0; // the two part
+        points[p + NORMAL_SUM] += by;
+        push(v, w, State.BLOCK * first(k), State.BLOCK * second(k), p, normals[PAIR * k] * by, normals[PAIR * k + 1] * by);
+    }
+
+    private boolean hasPressed(int k) {
+        return pairs[INTS * k + PRESSED] != 0;
     }
 
     double normalX(int k) {

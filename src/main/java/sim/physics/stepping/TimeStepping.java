@@ -192,7 +192,7 @@ public final class TimeStepping implements Serializable {
         }
         double friction = near.is(pair, NearPairs.STICKY) ? STICKS : laws.friction(first, second);
         double restitution = near.is(pair, NearPairs.STICKY) ? 0 : laws.restitution(first, second);
-        rows.add(pair, first, second, touch, friction, restitution, a, REGAIN * size / h);
+        rows.add(pair, first, second, touch, friction, restitution, a, REGAIN * size / h, near.is(pair, NearPairs.TOUCHED));
         if (decisions.isOpen(rows.count - 1)) {
             rows.dropLast();
             return;
@@ -257,9 +257,9 @@ public final class TimeStepping implements Serializable {
                 ties.add();
             }
         }
-        rows.bounce(h);
+        boolean hasBounced = rows.bounce(h);
         if (isTied) {
-            ties.bounce();
+            ties.bounce(hasBounced);
         }
         keep();
         isCold = false;
