@@ -37,6 +37,7 @@ final class PinImpulses implements Serializable {
     private int[] blocks = {};
 
     private double[] data = {};
+    private double[] kept = {};
     private int count;
 
     /** Bodies with a pin beside their centre; the angles at which their cosines and sines hold. */
@@ -192,12 +193,12 @@ final class PinImpulses implements Serializable {
         }
     }
 
-    double[] copy() {
-        return data.clone();
-    }
-
-    void putBack(double[] copy) {
-        data = copy;
+    /** Keeps the impulses of now, or puts back those that were kept. */
+    void exchange(boolean back) {
+        if (kept.length < data.length) {
+            kept = new double[data.length];
+        }
+        System.arraycopy(back ? kept : data, 0, back ? data : kept, 0, data.length);
     }
 
     /** Gives the bodies the impulses of the substep before. */

@@ -61,6 +61,8 @@ public final class TieRows implements Serializable {
     private double[] inverse = {};
     /** Impulses of this substep; of a stop that of its lower and its upper bound. */
     private double[] impulse = {};
+    /** The same, to be put back. */
+    private double[] kept = {};
     /** Their sums over the substeps, along J. */
     private double[] sum = {};
     /** Speeds of stops at the start of the step. */
@@ -128,6 +130,7 @@ public final class TieRows implements Serializable {
         gears = new GearJoint[n];
         blocks = new int[2 * n];
         impulse = new double[ROWS * n];
+        kept = new double[ROWS * n];
         for (int k = 0; k < n; k++) {
             Constraint tie = ties[k];
             Constraint one = tie instanceof Switched s ? s.coordinate() : tie;
@@ -424,8 +427,8 @@ public final class TieRows implements Serializable {
 
     /** Solves joints for velocities once more; what that takes is no guess for the step to come. */
     private void settle() {
-        double[] kept = impulse.clone();
-        double[] keptOfPins = pinImpulses.copy();
+        System.arraycopy(impulse, 0, kept, 0, impulse.length);
+        pinImpulses.exchange(false);
         for (int round = 0; round < ROUNDS; round++) {
             for (int k = 0; k < ties.length; k++) {
                 if (kinds[k] == Kind.JOINT) {
@@ -434,8 +437,8 @@ public final class TieRows implements Serializable {
             }
             pinImpulses.solve(Softness.RIGID);
         }
-        impulse = kept;
-        pinImpulses.putBack(keptOfPins);
+        System.arraycopy(kept, 0, impulse, 0, impulse.length);
+        pinImpulses.exchange(true);
     }
 
     /**
