@@ -15,7 +15,8 @@ import sim.physics.internal.IntList;
  * <p>It is of first order, as {@link Euler} is, and takes one evaluation of the forces, too; but its energy swings by an
  * error of that order and does not drift away, if forces depend on positions alone. It is what game engines take: for many
  * bodies under forces that must be cheap and need not be exact. Where bodies lie on one another or joints tie them it is not cheap: its
- * paths are so far from the motion that steps are divided for contacts, and RK4 takes a half to a sixth of its time. Joints are closed along the directions of the start, which keeps the map
+ * paths are so far from the motion that steps are divided for contacts, and RK4 takes a half to a sixth of its time; time stepping
+ * ({@code PhysicsEngine.setTimeStepping}) is for those. Joints are closed along the directions of the start, which keeps the map
  * symplectic (Hairer, Lubich and Wanner, <i>Geometric Numerical Integration</i>, VII.1), and the projection after the
  * step gives the velocities that they allow. A step must be shorter than 2/ω for a spring of frequency ω.
  */
