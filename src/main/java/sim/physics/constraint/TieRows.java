@@ -231,26 +231,12 @@ public final class TieRows implements Serializable {
         double k02 = stiffness(k, 0, 2, w);
         double k12 = stiffness(k, 1, 2, w);
         double k22 = stiffness(k, 2, 2, w);
-        double a = k11 * k22 - k12 * k12;
-        double b = k02 * k12 - k01 * k22;
-        double d = k01 * k12 - k02 * k11;
-        double det = k00 * a + k01 * b + k02 * d;
-        if (!(det > SINGULAR * k00 * k11 * k22)) {
-            Arrays.fill(inverse, o, o + ROWS * ROWS, 0); // row by row
+        if (!SmallInverse.invert(k00, k01, k02, k11, k12, k22, inverse, o)) { // row by row
+            Arrays.fill(inverse, o, o + ROWS * ROWS, 0);
             inverse[o] = k00 > 0 ? 1 / (ROWS * k00) : 0;
             inverse[o + 4] = k11 > 0 ? 1 / (ROWS * k11) : 0;
             inverse[o + 8] = k22 > 0 ? 1 / (ROWS * k22) : 0;
-            return;
         }
-        inverse[o] = a / det;
-        inverse[o + 1] = b / det;
-        inverse[o + 2] = d / det;
-        inverse[o + 3] = b / det;
-        inverse[o + 4] = (k00 * k22 - k02 * k02) / det;
-        inverse[o + 5] = (k01 * k02 - k00 * k12) / det;
-        inverse[o + 6] = d / det;
-        inverse[o + 7] = inverse[o + 5];
-        inverse[o + 8] = (k00 * k11 - k01 * k01) / det;
     }
 
     private double stiffness(int k, int row, int column, double[] w) {
