@@ -18,6 +18,8 @@ public abstract class Scene extends SimState {
 
     public PhysicsEngine physics;
 
+    private int substeps;
+
     protected Scene(long seed) {
         super(seed);
     }
@@ -26,8 +28,25 @@ public abstract class Scene extends SimState {
     public void start() {
         super.start();
         physics = new PhysicsEngine();
+        physics.setTimeStepping(substeps);
         build();
         physics.scheduleOn(schedule);
+    }
+
+    /** Substeps of time stepping; 0: events. */
+    public int getSubsteps() {
+        return substeps;
+    }
+
+    /** Takes effect at once. */
+    public void setSubsteps(int number) {
+        if (number < 0 || number > 100) {
+            throw new IllegalArgumentException("substeps is " + number + ": it must be from 0 to 100");
+        }
+        if (physics != null) {
+            physics.setTimeStepping(number);
+        }
+        substeps = number;
     }
 
     /** Puts the bodies into the engine. */

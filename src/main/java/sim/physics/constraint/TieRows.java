@@ -25,9 +25,6 @@ public final class TieRows implements Serializable {
     /** Values of J of a constraint: for its first body, and for its second one. */
     private static final int J = 2 * BLOCK * ROWS;
 
-    /** How often joints are solved after a bounce. */
-    private static final int ROUNDS = 8;
-
     /** What is less of a diagonal entry than this, relative to the largest, is no equation. */
     private static final double SINGULAR = 1e-14;
 
@@ -386,15 +383,8 @@ public final class TieRows implements Serializable {
         }
     }
 
-    /**
-     * Lets coordinates bounce off stops that they have hit.
-     *
-     * @param hasBounced whether bodies have bounced off one another: then ties take what they do not allow
-     */
-    public void bounce(boolean hasBounced) {
-        if (hasBounced) {
-            settle();
-        }
+    /** Lets coordinates bounce off stops that they have hit. */
+    public void bounce() {
         for (int k = 0; k < ties.length; k++) {
             if (kinds[k] != Kind.STOP || ((Limit) ties[k]).getRestitution() == 0) {
                 continue;
@@ -411,20 +401,26 @@ public final class TieRows implements Serializable {
         }
     }
 
-    /** Solves joints for velocities once more; what that takes is no guess for the step to come. */
-    private void settle() {
+    /** Keeps the impulses of now, since what bounces take is no guess for the step to come. */
+    public void keep() {
         System.arraycopy(impulse, 0, kept, 0, impulse.length);
         pinImpulses.exchange(false);
-        for (int round = 0; round < ROUNDS; round++) {
-            for (int k = 0; k < ties.length; k++) {
-                if (kinds[k] == Kind.JOINT) {
-                    join(k, Softness.RIGID);
-                }
-            }
-            pinImpulses.solve(Softness.RIGID);
-        }
+    }
+
+    /** Puts back the impulses that were kept. */
+    public void putBack() {
         System.arraycopy(kept, 0, impulse, 0, impulse.length);
         pinImpulses.exchange(true);
+    }
+
+    /** Solves joints for velocities once more. */
+    public void settle() {
+        for (int k = 0; k < ties.length; k++) {
+            if (kinds[k] == Kind.JOINT) {
+                join(k, Softness.RIGID);
+            }
+        }
+        pinImpulses.solve(Softness.RIGID);
     }
 
     /**

@@ -54,9 +54,7 @@ final class ContactRows implements Serializable {
     private static final int BOUNCE = 3;
     private static final int REGAIN = 4;
 
-    /** How often what bounces is solved in turn at most; and when that is enough, relative to the impulse. */
-    private static final int TURNS = 16;
-
+    /** When an impulse has settled, relative to itself. */
     private static final double SETTLED = 1e-4;
 
     private final State state;
@@ -305,38 +303,32 @@ final class ContactRows implements Serializable {
         }
     }
 
-    /**
-     * Lets what has met bounce, by Poisson's hypothesis: what compression has taken, restitution gives once more, in part. Of what
-     * meets at the same time that keeps the energy of elastic bodies, as v⁺ = 2 v − v⁻ is the mirror image of v⁻ in the
-     * projection v. What forces alone give in the step does not bounce.
-     *
-     * @return whether something has bounced
-     */
-    boolean bounce(double h) {
+    /** Compresses what will bounce once more in turn, as its gaps are of no more use; whether something has changed. */
+    boolean compress() {
         double[] v = state.v();
         double[] w = state.w().values();
-        if (!findImpacts(h)) {
-            return false;
-        }
-        boolean goesOn = true;
-        for (int turn = 0; goesOn && turn < TURNS; turn++) {
-            goesOn = false;
-            for (int k = 0; k < count; k++) {
-                for (int m = pairs[INTS * k + 3]; hasBounced(k) && m < pairs[INTS * k + 4]; m++) {
-                    goesOn |= points[STRIDE * m + RESTORED] > 0 && compress(v, w, k, STRIDE * m);
-                }
+        boolean goesOn = false;
+        for (int k = 0; k < count; k++) {
+            for (int m = pairs[INTS * k + 3]; hasBounced(k) && m < pairs[INTS * k + 4]; m++) {
+                goesOn |= points[STRIDE * m + RESTORED] > 0 && compress(v, w, k, STRIDE * m);
             }
         }
+        return goesOn;
+    }
+
+    /** Gives what compression has taken once more, in part. What forces alone give in the step does not bounce. */
+    void restore(double h) {
+        double[] v = state.v();
+        double[] w = state.w().values();
         for (int k = 0; k < count; k++) {
             for (int m = pairs[INTS * k + 3]; hasBounced(k) && m < pairs[INTS * k + 4]; m++) {
                 restore(v, w, k, STRIDE * m, h);
             }
         }
-        return true;
     }
 
     /** Notes which points have met and will bounce; false if none does. */
-    private boolean findImpacts(double h) {
+    boolean findImpacts(double h) {
         boolean any = false;
         for (int k = 0; k < count; k++) {
             for (int m = pairs[INTS * k + 3]; normals[PAIR * k + BOUNCE] > 0 && m < pairs[INTS * k + 4]; m++) {

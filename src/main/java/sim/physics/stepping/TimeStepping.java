@@ -46,6 +46,9 @@ public final class TimeStepping implements Serializable {
     /** Solutions of a substep where something is new, of whose impulses nothing is known. */
     private static final int COLD = 8;
 
+    /** How often what bounces is solved in turn at most. */
+    private static final int TURNS = 32;
+
     /** Friction of what sticks. */
     private static final double STICKS = 1e100;
 
@@ -257,13 +260,36 @@ public final class TimeStepping implements Serializable {
                 ties.add();
             }
         }
-        boolean hasBounced = rows.bounce(h);
+        if (rows.findImpacts(h)) {
+            bounce(isTied);
+        }
         if (isTied) {
-            ties.bounce(hasBounced);
+            ties.bounce();
         }
         keep();
         isCold = false;
         forces.end();
+    }
+
+    /**
+     * Lets bodies that have met bounce, by Poisson's hypothesis: what compression has taken, restitution gives once more, in part. Of what
+     * meets at the same time, joints included, that keeps the energy of elastic bodies, as v⁺ = 2 v − v⁻ is the mirror image of v⁻
+     * in the projection v.
+     */
+    private void bounce(boolean isTied) {
+        ties.keep();
+        boolean goesOn = true;
+        for (int turn = 0; goesOn && turn < TURNS; turn++) {
+            if (isTied) {
+                ties.settle();
+            }
+            goesOn = rows.compress();
+        }
+        rows.restore(h);
+        for (int turn = 0; isTied && turn < TURNS; turn++) {
+            ties.settle();
+        }
+        ties.putBack();
     }
 
     private void accelerate(double d) {
