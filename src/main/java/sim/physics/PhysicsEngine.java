@@ -1003,6 +1003,7 @@ public final class PhysicsEngine implements Steppable {
         if (isStepped != wasStepped) {
             makeLatePaths();
             state.settle(true);
+            timeStepping.leave();
             admission.setStepped(isStepped ? timeStepping : null);
         }
     }

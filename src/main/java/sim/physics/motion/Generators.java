@@ -41,6 +41,9 @@ final class Generators implements Serializable {
 
         boolean isCoupled;
 
+        /** Whether time stepping solves for it, so that it is no force. */
+        boolean isRow;
+
         /** The last sum that it was counted in; a body that it couples. */
         private transient long counted;
 
@@ -339,7 +342,7 @@ final class Generators implements Serializable {
         accelerate(state, bodies, t, forces, a, null);
     }
 
-    /** The same without one generator. */
+    /** The same without one generator, and without what time stepping solves for. */
     void accelerate(State state, IntList bodies, double t, Forces forces, double[] a, ForceGenerator without) {
         double[] f = state.f();
         double[] w = state.w().values();
@@ -409,7 +412,7 @@ final class Generators implements Serializable {
     /** Adds the forces on a body, but for those of uniform fields. */
     private void addForces(Body body, double time, Forces forces, ForceGenerator without) {
         for (Entry entry : acting(body)) {
-            if (entry.generator != without) {
+            if (entry.generator != without && !entry.isRow) {
                 entry.generator.addForce(body, time, forces);
             }
         }

@@ -14,6 +14,7 @@ public final class SteppedForces implements Serializable {
     private final Generators generators;
     private final IntList pushed = new IntList();
     private final SurfaceRows surface;
+    private final SpringRows springs;
 
     /**
      * Takes the forces of a motion, live.
@@ -26,6 +27,7 @@ public final class SteppedForces implements Serializable {
         forces = motion.forces;
         generators = motion.generators;
         surface = new SurfaceRows(state, generators);
+        springs = new SpringRows(state, generators);
     }
 
     /** {@return friction with the plane} */
@@ -33,9 +35,32 @@ public final class SteppedForces implements Serializable {
         return surface;
     }
 
+    /** {@return springs that are too stiff to be forces} */
+    public SpringRows springs() {
+        return springs;
+    }
+
+    /** Ends time stepping: all forces are forces again. */
+    public void leave() {
+        springs.forget();
+        pushed.clear();
+    }
+
     /** {@return whether forces may change within a step: some generator acts beside uniform fields and friction with the plane} */
     public boolean areUneven() {
         return generators.driving().size() > (generators.surface == null ? 0 : 1);
+    }
+
+    /**
+     * Marks the bodies under forces that may change within a step.
+     *
+     * @param bodies movable ones
+     * @param marks by body
+     */
+    public void markUneven(IntList bodies, boolean[] marks) {
+        for (int k = 0; k < bodies.size; k++) {
+            marks[bodies.values[k]] |= generators.drive(state.body(bodies.values[k]));
+        }
     }
 
     /**

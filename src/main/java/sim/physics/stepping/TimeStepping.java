@@ -72,7 +72,7 @@ public final class TimeStepping implements Serializable {
     private boolean isCold;
     private double[] a = {};
 
-    /** Whether something acts on a body but forces. */
+    /** Whether something acts on a body but even forces. */
     private boolean[] isHeld = {};
 
     private double h;
@@ -123,6 +123,11 @@ public final class TimeStepping implements Serializable {
         this.constraints = constraints;
     }
 
+    /** Ends time stepping: events move the bodies from now on. */
+    public void leave() {
+        forces.leave();
+    }
+
     /**
      * Takes a body in, or takes note that it was written.
      *
@@ -167,6 +172,7 @@ public final class TimeStepping implements Serializable {
     public void begin(double time, double step) {
         h = step;
         forces.begin();
+        forces.springs().begin(step / substeps);
         if (a.length < state.x().length) {
             a = new double[state.x().length];
             isHeld = new boolean[a.length / State.BLOCK];
@@ -246,6 +252,7 @@ public final class TimeStepping implements Serializable {
                 forces.load(poses.movable, time + k * d, a);
             }
             accelerate(d);
+            forces.springs().evaluate(d);
             start(isTied, isRubbed);
             for (int m = isCold ? COLD : 1; m > 0; m--) {
                 solve(isTied, isRubbed, joint, contact, true, d);
@@ -306,6 +313,7 @@ public final class TimeStepping implements Serializable {
         if (isRubbed) {
             surface.start();
         }
+        forces.springs().start();
         if (isTied) {
             ties.start();
         }
@@ -317,13 +325,14 @@ public final class TimeStepping implements Serializable {
         if (isRubbed) {
             surface.solve(d);
         }
+        forces.springs().solve();
         if (isTied) {
             ties.solve(joint, d);
         }
         rows.solve(contact, regains, d);
     }
 
-    /** Places by the new velocities; what only forces act on goes along its parabola. */
+    /** Places by the new velocities; what only even forces act on goes along its parabola. */
     private void move(double d) {
         double[] x = state.x();
         double[] v = state.v();
@@ -339,6 +348,9 @@ public final class TimeStepping implements Serializable {
 
     private void findHeld(boolean isTied, boolean isRubbed) {
         Arrays.fill(isHeld, isRubbed);
+        if (forces.areUneven()) {
+            forces.markUneven(poses.movable, isHeld);
+        }
         for (int k = 0; k < rows.count; k++) {
             isHeld[rows.first(k)] = true;
             isHeld[rows.second(k)] = true;

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import sim.physics.internal.Trig;
+
+/**
+ * Springs that are too stiff for a substep of time stepping: rows whose impulse is that of the spring at the end of the substep, which no stiffness
+ * makes unstable (Catto, <i>Soft constraints</i>, GDC 2011). What they cannot follow they damp. All other springs are forces.
+ */
+public final class SpringRows implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Values of a row: normal, arms, what is missing, softness, mass and impulse. */
+    private static final int STRIDE = 10;
+
+    private static final int ARMS = 2;
+    private static final int BIAS = 6;
+    private static final int SOFTNESS = 7;
+    private static final int MASS = 8;
+    private static final int IMPULSE = 9;
+
+    private final State state;
+    private final Generators generators;
+    private final List<Generators.Entry> stiff = new ArrayList<>();
+    private double[] rows = {};
+    private final double[] turn = new double[2];
+
+    SpringRows(State state, Generators generators) {
+        this.state = state;
+        this.generators = generators;
+    }
+
+    /** {@return whether there is none} */
+    public boolean isEmpty() {
+        return stiff.isEmpty();
+    }
+
+    /**
+     * Begins a step: finds out which springs are too stiff.
+     *
+     * @param h substep
+     */
+    public void begin(double h) {
+        List<Generators.Entry> all = generators.driving();
+        List<Generators.Entry> before = stiff.isEmpty() ? List.of() : new ArrayList<>(stiff);
+        double[] old = before.isEmpty() ? rows : rows.clone();
+        stiff.clear();
+        for (int k = 0; k < all.size(); k++) {
+            Generators.Entry entry = all.get(k);
+            if (entry.generator instanceof Spring spring) {
+                entry.isRow = isThere(spring) && isStiff(spring, h);
+                if (entry.isRow) {
+                    add(entry, before.indexOf(entry), old);
+                }
+            }
+        }
+    }
+
+    /** Lets all springs be forces again. */
+    void forget() {
+        stiff.forEach(entry -> entry.isRow = false);
+        stiff.clear();
+    }
+
+    private void add(Generators.Entry entry, int place, double[] old) {
+        int o = STRIDE * stiff.size();
+        stiff.add(entry);
+        if (o + STRIDE > rows.length) {
+            rows = Arrays.copyOf(rows, 2 * (o + STRIDE));
+        }
+        rows[o + IMPULSE] = place < 0 ? 0 : old[STRIDE * place + IMPULSE];
+    }
+
+    private boolean isThere(Spring spring) {
+        return spring.getBodyA().state() == state && (spring.getBodyB() == null || spring.getBodyB().state() == state);
+    }
+
+    /** Whether a substep is too long to follow the spring by forces. */
+    private boolean isStiff(Spring spring, double h) {
+        double[] w = state.w().values();
+        double most = 0;
+        for (Body body : spring.getBodies()) {
+            int b = State.BLOCK * body.index();
+            boolean isFirst = body == spring.getBodyA();
+            double x = isFirst ? spring.getAnchorAX() : spring.getAnchorBX();
+            double y = isFirst ? spring.getAnchorAY() : spring.getAnchorBY();
+            most += w[b] + w[b + 2] * (x * x + y * y);
+        }
+        return most * h * (spring.getStiffness() * h + spring.getDamping()) > 1;
+    }
+
+    /**
+     * Evaluates the springs where the bodies are at the start of a substep.
+     *
+     * @param h its length
+     */
+    public void evaluate(double h) {
+        double[] w = state.w().values();
+        for (int k = 0; k < stiff.size(); k++) {
+            Spring spring = (Spring) stiff.get(k).generator;
+            int o = STRIDE * k;
+            int a = block(spring.getBodyA());
+            int b = block(spring.getBodyB());
+            arm(o + ARMS, a, spring.getAnchorAX(), spring.getAnchorAY());
+            arm(o + ARMS + 2, b, spring.getAnchorBX(), spring.getAnchorBY());
+            double dx = state.x()[a] + rows[o + 2] - rows[o + 4] - (b < 0 ? 0 : state.x()[b]);
+            double dy = state.x()[a + 1] + rows[o + 3] - rows[o + 5] - (b < 0 ? 0 : state.x()[b + 1]);
+            double distance = Math.sqrt(dx * dx + dy * dy);
+            double nx = distance > 0 ? dx / distance : 0;
+            double ny = distance > 0 ? dy / distance : 0;
+            rows[o] = nx;
+            rows[o + 1] = ny;
+            double leverA = rows[o + 2] * ny - rows[o + 3] * nx;
+            double inverse = (w[a] + w[a + 2] * leverA * leverA) * (distance > 0 ? 1 : 0);
+            if (b >= 0) {
+                double leverB = rows[o + 4] * ny - rows[o + 5] * nx;
+                inverse += (w[b] + w[b + 2] * leverB * leverB) * (distance > 0 ? 1 : 0);
+            }
+            double stiffness = h * spring.getStiffness();
+            double softness = 1 / (h * (spring.getDamping() + stiffness));
+            rows[o + SOFTNESS] = softness;
+            rows[o + BIAS] = (distance - spring.getLength()) * stiffness * softness;
+            rows[o + MASS] = inverse > 0 ? 1 / (inverse + softness) : 0;
+        }
+    }
+
+    private static int block(Body body) {
+        return body == null ? -1 : State.BLOCK * body.index();
+    }
+
+    private void arm(int to, int block, double px, double py) {
+        rows[to] = px;
+        rows[to + 1] = py;
+        if (block >= 0 && (px != 0 || py != 0)) {
+            Trig.sinCos(state.x()[block + State.THETA], turn, 0);
+            rows[to] = turn[0] * px - turn[1] * py;
+            rows[to + 1] = turn[1] * px + turn[0] * py;
+        }
+    }
+
+    /** Gives the bodies the impulses of the substep before. */
+    public void start() {
+        for (int k = 0; k < stiff.size(); k++) {
+            push(k, rows[STRIDE * k + IMPULSE]);
+        }
+    }
+
+    private void push(int k, double by) {
+        Spring spring = (Spring) stiff.get(k).generator;
+        int o = STRIDE * k;
+        push(block(spring.getBodyA()), o, o + ARMS, by);
+        if (spring.getBodyB() != null) {
+            push(block(spring.getBodyB()), o, o + ARMS + 2, -by);
+        }
+    }
+
+    private void push(int block, int o, int arm, double by) {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        double jx = rows[o] * by;
+        double jy = rows[o + 1] * by;
+        v[block] += w[block] * jx;
+        v[block + 1] += w[block + 1] * jy;
+        v[block + 2] += w[block + 2] * (rows[arm] * jy - rows[arm + 1] * jx);
+    }
+
+    /** Solves all of them once. */
+    public void solve() {
+        for (int k = 0; k < stiff.size(); k++) {
+            Spring spring = (Spring) stiff.get(k).generator;
+            int o = STRIDE * k;
+            double speed = speed(block(spring.getBodyA()), o, o + ARMS);
+            if (spring.getBodyB() != null) {
+                speed -= speed(block(spring.getBodyB()), o, o + ARMS + 2);
+            }
+            double by = -rows[o + MASS] * (speed + rows[o + BIAS] + rows[o + SOFTNESS] * rows[o + IMPULSE]);
+            rows[o + IMPULSE] += by;
+            push(k, by);
+        }
+    }
+
+    private double speed(int block, int o, int arm) {
+        double[] v = state.v();
+        double ux = v[block] - rows[arm + 1] * v[block + 2];
+        double uy = v[block + 1] + rows[arm] * v[block + 2];
+        return rows[o] * ux + rows[o + 1] * uy;
+    }
+}
