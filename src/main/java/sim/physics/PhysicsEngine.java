@@ -106,7 +106,10 @@ public final class PhysicsEngine implements Steppable {
 
     private boolean stepping;
 
-    /** Whether listeners are told of contacts that last. */
+    /** Whether listeners are asked what to do about collisions in the step of time stepping that begins. */
+    private transient boolean asking;
+
+    /** Whether listeners are told of what happened when a step is over. */
     private transient boolean telling;
 
     /** Whether there have been listeners, force generators or rules of authors, which may ask or write within a step. */
@@ -133,7 +136,7 @@ public final class PhysicsEngine implements Steppable {
      * the next one goes on from there.
      */
     public void step() {
-        if (stepping || telling) {
+        if (stepping || asking || telling) {
             throw new IllegalStateException("the engine was asked to step within its own step, or by a listener");
         }
         if (timeStep == 0) {
@@ -173,15 +176,15 @@ public final class PhysicsEngine implements Steppable {
         tell();
     }
 
-    /** A step of time stepping; listeners are called before it and after it, and may change anything but step the engine. */
+    /** A step of time stepping; listeners are asked when it begins, after which it begins anew, and told when it is over. */
     private void stepWithoutEvents() {
         beginWithoutEvents();
         if (timeStepping.decisions().areOpen()) {
-            telling = true;
+            asking = true;
             try {
                 timeStepping.decisions().ask();
             } finally {
-                telling = false;
+                asking = false;
             }
             beginWithoutEvents();
         }
@@ -208,8 +211,9 @@ public final class PhysicsEngine implements Steppable {
         try {
             trajectories.begin(steps, timeStep);
             detection.begin(steps, timeStep);
-            for (Constraint broken : timeStepping.overloaded()) {
-                constraints.remove(broken);
+            List<Constraint> broken = timeStepping.overloaded();
+            for (int k = 0; k < broken.size(); k++) {
+                constraints.remove(broken.get(k));
             }
             admission.admit(0);
             timeStepping.begin(getTime(), timeStep);
@@ -977,7 +981,7 @@ public final class PhysicsEngine implements Steppable {
      * <p>Bodies may be in one another by some hundredths of their size, joints off by some thousandths of theirs, elastic bodies
      * lose or gain energy, and what is fast and thin can pass through what is thin. Friction with the plane is that of an ellipsoidal
      * limit surface. {@link CollisionListener}s are asked when bodies would touch in the step that begins, and told of it when
-     * it is over; in both cases as between steps. Threads and the {@link Integrator} are of no effect.
+     * it is over, as between steps. Threads and the {@link Integrator} are of no effect.
      *
      * @param substeps of a step; 4 is usual, twice as many halve the error; 0 for events
      * @throws IllegalArgumentException if it is negative
@@ -1003,13 +1007,13 @@ public final class PhysicsEngine implements Steppable {
         if (isStepped != wasStepped) {
             makeLatePaths();
             state.settle(true);
-            timeStepping.leave();
+            timeStepping.forget();
             admission.setStepped(isStepped ? timeStepping : null);
         }
     }
 
     private void requireBetweenSteps(String what) {
-        if (stepping) {
+        if (stepping || asking) {
             throw new IllegalStateException(what + " within a step");
         }
     }

@@ -105,12 +105,14 @@ final class PinImpulses implements Serializable {
         return data[STRIDE * k + ARM + which];
     }
 
-    /** Begins a step. */
-    void begin() {
+    /** Begins a step, with substeps so many times longer than those of the last one: impulses grow with them. */
+    void begin(double growth) {
         Arrays.fill(angles, Double.NaN);
-        for (int o = SUM; o < data.length; o += STRIDE) {
-            data[o] = 0;
-            data[o + 1] = 0;
+        for (int o = 0; o < data.length; o += STRIDE) {
+            data[o + IMPULSE] *= growth;
+            data[o + IMPULSE + 1] *= growth;
+            data[o + SUM] = 0;
+            data[o + SUM + 1] = 0;
         }
         evaluate();
     }

@@ -149,14 +149,21 @@ public final class TieRows implements Serializable {
         hit = new boolean[2 * n];
     }
 
+    /** Forgets all constraints and what they did. */
+    public void forget() {
+        pins.clear();
+        ties = new Constraint[0];
+        version = -1;
+    }
+
     /**
      * Marks the bodies that are tied.
      *
      * @param marks by body
      */
     public void mark(boolean[] marks) {
-        for (PinJoint pin : pins) {
-            mark(marks, pin);
+        for (int k = 0; k < pins.size(); k++) {
+            mark(marks, pins.get(k));
         }
         for (Constraint tie : ties) {
             mark(marks, tie);
@@ -170,9 +177,16 @@ public final class TieRows implements Serializable {
         }
     }
 
-    /** Begins a step. */
-    public void begin() {
-        pinImpulses.begin();
+    /**
+     * Begins a step.
+     *
+     * @param growth how many times longer its substeps are than those of the last one: impulses grow with them
+     */
+    public void begin(double growth) {
+        pinImpulses.begin(growth);
+        for (int k = 0; growth != 1 && k < impulse.length; k++) {
+            impulse[k] *= growth;
+        }
         evaluate(true);
         Arrays.fill(sum, 0);
         Arrays.fill(hit, false);

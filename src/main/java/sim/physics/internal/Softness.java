@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.internal;
 
+import java.io.Serializable;
+
 /**
  * How a constraint that is off its place is brought back by time stepping: as by a damped spring that is integrated implicitly
  * (Catto, <i>Soft constraints</i>, GDC 2011), whose frequency is a part of that of the substeps.
@@ -10,7 +12,7 @@ package sim.physics.internal;
  * @param mass how much of the impulse counts that a rigid constraint would take
  * @param impulse how much of what it has taken so far is given back
  */
-public record Softness(double rate, double mass, double impulse) {
+public record Softness(double rate, double mass, double impulse) implements Serializable {
     /** A constraint that has no place to go back to. */
     public static final Softness RIGID = new Softness(0, 1, 0);
 

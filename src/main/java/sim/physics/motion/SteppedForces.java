@@ -40,7 +40,7 @@ public final class SteppedForces implements Serializable {
         return springs;
     }
 
-    /** Ends time stepping: all forces are forces again. */
+    /** Begins or ends time stepping: all forces are forces, and none was applied. */
     public void leave() {
         springs.forget();
         pushed.clear();

@@ -51,27 +51,17 @@ public final class SurfaceRows implements Serializable {
      * @param movable the bodies
      */
     public void begin(IntList movable) {
-        int before = bodies.size;
-        int[] old = before == 0 ? null : Arrays.copyOf(bodies.values, before);
-        double[] oldRows = before == 0 ? null : Arrays.copyOf(rows, STRIDE * before);
         bodies.clear();
         if (STRIDE * movable.size > rows.length) {
             rows = new double[STRIDE * Growth.length(movable.size, movable.size)];
         }
-        for (int k = 0, m = 0; k < movable.size; k++) {
+        for (int k = 0; k < movable.size; k++) {
             Body body = state.body(movable.values[k]);
             if (!generators.surface.actsOn(body)) {
                 continue;
             }
             int o = STRIDE * bodies.size;
             bodies.add(movable.values[k]);
-            while (m < before && old[m] < movable.values[k]) {
-                m++;
-            }
-            boolean isOld = m < before && old[m] == movable.values[k];
-            for (int i = 0; i < State.BLOCK; i++) {
-                rows[o + i] = isOld ? oldRows[STRIDE * m + i] : 0;
-            }
             double weight = body.getMass() * generators.surface.getGravity();
             rows[o + STATIC] = body.getSurfaceStaticFriction() * weight;
             rows[o + KINETIC] = body.getSurfaceFriction() * weight;
@@ -80,16 +70,10 @@ public final class SurfaceRows implements Serializable {
         }
     }
 
-    /** Gives the bodies the impulses of the substep before. */
+    /** Begins a substep: nothing is known of its impulses, as each body's are found at once. */
     public void start() {
-        double[] v = state.v();
-        double[] w = state.w().values();
-        for (int k = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            int o = STRIDE * k;
-            v[b] += w[b] * rows[o];
-            v[b + 1] += w[b + 1] * rows[o + 1];
-            v[b + 2] += w[b + 2] * rows[o + 2];
+        for (int o = 0; o < STRIDE * bodies.size; o += STRIDE) {
+            Arrays.fill(rows, o, o + State.BLOCK, 0);
         }
     }
 

@@ -5,6 +5,7 @@ package sim.physics.response;
 import java.io.Serializable;
 import java.util.List;
 import java.util.Objects;
+import sim.physics.internal.IntList;
 import sim.physics.response.CollisionListener.Decision;
 
 /** What authors say of contacts: the coefficients of pairs, and listeners; the same for impacts and for time stepping. */
@@ -96,8 +97,18 @@ public final class ContactLaws implements Serializable {
         listeners.tell(contact);
     }
 
-    /** {@return those who are told of lasting contacts, live} */
-    public List<ContactListener> lasting() {
-        return lasting.listeners();
+    /** {@return whether somebody is told of contacts that last} */
+    public boolean areLastingHeard() {
+        return !lasting.listeners().isEmpty();
+    }
+
+    /**
+     * Tells of the contacts that last at the end of a step.
+     *
+     * @param pairs their numbers
+     * @param contacts what they are; both are not looked at if nobody listens
+     */
+    public void tellLasting(IntList pairs, List<LastingContact> contacts) {
+        lasting.tell(pairs, contacts);
     }
 }

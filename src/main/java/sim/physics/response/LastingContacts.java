@@ -63,7 +63,10 @@ public final class LastingContacts implements Serializable {
      * @return a new list, in the order of bodies
      */
     public List<LastingContact> all() {
-        IntList found = find();
+        return contacts(find());
+    }
+
+    private List<LastingContact> contacts(IntList found) {
         List<LastingContact> all = new ArrayList<>(found.size);
         for (int k = 0; k < found.size; k++) {
             all.add(contact(found.values[k]));
@@ -149,22 +152,30 @@ public final class LastingContacts implements Serializable {
 
     /** Tells the listeners, if there are any, what has begun, lasts, and has ended with the step that is over. */
     public void tell() {
+        IntList found = listeners.isEmpty() ? null : find();
+        tell(found, found == null ? null : contacts(found));
+    }
+
+    /**
+     * The same of contacts that somebody else has found.
+     *
+     * @param found the numbers of their pairs
+     * @param contacts these pairs' contacts; both are not looked at if nobody listens
+     */
+    public void tell(IntList found, List<LastingContact> contacts) {
         if (listeners.isEmpty()) {
             bodies.clear();
             return;
         }
-        IntList found = find();
         List<Body> before = new ArrayList<>(bodies);
         int[] placesBefore = places.clone();
         bodies.clear();
         Arrays.fill(places, 0);
-        List<LastingContact> contacts = new ArrayList<>(found.size);
         boolean[] lasted = new boolean[found.size];
         boolean[] goesOn = new boolean[before.size() / 2];
         for (int k = 0; k < found.size; k++) {
             int pair = found.values[k];
-            LastingContact contact = contact(pair);
-            contacts.add(contact);
+            LastingContact contact = contacts.get(k);
             int place = pair < placesBefore.length ? placesBefore[pair] - 1 : -1;
             lasted[k] = place >= 0
                     && 2 * place < before.size()

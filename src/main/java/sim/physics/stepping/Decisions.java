@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.stepping;
 
+import java.io.Serializable;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
@@ -11,13 +11,12 @@ import sim.physics.motion.State;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
 import sim.physics.response.ContactLaws;
-import sim.physics.response.ContactListener;
 import sim.physics.response.LastingContact;
 
 /**
  * What listeners are asked before a step of time stepping, and told after it: between steps, so that they may change anything.
  */
-public final class Decisions implements NearPairs.Ending {
+public final class Decisions implements Serializable {
     private static final long serialVersionUID = 1L;
 
     private final State state;
@@ -28,14 +27,8 @@ public final class Decisions implements NearPairs.Ending {
     /** Pairs that are about to touch, and what listeners are asked about them. */
     private final IntList asked = new IntList();
 
-    private final List<Contact> questions = new ArrayList<>();
-
-    /** Pairs of which listeners of lasting contacts have been told. */
-    private final IntList told = new IntList();
-
-    private final List<Body> ended = new ArrayList<>();
-    /** How many of the contacts that last now lasted before. */
-    private int lasted;
+    /** Null until the first step; they are no part of what is saved. */
+    private transient List<Contact> questions;
 
     private double time;
     private double h;
@@ -55,6 +48,9 @@ public final class Decisions implements NearPairs.Ending {
         time = now;
         h = step;
         asked.clear();
+        if (questions == null) {
+            questions = new ArrayList<>();
+        }
         questions.clear();
     }
 
@@ -93,126 +89,86 @@ public final class Decisions implements NearPairs.Ending {
 
     /** Asks the listeners about all pairs that are about to touch; they may change anything. The step must begin anew then. */
     public void ask() {
-        List<Contact> those = new ArrayList<>(questions);
-        int[] pairs = Arrays.copyOf(asked.values, asked.size);
-        for (int k = 0; k < pairs.length; k++) {
-            Contact contact = those.get(k);
-            if (!isStill(pairs[k], contact)) {
+        for (int k = 0; k < asked.size; k++) {
+            int pair = asked.values[k];
+            Contact contact = questions.get(k);
+            if (!isStill(pair, contact)) {
                 continue; // a listener has removed one of the two
             }
             CollisionListener.Decision decision = laws.ask(contact);
-            if (isStill(pairs[k], contact)) {
+            if (isStill(pair, contact)) {
                 int sticky = decision == CollisionListener.Decision.STICK ? NearPairs.STICKY : 0;
                 int ignored = decision == CollisionListener.Decision.IGNORE ? NearPairs.IGNORED : 0;
-                near.flags[pairs[k]] |= NearPairs.DECIDED | sticky | ignored;
+                near.flags[pair] |= NearPairs.DECIDED | sticky | ignored;
             }
         }
     }
 
     private boolean isStill(int pair, Contact contact) {
-        return !near.is(pair, NearPairs.FORBIDDEN)
+        return areThere(contact)
+                && !near.is(pair, NearPairs.FORBIDDEN)
                 && state.body(near.pairs().first(pair)) == contact.a()
                 && state.body(near.pairs().second(pair)) == contact.b();
     }
 
     /** Takes note of what has begun to press, and tells the listeners of it, and of what lasts, when the step is over. */
     public void tell() {
-        boolean isHeard = laws.areHeard();
-        List<Contact> begun = isHeard ? new ArrayList<>() : null;
+        List<Contact> begun = begun();
+        for (int k = 0; begun != null && k < begun.size(); k++) {
+            if (areThere(begun.get(k))) { // or a listener has removed one of the two
+                laws.tell(begun.get(k));
+            }
+        }
+        tellLasting();
+    }
+
+    /** Takes note of what presses; what has begun to do so, null if nobody wants to know. */
+    private List<Contact> begun() {
+        List<Contact> begun = laws.areHeard() ? new ArrayList<>() : null;
         for (int row = 0; row < rows.count; row++) {
             int pair = rows.pair(row);
             double impulse = rows.impulse(row);
             if (impulse > 0 && !near.is(pair, NearPairs.TOUCHED)) {
                 impacts++;
-                if (isHeard) {
+                if (begun != null) {
                     begun.add(contact(row, impulse));
                 }
             }
-            int flags = near.flags[pair];
             boolean parts = impulse == 0 || rows.hasBounced(row);
-            near.flags[pair] = parts ? flags & (NearPairs.TOLD | NearPairs.IGNORED) : flags | NearPairs.TOUCHED;
+            near.flags[pair] = parts ? near.flags[pair] & NearPairs.IGNORED : near.flags[pair] | NearPairs.TOUCHED;
         }
-        List<ContactListener> lasting = laws.lasting();
-        List<LastingContact> contacts = lasting.isEmpty() ? null : notes();
-        for (int k = 0; isHeard && k < begun.size(); k++) {
-            laws.tell(begun.get(k));
-        }
-        if (contacts != null) {
-            tellLasting(new ArrayList<>(lasting), contacts);
-        } else {
-            ended.clear();
-        }
+        return begun;
     }
 
-    /** The contacts that last, those that lasted before first; and notes which have ended. */
-    private List<LastingContact> notes() {
-        List<LastingContact> contacts = new ArrayList<>();
-        List<LastingContact> begun = new ArrayList<>();
-        IntList now = new IntList();
-        IntList before = new IntList();
-        for (int k = 0; k < told.size; k++) {
-            if (near.is(told.values[k], NearPairs.TOLD)) {
-                before.add(told.values[k]);
-            }
+    private boolean areThere(Contact contact) {
+        return contact.a().state() == state && contact.b().state() == state;
+    }
+
+    private void tellLasting() {
+        if (!laws.areLastingHeard()) {
+            laws.tellLasting(null, null);
+            return;
         }
+        IntList pairs = new IntList();
+        List<LastingContact> contacts = new ArrayList<>();
         for (int row = 0; row < rows.count; row++) {
             if (lasts(row)) {
-                int pair = rows.pair(row);
-                now.add(pair);
-                (near.is(pair, NearPairs.TOLD) ? contacts : begun).add(lasting(row));
+                pairs.add(rows.pair(row));
+                contacts.add(lasting(row));
             }
         }
-        for (int k = 0; k < before.size; k++) {
-            int pair = before.values[k];
-            if (!now.contains(pair)) {
-                near.flags[pair] &= ~NearPairs.TOLD;
-                ended(near.pairs().first(pair), near.pairs().second(pair));
-            }
-        }
-        lasted = contacts.size();
-        told.clear();
-        for (int k = 0; k < now.size; k++) {
-            near.flags[now.values[k]] |= NearPairs.TOLD;
-            told.add(now.values[k]);
-        }
-        contacts.addAll(begun);
-        return contacts;
+        laws.tellLasting(pairs, contacts);
     }
 
-    private void tellLasting(List<ContactListener> listeners, List<LastingContact> contacts) {
-        List<Body> over = new ArrayList<>(ended);
-        int old = lasted;
-        ended.clear();
-        for (ContactListener listener : listeners) {
-            for (int k = 0; k < over.size(); k += 2) {
-                listener.ended(over.get(k), over.get(k + 1));
-            }
-            for (int k = 0; k < contacts.size(); k++) {
-                if (k < old) {
-                    listener.lasts(contacts.get(k));
-                } else {
-                    listener.began(contacts.get(k));
-                }
-            }
-        }
-    }
-
-    @Override
-    public void ended(int a, int b) {
-        ended.add(state.body(a));
-        ended.add(state.body(b));
-    }
-
+    /** Whether two bodies press on one another at the end of the last step; one that was removed since, or its successor, does not. */
     private boolean lasts(int row) {
-        return rows.impulse(row) > 0 && !rows.hasBounced(row);
+        return rows.impulse(row) > 0 && !rows.hasBounced(row) && !near.is(rows.pair(row), NearPairs.FORBIDDEN);
     }
 
     List<LastingContact> contacts(Body body) {
         List<LastingContact> all = new ArrayList<>();
         for (int row = 0; row < rows.count; row++) {
-            Body a = state.body(rows.first(row));
-            Body b = state.body(rows.second(row));
-            if (a != null && b != null && lasts(row) && (body == null || a == body || b == body)) {
+            if (lasts(row) && (body == null || rows.first(row) == body.index() || rows.second(row) == body.index())) {
                 all.add(lasting(row));
             }
         }

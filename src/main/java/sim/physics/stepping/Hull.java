@@ -11,6 +11,9 @@ final class Hull implements Serializable {
 
     final Shape shape;
 
+    /** How many bodies have it. */
+    int users;
+
     /** Number of corners; 1: a circle. */
     final int count;
 

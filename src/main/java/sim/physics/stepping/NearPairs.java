@@ -26,8 +26,6 @@ final class NearPairs implements Pairs.Listener, Serializable {
     static final int STICKY = 8;
     /** They pressed on one another in the last step. */
     static final int TOUCHED = 16;
-    /** Listeners of lasting contacts have been told of them. */
-    static final int TOLD = 32;
 
     /** Values kept of a pair: impulses along normal and tangent of two points. */
     static final int KEPT = 4;
@@ -52,24 +50,15 @@ final class NearPairs implements Pairs.Listener, Serializable {
     double[] kept = {};
     int[] features = {};
 
-    /** Told of a pair that ends. */
-    private final Ending ending;
-
-    /** Who wants to know when a pair ends of which somebody was told. */
-    interface Ending extends Serializable {
-        void ended(int a, int b);
-    }
-
     private double minX;
     private double minY;
     private double maxX;
     private double maxY;
 
-    NearPairs(State state, Poses poses, CollisionFilter filter, Ending ending) {
+    NearPairs(State state, Poses poses, CollisionFilter filter) {
         this.state = state;
         this.poses = poses;
         this.filter = filter;
-        this.ending = ending;
         pairs.setListener(this);
     }
 
@@ -191,9 +180,6 @@ final class NearPairs implements Pairs.Listener, Serializable {
 
     @Override
     public void pairEnded(int pair) {
-        if ((flags[pair] & TOLD) != 0) {
-            ending.ended(pairs.first(pair), pairs.second(pair));
-        }
         flags[pair] = FORBIDDEN;
     }
 

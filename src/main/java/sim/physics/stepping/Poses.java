@@ -24,7 +24,7 @@ final class Poses implements Serializable {
     /** [cos θ, sin θ] per body. */
     double[] turns = {};
 
-    /** The movable bodies, and the fixed ones. */
+    /** The movable bodies, in ascending order. */
     final IntList movable = new IntList();
 
     Poses(State state) {
@@ -52,22 +52,22 @@ final class Poses implements Serializable {
         ensure(index + 1);
         Body body = state.body(index);
         hulls[index] = shared.computeIfAbsent(body.getShape(), Hull::new);
+        hulls[index].users++;
         if (!body.isFixed()) {
             movable.insert(index);
         }
     }
 
     void remove(int index) {
+        Hull hull = hulls[index];
+        hull.users--;
+        if (hull.users == 0) {
+            shared.remove(hull.shape);
+        }
         hulls[index] = null;
         if (movable.contains(index)) {
             movable.takeOut(index);
         }
-    }
-
-    void clear() {
-        Arrays.fill(hulls, null);
-        movable.clear();
-        shared.clear();
     }
 
     /** Turns a body's frame to where it is now. */

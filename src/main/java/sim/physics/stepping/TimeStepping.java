@@ -49,6 +49,9 @@ public final class TimeStepping implements Serializable {
     /** How often what bounces is solved in turn at most. */
     private static final int TURNS = 32;
 
+    /** How much less the pace is from step to step where substeps have become shorter. */
+    private static final double SLOWING = 0.9;
+
     /** Friction of what sticks. */
     private static final double STICKS = 1e100;
 
@@ -76,6 +79,21 @@ public final class TimeStepping implements Serializable {
     private boolean[] isHeld = {};
 
     private double h;
+
+    /** The substep that impulses are kept of, 0 if none are; and what they are to be multiplied by for the present one. */
+    private double keptOf;
+
+    private double growth;
+
+    /** The substep by which depths and gaps are regained: what longer ones have left is not to be thrown out in a shorter one. */
+    private double pace;
+
+    private Softness contact = Softness.RIGID;
+    private Softness joint = Softness.RIGID;
+
+    /** Whether the last step's impulses have been asked for joints that break. */
+    private boolean isJudged = true;
+
     private double deepest;
 
     /**
@@ -95,7 +113,7 @@ public final class TimeStepping implements Serializable {
         rows = new ContactRows(state);
         ties = new TieRows(state);
         decisions = new Decisions(state, laws, rows);
-        near = new NearPairs(state, poses, filter, decisions);
+        near = new NearPairs(state, poses, filter);
         decisions.setPairs(near);
         touch = new Touch(state, poses);
     }
@@ -123,9 +141,13 @@ public final class TimeStepping implements Serializable {
         this.constraints = constraints;
     }
 
-    /** Ends time stepping: events move the bodies from now on. */
-    public void leave() {
+    /** Begins or ends time stepping: nothing is known of impulses, and all forces are forces. */
+    public void forget() {
         forces.leave();
+        rows.begin();
+        ties.forget();
+        keptOf = 0;
+        isJudged = true;
     }
 
     /**
@@ -179,6 +201,7 @@ public final class TimeStepping implements Serializable {
         }
         forces.load(poses.movable, time, a);
         near.update(step);
+        growth = keptOf > 0 ? step / substeps / keptOf : 0;
         rows.begin();
         decisions.begin(time, step);
         Pairs pairs = near.pairs();
@@ -193,7 +216,7 @@ public final class TimeStepping implements Serializable {
         double size = Math.min(poses.hull(first).bounding, poses.hull(second).bounding);
         touch.find(first, second, NEAR * size + h * speed(State.BLOCK * first, State.BLOCK * second, first, second));
         if (touch.count == 0) {
-            near.flags[pair] &= NearPairs.TOLD;
+            near.flags[pair] = 0;
             return;
         }
         if (near.is(pair, NearPairs.IGNORED)) {
@@ -212,7 +235,7 @@ public final class TimeStepping implements Serializable {
             for (int m = 0; m < 2; m++) {
                 if (near.features[2 * pair + m] == id && near.kept[NearPairs.KEPT * pair + 2 * m] > 0) {
                     int o = NearPairs.KEPT * pair + 2 * m;
-                    rows.remember(rows.count - 1, k, near.kept[o], near.kept[o + 1]);
+                    rows.remember(rows.count - 1, k, growth * near.kept[o], growth * near.kept[o + 1]);
                 }
             }
         }
@@ -238,14 +261,13 @@ public final class TimeStepping implements Serializable {
         boolean isRubbed = !surface.isEmpty();
         if (isTied) {
             isCold |= ties.gather(constraints);
-            ties.begin();
+            ties.begin(growth);
         }
         if (isRubbed) {
             surface.begin(poses.movable);
         }
         findHeld(isTied, isRubbed);
-        Softness contact = Softness.of(CONTACT_FREQUENCY, CONTACT_DAMPING, d);
-        Softness joint = Softness.of(JOINT_FREQUENCY, JOINT_DAMPING, d);
+        soften(Math.max(d, SLOWING * pace));
         boolean isUneven = forces.areUneven();
         for (int k = 0; k < substeps; k++) {
             if (k > 0 && isUneven) {
@@ -255,13 +277,13 @@ public final class TimeStepping implements Serializable {
             forces.springs().evaluate(d);
             start(isTied, isRubbed);
             for (int m = isCold ? COLD : 1; m > 0; m--) {
-                solve(isTied, isRubbed, joint, contact, true, d);
+                solve(isTied, isRubbed, true, d);
             }
             move(d);
             if (isTied) {
                 ties.evaluate();
             }
-            solve(isTied, isRubbed, Softness.RIGID, Softness.RIGID, false, d);
+            solve(isTied, isRubbed, false, d);
             rows.add();
             if (isTied) {
                 ties.add();
@@ -274,7 +296,9 @@ public final class TimeStepping implements Serializable {
             ties.bounce();
         }
         keep();
+        keptOf = d;
         isCold = false;
+        isJudged = false;
         forces.end();
     }
 
@@ -299,6 +323,14 @@ public final class TimeStepping implements Serializable {
         ties.putBack();
     }
 
+    private void soften(double substep) {
+        if (substep != pace) {
+            pace = substep;
+            contact = Softness.of(CONTACT_FREQUENCY, CONTACT_DAMPING, pace);
+            joint = Softness.of(JOINT_FREQUENCY, JOINT_DAMPING, pace);
+        }
+    }
+
     private void accelerate(double d) {
         double[] v = state.v();
         for (int k = 0; k < poses.movable.size; k++) {
@@ -320,16 +352,15 @@ public final class TimeStepping implements Serializable {
         rows.start();
     }
 
-    private void solve(
-            boolean isTied, boolean isRubbed, Softness joint, Softness contact, boolean regains, double d) {
+    private void solve(boolean isTied, boolean isRubbed, boolean regains, double d) {
         if (isRubbed) {
             surface.solve(d);
         }
         forces.springs().solve();
         if (isTied) {
-            ties.solve(joint, d);
+            ties.solve(regains ? joint : Softness.RIGID, d);
         }
-        rows.solve(contact, regains, d);
+        rows.solve(regains ? contact : Softness.RIGID, regains, d);
     }
 
     /** Places by the new velocities; what only even forces act on goes along its parabola. */
@@ -389,9 +420,11 @@ public final class TimeStepping implements Serializable {
         return ties.reaction(constraint, h);
     }
 
-    /** {@return the joints that broke in the last step} */
+    /** {@return the joints that broke in the last step; each is named once} */
     public List<Constraint> overloaded() {
-        return constraints == null ? List.of() : ties.overloaded(h);
+        boolean isKnown = isJudged || constraints == null;
+        isJudged = true;
+        return isKnown ? List.of() : ties.overloaded(h);
     }
 
     /** {@return the contacts that last, as a new list} */
