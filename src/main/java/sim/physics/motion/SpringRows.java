@@ -82,16 +82,16 @@ public final class SpringRows implements Serializable {
 
     /** Whether a substep is too long to follow the spring by forces. */
     private boolean isStiff(Spring spring, double h) {
-        double[] w = state.w().values();
-        double most = 0;
-        for (Body body : spring.getBodies()) {
-            int b = State.BLOCK * body.index();
-            boolean isFirst = body == spring.getBodyA();
-            double x = isFirst ? spring.getAnchorAX() : spring.getAnchorBX();
-            double y = isFirst ? spring.getAnchorAY() : spring.getAnchorBY();
-            most += w[b] + w[b + 2] * (x * x + y * y);
-        }
+        double most = lightness(spring.getBodyA(), spring.getAnchorAX(), spring.getAnchorAY())
+                + lightness(spring.getBodyB(), spring.getAnchorBX(), spring.getAnchorBY());
         return most * h * (spring.getStiffness() * h + spring.getDamping()) > 1;
+    }
+
+    /** What a unit of impulse at an end moves it at most. */
+    private double lightness(Body body, double x, double y) {
+        double[] w = state.w().values();
+        int b = block(body);
+        return b < 0 ? 0 : w[b] + w[b + 2] * (x * x + y * y);
     }
 
     /**
