@@ -134,7 +134,8 @@ public final class SurfaceRows implements Serializable {
         double turn = dTurn * spin * spin;
         double add = w[b] * d;
         double addTurn = w[b + 2] * dTurn;
-        double sigma = 0;
+        // each of the two terms alone has its zero below that of their sum, and not far off
+        double sigma = Math.max(0, Math.max(Math.sqrt(line) - add, Math.sqrt(turn) - addTurn));
         for (int round = 0; round < ROUNDS; round++) {
             double p = 1 / (sigma + add);
             double q = 1 / (sigma + addTurn);

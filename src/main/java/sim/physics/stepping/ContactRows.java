@@ -295,6 +295,32 @@ final class ContactRows implements Serializable {
         return points[p + GAP] + moved + turned;
     }
 
+    /**
+     * Lets points go along when the bodies have moved, half with each: only of one point for both does an impulse keep the angular
+     * momentum. What is fixed needs no arms, and the other body's stay.
+     */
+    void follow() {
+        double[] x = state.x();
+        double[] w = state.w().values();
+        for (int k = 0; k < count; k++) {
+            int a = State.BLOCK * first(k);
+            int b = State.BLOCK * second(k);
+            if (w[a] == 0 || w[b] == 0) {
+                continue;
+            }
+            double dx = x[b] - x[a];
+            double dy = x[b + 1] - x[a + 1];
+            for (int p = STRIDE * pairs[INTS * k + 3]; p < STRIDE * pairs[INTS * k + 4]; p += STRIDE) {
+                double wayX = 0.5 * (dx - (points[p + AX] - points[p + BX]));
+                double wayY = 0.5 * (dy - (points[p + AY] - points[p + BY]));
+                points[p + AX] += wayX;
+                points[p + AY] += wayY;
+                points[p + BX] -= wayX;
+                points[p + BY] -= wayY;
+            }
+        }
+    }
+
     /** Adds the impulses of a substep to those of the step. */
     void add() {
         for (int p = 0; p < STRIDE * used; p += STRIDE) {

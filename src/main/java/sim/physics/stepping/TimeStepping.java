@@ -280,6 +280,7 @@ public final class TimeStepping implements Serializable {
                 solve(isTied, isRubbed, true, d);
             }
             move(d);
+            rows.follow();
             if (isTied) {
                 ties.evaluate();
             }

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.motion.SurfaceFriction;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
+
+/** Time stepping: Coulomb's law between bodies, and with the plane below them. */
+class SteppedFrictionTest {
+    private static final double STEP = 1.0 / 60;
+    private static final double MU = 0.5;
+
+    /** A block on a plane that is turned so that its tangent is some times the coefficient of friction. */
+    private static Body slope(PhysicsEngine engine, double times) {
+        double angle = Math.atan(MU * times);
+        engine.add(new Gravity(Stepped.G * Math.sin(angle), -Stepped.G * Math.cos(angle)));
+        Stepped.rough(engine.add(Body.fixed(new Rectangle(4000, 2)).at(0, -1)));
+        return Stepped.rough(engine.add(new Body(new Rectangle(1, 0.5)).at(0, 0.25)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.1, 0.5, 0.9, 0.99})
+    void aBlockStaysOnASlopeThatIsNotTooSteep(double times) {
+        PhysicsEngine engine = Stepped.engine(STEP, 4);
+        Body block = slope(engine, times);
+        Stepped.run(engine, 600);
+        assertThat(block.getX()).isCloseTo(0, within(1e-3));
+        double x = block.getX();
+        Stepped.run(engine, 600);
+        assertThat(block.getX()).as("it does not creep").isCloseTo(x, within(1e-6));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1.05, 1.5, 3})
+    void aBlockSlidesDownASteeperOneAsCoulombSays(double times) {
+        PhysicsEngine engine = Stepped.engine(STEP, 4);
+        Body block = slope(engine, times);
+        Stepped.run(engine, 60);
+        double v = block.getVelocityX();
+        Stepped.run(engine, 240);
+        double angle = Math.atan(MU * times);
+        double a = Stepped.G * (Math.sin(angle) - MU * Math.cos(angle));
+        assertThat((block.getVelocityX() - v) / 4).isCloseTo(a, within(1e-6 * a));
+    }
+
+    /** What slides to rest is off by less in shorter substeps: v² / 2 μ g. */
+    @Test
+    void theWayOfABlockThatSlidesToRestIsOfFirstOrder() {
+        double[] miss = new double[3];
+        for (int k = 0; k < 3; k++) {
+            PhysicsEngine engine = Stepped.engine(STEP, 2 << 2 * k);
+            engine.add(new Gravity(0, -Stepped.G));
+            Stepped.ground(engine);
+            Body block = Stepped.rough(engine.add(new Body(new Rectangle(2, 0.2)).at(0, 0.1).moving(4, 0)));
+            Stepped.run(engine, 120);
+            assertThat(block.getVelocityX()).isCloseTo(0, within(1e-9));
+            miss[k] = Math.abs(block.getX() - 16 / (2 * MU * Stepped.G));
+        }
+        assertThat(miss[0]).isLessThan(0.03);
+        assertThat(miss[1]).isLessThan(miss[0] / 2);
+        assertThat(miss[2]).isLessThan(miss[1] / 2);
+    }
+
+    /** A ball that is thrown without spin rolls in the end with 2/3 of its speed if it is a disc of uniform density. */
+    @Test
+    void aDiscThatSlidesRollsInTheEndAndDoesNotSink() {
+        for (int substeps : new int[] {1, 4}) {
+            PhysicsEngine engine = Stepped.engine(STEP, substeps);
+            engine.add(new Gravity(0, -Stepped.G));
+            Stepped.ground(engine);
+            Body disc = Stepped.rough(engine.add(new Body(new Circle(0.5)).at(-100, 0.5).moving(6, 0)));
+            Stepped.run(engine, 120);
+            for (int k = 0; k < 900; k++) {
+                engine.step();
+                assertThat(disc.getVelocityX()).isCloseTo(4, within(0.02));
+                assertThat(disc.getAngularVelocity()).isCloseTo(-2 * disc.getVelocityX(), within(1e-6));
+                assertThat(disc.getY()).isCloseTo(0.5, within(1e-3));
+            }
+        }
+    }
+
+    private static Body onPlane(PhysicsEngine engine, Shape shape) {
+        engine.add(new SurfaceFriction(Stepped.G));
+        Body body = engine.add(new Body(shape));
+        body.setSurfaceFriction(0.3, 0.4);
+        return body;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, false", "4, false", "16, false", "256, false", "1, true", "4, true", "16, true", "256, true"})
+    void whatSlidesOnThePlaneStopsInItsTimeAndOnItsWay(int substeps, boolean isBox) {
+        PhysicsEngine engine = Stepped.engine(STEP, substeps);
+        Body body = onPlane(engine, isBox ? new Rectangle(1, 2) : new Circle(0.5)).moving(3, 4);
+        double time = 5 / (0.3 * Stepped.G);
+        double way = 25 / (2 * 0.3 * Stepped.G);
+        double last = 5;
+        while (body.getVelocityX() != 0 && engine.getTime() < 10) {
+            engine.step();
+            double along = 0.6 * body.getVelocityX() + 0.8 * body.getVelocityY();
+            assertThat(along).isBetween(0.0, last);
+            last = along;
+        }
+        assertThat(engine.getTime()).isCloseTo(time, within(0.02 * time));
+        assertThat(Math.hypot(body.getX(), body.getY())).isCloseTo(way, within(0.02 * way));
+        assertThat(body.getVelocityY()).isZero();
+        assertThat(body.getAngle()).isZero();
+    }
+
+    /** The torque of a disc of uniform pressure that spins is 2/3 μ m g r, so it spins for 3 r ω / 4 μ g. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 4, 16, 256})
+    void whatSpinsOnThePlaneStopsInItsTime(int substeps) {
+        PhysicsEngine engine = Stepped.engine(STEP, substeps);
+        Body body = onPlane(engine, new Circle(0.5)).moving(0, 0, 20);
+        double time = 3 * 0.5 * 20 / (4 * 0.3 * Stepped.G);
+        double last = 20;
+        while (body.getAngularVelocity() != 0 && engine.getTime() < 10) {
+            engine.step();
+            assertThat(body.getAngularVelocity()).isBetween(0.0, last);
+            last = body.getAngularVelocity();
+        }
+        assertThat(engine.getTime()).isCloseTo(time, within(0.02 * time));
+        assertThat(body.getAngle()).isCloseTo(0.5 * 20 * time, within(0.02 * 10 * time));
+        assertThat(body.getX()).isZero();
+    }
+
+    /** A disc that slides and spins stops doing both at the same time, as all limit surfaces have it. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 4, 64})
+    void slidingAndSpinningEndTogether(int substeps) {
+        PhysicsEngine engine = Stepped.engine(STEP, substeps);
+        Body body = onPlane(engine, new Circle(0.5)).moving(3, 0, 6);
+        double slides = 0;
+        double spins = 0;
+        for (int k = 0; k < 300; k++) {
+            engine.step();
+            slides = body.getVelocityX() != 0 ? engine.getTime() : slides;
+            spins = body.getAngularVelocity() != 0 ? engine.getTime() : spins;
+        }
+        assertThat(slides).isCloseTo(spins, within(2 * STEP)).isGreaterThan(1);
+    }
+
+    @Test
+    void whatRestsStaysToTheLastBitUntilItIsPushedHardEnough() {
+        PhysicsEngine engine = Stepped.engine(STEP, 4);
+        Body body = onPlane(engine, new Rectangle(1, 2)).at(0.1, 0.2, 0.3);
+        body.setMass(2);
+        for (int k = 0; k < 100; k++) {
+            body.addForce(0, 7.9);
+            engine.step();
+            assertThat(body.getY()).isEqualTo(0.2);
+            assertThat(body.getVelocityY()).isZero();
+            assertThat(body.getAngle()).isEqualTo(0.3);
+        }
+        for (int k = 0; k < 60; k++) {
+            body.addForce(0, 8.1);
+            engine.step();
+        }
+        double a = (8.1 - 0.3 * 2 * Stepped.G) / 2;
+        assertThat(body.getVelocityY()).isCloseTo(a, within(0.01 * a));
+    }
+}
