@@ -63,6 +63,7 @@ public final class TimeStepping implements Serializable {
     private final NearPairs near;
     private final Touch touch;
     private final ContactRows rows;
+    private final ContactSolver contacts;
     private final TieRows ties;
     private final Decisions decisions;
 
@@ -111,6 +112,7 @@ public final class TimeStepping implements Serializable {
         surface = forces.surface();
         poses = new Poses(state);
         rows = new ContactRows(state);
+        contacts = new ContactSolver(state, rows);
         ties = new TieRows(state);
         decisions = new Decisions(state, laws, rows);
         near = new NearPairs(state, poses, filter);
@@ -257,6 +259,7 @@ public final class TimeStepping implements Serializable {
      */
     public void solve(double time) {
         double d = h / substeps;
+        contacts.begin();
         boolean isTied = constraints != null;
         boolean isRubbed = !surface.isEmpty();
         if (isTied) {
@@ -280,17 +283,17 @@ public final class TimeStepping implements Serializable {
                 solve(isTied, isRubbed, true, d);
             }
             move(d);
-            rows.follow();
+            contacts.follow();
             if (isTied) {
                 ties.evaluate();
             }
             solve(isTied, isRubbed, false, d);
-            rows.add();
+            contacts.add();
             if (isTied) {
                 ties.add();
             }
         }
-        if (rows.findImpacts(h)) {
+        if (contacts.findImpacts(h)) {
             bounce(isTied);
         }
         if (isTied) {
@@ -315,9 +318,9 @@ public final class TimeStepping implements Serializable {
             if (isTied) {
                 ties.settle();
             }
-            goesOn = rows.compress();
+            goesOn = contacts.compress();
         }
-        rows.restore(h);
+        contacts.restore(h);
         for (int turn = 0; isTied && turn < TURNS; turn++) {
             ties.settle();
         }
@@ -350,7 +353,7 @@ public final class TimeStepping implements Serializable {
         if (isTied) {
             ties.start();
         }
-        rows.start();
+        contacts.start();
     }
 
     private void solve(boolean isTied, boolean isRubbed, boolean regains, double d) {
@@ -361,7 +364,7 @@ public final class TimeStepping implements Serializable {
         if (isTied) {
             ties.solve(regains ? joint : Softness.RIGID, d);
         }
-        rows.solve(regains ? contact : Softness.RIGID, regains, d);
+        contacts.solve(regains ? contact : Softness.RIGID, regains, d);
     }
 
     /** Places by the new velocities; what only even forces act on goes along its parabola. */

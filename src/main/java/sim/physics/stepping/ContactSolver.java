@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import static sim.physics.stepping.ContactRows.APPROACH;
+import static sim.physics.stepping.ContactRows.ARM_A;
+import static sim.physics.stepping.ContactRows.ARM_B;
+import static sim.physics.stepping.ContactRows.AX;
+import static sim.physics.stepping.ContactRows.AY;
+import static sim.physics.stepping.ContactRows.BOTH;
+import static sim.physics.stepping.ContactRows.BOUNCE;
+import static sim.physics.stepping.ContactRows.BOUNCED;
+import static sim.physics.stepping.ContactRows.BX;
+import static sim.physics.stepping.ContactRows.BY;
+import static sim.physics.stepping.ContactRows.DISCS;
+import static sim.physics.stepping.ContactRows.FORCED;
+import static sim.physics.stepping.ContactRows.FRICTION;
+import static sim.physics.stepping.ContactRows.GAP;
+import static sim.physics.stepping.ContactRows.INTS;
+import static sim.physics.stepping.ContactRows.LEVER_A;
+import static sim.physics.stepping.ContactRows.LEVER_B;
+import static sim.physics.stepping.ContactRows.NORMAL;
+import static sim.physics.stepping.ContactRows.NORMAL_MASS;
+import static sim.physics.stepping.ContactRows.NORMAL_SUM;
+import static sim.physics.stepping.ContactRows.PAIR;
+import static sim.physics.stepping.ContactRows.PRESSED;
+import static sim.physics.stepping.ContactRows.REGAIN;
+import static sim.physics.stepping.ContactRows.RESTORED;
+import static sim.physics.stepping.ContactRows.STRIDE;
+import static sim.physics.stepping.ContactRows.TANGENT;
+import static sim.physics.stepping.ContactRows.TANGENT_MASS;
+import static sim.physics.stepping.ContactRows.TANGENT_SUM;
+
+import java.io.Serializable;
+import sim.physics.internal.Softness;
+import sim.physics.motion.State;
+
+/**
+ * Solves the contacts of a step: per point an impulse along the normal that keeps what is left of the gap from being passed within a
+ * substep, or regains what is missing of it, and one along the tangent within the cone of friction.
+ */
+final class ContactSolver implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** When an impulse has settled, relative to itself. */
+    private static final double SETTLED = 1e-4;
+
+    private final State state;
+    private final ContactRows rows;
+
+    /** Those of the rows, which grow when a step begins. */
+    private transient int[] pairs;
+
+    private transient double[] normals;
+    private transient double[] points;
+
+    ContactSolver(State state, ContactRows rows) {
+        this.state = state;
+        this.rows = rows;
+    }
+
+    /** Begins a step: all of its rows are there. */
+    void begin() {
+        pairs = rows.pairs;
+        normals = rows.normals;
+        points = rows.points;
+    }
+
+    /** Gives the bodies the impulses of the substep before. */
+    void start() {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        for (int k = 0; k < rows.count; k++) {
+            int a = State.BLOCK * rows.first(k);
+            int b = State.BLOCK * rows.second(k);
+            double nx = normals[PAIR * k];
+            double ny = normals[PAIR * k + 1];
+            for (int p = STRIDE * pairs[INTS * k + 3]; p < STRIDE * pairs[INTS * k + 4]; p += STRIDE) {
+                double jx = nx * points[p + NORMAL] - ny * points[p + TANGENT];
+                double jy = ny * points[p + NORMAL] + nx * points[p + TANGENT];
+                push(v, w, a, b, p, jx, jy);
+            }
+        }
+    }
+
+    private void push(double[] v, double[] w, int a, int b, int p, double jx, double jy) {
+        v[a] -= w[a] * jx;
+        v[a + 1] -= w[a] * jy;
+        v[a + 2] -= w[a + 2] * (points[p + AX] * jy - points[p + AY] * jx);
+        v[b] += w[b] * jx;
+        v[b + 1] += w[b] * jy;
+        v[b + 2] += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx);
+    }
+
+    /** Solves all points once: friction, and then what matters more. */
+    void solve(Softness softness, boolean regains, double h) {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        for (int k = 0; k < rows.count; k++) {
+            int a = State.BLOCK * rows.first(k);
+            int b = State.BLOCK * rows.second(k);
+            int begin = STRIDE * pairs[INTS * k + 3];
+            int end = STRIDE * pairs[INTS * k + 4];
+            for (int p = begin; p < end; p += STRIDE) {
+                rub(v, w, a, b, k, p);
+            }
+            for (int p = begin; p < end; p += STRIDE) {
+                press(v, w, a, b, k, p, softness, regains, h);
+            }
+        }
+    }
+
+    private void rub(double[] v, double[] w, int a, int b, int k, int p) {
+        double nx = normals[PAIR * k];
+        double ny = normals[PAIR * k + 1];
+        double ux = v[b] - points[p + BY] * v[b + 2] - v[a] + points[p + AY] * v[a + 2];
+        double uy = v[b + 1] + points[p + BX] * v[b + 2] - v[a + 1] - points[p + AX] * v[a + 2];
+        double most = normals[PAIR * k + FRICTION] * points[p + NORMAL];
+        double old = points[p + TANGENT];
+        double now = old - points[p + TANGENT_MASS] * (nx * uy - ny * ux);
+        now = Math.max(-most, Math.min(most, now));
+        points[p + TANGENT] = now;
+        push(v, w, a, b, p, -ny * (now - old), nx * (now - old));
+    }
+
+    private void press(double[] v, double[] w, int a, int b, int k, int p, Softness softness, boolean regains, double h) {
+        double nx = normals[PAIR * k];
+        double ny = normals[PAIR * k + 1];
+        double gap = gap(k, a, b, p, nx, ny);
+        double aim = 0;
+        double mass = 1;
+        double back = 0;
+        if (gap >= 0) {
+            aim = gap / h;
+        } else if (regains) {
+            aim = Math.max(softness.rate() * gap, -normals[PAIR * k + REGAIN]);
+            mass = softness.mass();
+            back = softness.impulse();
+        }
+        double old = points[p + NORMAL];
+        double now = Math.max(0, old - mass * points[p + NORMAL_MASS] * (opening(v, a, b, p, nx, ny) + aim) - back * old);
+        points[p + NORMAL] = now;
+        push(v, w, a, b, p, nx * (now - old), ny * (now - old));
+    }
+
+    /** The speed along the normal at which a point opens. */
+    private double opening(double[] v, int a, int b, int p, double nx, double ny) {
+        double ux = v[b] - points[p + BY] * v[b + 2] - v[a] + points[p + AY] * v[a + 2];
+        double uy = v[b + 1] + points[p + BX] * v[b + 2] - v[a + 1] - points[p + AX] * v[a + 2];
+        return nx * ux + ny * uy;
+    }
+
+    /** The gap where the bodies are now, along the normal of the start; arms turned to second order. */
+    private double gap(int k, int a, int b, int p, double nx, double ny) {
+        double[] x = state.x();
+        if (pairs[INTS * k + DISCS] == BOTH) {
+            return points[p + GAP] + distance(x, a, b) - distance(rows.from, a, b);
+        }
+        double turnA = x[a + 2] - rows.from[a + 2];
+        double turnB = x[b + 2] - rows.from[b + 2];
+        double moved = nx * (x[b] - rows.from[b] - (x[a] - rows.from[a])) + ny * (x[b + 1] - rows.from[b + 1] - (x[a + 1] - rows.from[a + 1]));
+        double turned = points[p + LEVER_B] * turnB - points[p + LEVER_A] * turnA;
+        turned -= 0.5 * (points[p + ARM_B] * turnB * turnB - points[p + ARM_A] * turnA * turnA);
+        return points[p + GAP] + moved + turned;
+    }
+
+    private static double distance(double[] x, int a, int b) {
+        double dx = x[b] - x[a];
+        double dy = x[b + 1] - x[a + 1];
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+
+    /**
+     * Lets points go along when the bodies have moved, since only of one point for both does an impulse keep the angular momentum:
+     * half with each, with the disc of a disc and a polygon, and of two discs along the line of their centres. Those of elastic
+     * pairs stay, as their bounce is the mirror image of all that the step has taken.
+     */
+    void follow() {
+        double[] x = state.x();
+        double[] w = state.w().values();
+        for (int k = 0; k < rows.count; k++) {
+            int a = State.BLOCK * rows.first(k);
+            int b = State.BLOCK * rows.second(k);
+            int discs = pairs[INTS * k + DISCS];
+            if (normals[PAIR * k + BOUNCE] == 1 || discs != BOTH && (w[a] == 0 || w[b] == 0)) {
+                continue;
+            }
+            double dx = x[b] - x[a];
+            double dy = x[b + 1] - x[a + 1];
+            for (int p = STRIDE * pairs[INTS * k + 3]; p < STRIDE * pairs[INTS * k + 4]; p += STRIDE) {
+                if (discs == BOTH) {
+                    turn(k, p, dx, dy);
+                } else {
+                    follow(p, discs == 0 ? 0.5 : discs - 1, dx, dy);
+                }
+            }
+        }
+    }
+
+    /** Moves the ends of both arms to one point: by a part of the way between them that of the first body, by the rest that of the other. */
+    private void follow(int p, double part, double dx, double dy) {
+        double wayX = dx - (points[p + AX] - points[p + BX]);
+        double wayY = dy - (points[p + AY] - points[p + BY]);
+        points[p + AX] += part * wayX;
+        points[p + AY] += part * wayY;
+        points[p + BX] -= (1 - part) * wayX;
+        points[p + BY] -= (1 - part) * wayY;
+    }
+
+    /** Turns normal and arms of two discs to where their centres are now. */
+    private void turn(int k, int p, double dx, double dy) {
+        double distance = Math.sqrt(dx * dx + dy * dy);
+        double nx = normals[PAIR * k];
+        double ny = normals[PAIR * k + 1];
+        double first = nx * points[p + AX] + ny * points[p + AY];
+        double second = nx * points[p + BX] + ny * points[p + BY];
+        double middle = 0.5 * (first + second + distance); // of the distance, by what the arms were
+        if (!(distance > 0)) {
+            return;
+        }
+        nx = dx / distance;
+        ny = dy / distance;
+        normals[PAIR * k] = nx;
+        normals[PAIR * k + 1] = ny;
+        points[p + AX] = middle * nx;
+        points[p + AY] = middle * ny;
+        points[p + BX] = (middle - distance) * nx;
+        points[p + BY] = (middle - distance) * ny;
+    }
+
+    /** Adds the impulses of a substep to those of the step. */
+    void add() {
+        for (int p = 0; p < STRIDE * rows.used; p += STRIDE) {
+            points[p + NORMAL_SUM] += points[p + NORMAL];
+            points[p + TANGENT_SUM] += points[p + TANGENT];
+        }
+    }
+
+    /** Compresses what will bounce once more in turn, as its gaps are of no more use; whether something has changed. */
+    boolean compress() {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        boolean goesOn = false;
+        for (int k = 0; k < rows.count; k++) {
+            for (int m = pairs[INTS * k + 3]; rows.hasBounced(k) && m < pairs[INTS * k + 4]; m++) {
+                goesOn |= points[STRIDE * m + RESTORED] > 0 && compress(v, w, k, STRIDE * m);
+            }
+        }
+        return goesOn;
+    }
+
+    /** Gives what compression has taken once more, in part. What forces alone give in the step does not bounce. */
+    void restore(double h) {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        for (int k = 0; k < rows.count; k++) {
+            for (int m = pairs[INTS * k + 3]; rows.hasBounced(k) && m < pairs[INTS * k + 4]; m++) {
+                restore(v, w, k, STRIDE * m, h);
+            }
+        }
+    }
+
+    /** Notes which points have met and will bounce; false if none does. */
+    boolean findImpacts(double h) {
+        boolean any = false;
+        for (int k = 0; k < rows.count; k++) {
+            for (int m = pairs[INTS * k + 3]; normals[PAIR * k + BOUNCE] > 0 && m < pairs[INTS * k + 4]; m++) {
+                int p = STRIDE * m;
+                double pull = h * Math.max(0, -points[p + FORCED]);
+                boolean isImpact = points[p + APPROACH] < -2 * pull || !hasPressed(k) && pull == 0;
+                boolean bounces = isImpact && points[p + NORMAL_SUM] > 0;
+                points[p + RESTORED] = bounces ? normals[PAIR * k + BOUNCE] : 0;
+                pairs[INTS * k + BOUNCED] |= bounces ? 1 : 0;
+                any |= bounces;
+            }
+        }
+        return any;
+    }
+
+    /** Takes what is left of a point's approach, as the gap that it still had is of no more use; whether there was anything. */
+    private boolean compress(double[] v, double[] w, int k, int p) {
+        int a = State.BLOCK * rows.first(k);
+        int b = State.BLOCK * rows.second(k);
+        double nx = normals[PAIR * k];
+        double ny = normals[PAIR * k + 1];
+        double old = points[p + NORMAL_SUM];
+        double now = Math.max(0, old - points[p + NORMAL_MASS] * opening(v, a, b, p, nx, ny));
+        points[p + NORMAL_SUM] = now;
+        push(v, w, a, b, p, nx * (now - old), ny * (now - old));
+        return Math.abs(now - old) > SETTLED * (now + old);
+    }
+
+    private void restore(double[] v, double[] w, int k, int p, double h) {
+        double pull = 0.5 * h * Math.max(0, -points[p + FORCED]) * points[p + NORMAL_MASS];
+        double by = points[p + RESTORED] * Math.max(0, points[p + NORMAL_SUM] - pull);
+        points[p + NORMAL] = 0; // the two part
+        points[p + NORMAL_SUM] += by;
+        push(v, w, State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), p, normals[PAIR * k] * by, normals[PAIR * k + 1] * by);
+    }
+
+    private boolean hasPressed(int k) {
+        return pairs[INTS * k + PRESSED] != 0;
+    }
+}
