@@ -308,7 +308,6 @@ public final class PhysicsEngine implements Steppable {
     private boolean mayBeLate() {
         return constraints != null
                 && audit == null
-                && team == null
                 && !motion.groups().mayCouple()
                 && response.resting().isEmpty()
                 && response.heaps().isEmpty();

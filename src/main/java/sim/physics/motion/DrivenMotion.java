@@ -111,7 +111,7 @@ final class DrivenMotion implements Serializable {
             return stay(group);
         }
         int first = group.values[0];
-        int done = ahead == null ? motion.late().takeRefused(first) ? Ahead.REFUSAL : Ahead.NOTHING : ahead.take(first);
+        int done = motion.late().takeRefused(first) ? Ahead.REFUSAL : ahead == null ? Ahead.NOTHING : ahead.take(first);
         if (done == Ahead.REFUSAL) {
             tied.setRefused(true);
         } else if (done != Ahead.NOTHING && (!ahead.isCoarse(first) || !areNear(group, neighbours))) {
@@ -180,14 +180,14 @@ final class DrivenMotion implements Serializable {
         return first >= fineLength.length || !(fineLength[first] > 0 && fineLength[first] < trajectories.h());
     }
 
-    /** Does what {@link #advance} does first with a group at the start of a step, in whatever thread. */
-    void advanceAhead(IntList group, Ahead notes) {
+    /** Does what {@link #advance} does first with a group at the start of a step, in whatever thread; it may be known to have no quick way. */
+    void advanceAhead(IntList group, boolean isRefused, Ahead notes) {
         int first = group.values[0];
         double h = trajectories.h();
         if (repose.hasAll(group)) {
             return;
         }
-        if (tied != null && leaps(group, first, Neighbours.NONE)) {
+        if (tied != null && !isRefused && leaps(group, first, Neighbours.NONE)) {
             notes.leap(first, h, isCoarse);
             return;
         }

@@ -18,6 +18,9 @@ public final class LatePaths {
     private static final byte BEGUN = 2;
     private static final byte DONE = 3;
 
+    /** A thread has taken it through the step before it was its turn. */
+    private static final byte AHEAD = 4;
+
     private final Motion motion;
     private final State state;
     private final Trajectories trajectories;
@@ -109,13 +112,13 @@ public final class LatePaths {
     }
 
     /**
-     * Whether the group of a body is late.
+     * Whether the group of a body is late, and has not had its turn in the step.
      *
      * @param body index of its first body
      * @return false if it has its anchors
      */
     public boolean has(int body) {
-        return late.size > 0 && progress[body] == LATE;
+        return late.size > 0 && (progress[body] == LATE || progress[body] == AHEAD);
     }
 
     /** {@return whether no group is late} */
@@ -124,24 +127,50 @@ public final class LatePaths {
     }
 
     /**
-     * Moves a group through the step, without a path.
+     * Moves a group through the step, without a path, or finds that a thread has done so.
      *
      * @param group late
      * @return false if it has no quick way; then it is where it was, and not late any more
      */
     public boolean advance(IntList group) {
         int first = group.values[0];
-        copy(group, state.x(), startX);
-        copy(group, state.v(), startV);
-        progress[first] = BEGUN;
-        if (motion.drivenMotion.leapsBlindly(group)) {
+        if (progress[first] == AHEAD || leaps(group, motion)) {
             progress[first] = DONE;
             return true;
         }
-        progress[first] = PROMPT;
         refused = first;
+        return false;
+    }
+
+    /** Does that before it is the group's turn, in the thread of a motion. */
+    boolean advanceAhead(IntList group, Motion by) {
+        boolean yes = leaps(group, by);
+        progress[group.values[0]] = yes ? AHEAD : PROMPT;
+        return yes;
+    }
+
+    private boolean leaps(IntList group, Motion by) {
+        int first = group.values[0];
+        copy(group, state.x(), startX);
+        copy(group, state.v(), startV);
+        progress[first] = BEGUN;
+        if (by.drivenMotion.leapsBlindly(group)) {
+            return true;
+        }
+        progress[first] = PROMPT;
         GroupPaths.anchor(trajectories, group, state.x(), state.v());
         return false;
+    }
+
+    /** Puts a group back to where it was, as if no thread had come to it; false if it is not late any more. */
+    boolean takeBack(IntList group) {
+        int first = group.values[0];
+        if (progress[first] == AHEAD || progress[first] == BEGUN) {
+            copy(group, startX, state.x());
+            copy(group, startV, state.v());
+            progress[first] = LATE;
+        }
+        return has(first);
     }
 
     /** Whether a group has been refused just now. */

@@ -75,6 +75,7 @@ public final class SharedMotion implements Team.Work, Serializable {
             if (group.values[0] == body && mayBeShared(group)) {
                 firsts[count++] = body;
             }
+            k += Math.max(1, driven.common(k, group)) - 1; // the others of a group are mostly next
         }
         if (count < 2) {
             return false;
@@ -85,8 +86,11 @@ public final class SharedMotion implements Team.Work, Serializable {
             ahead.fail(firsts[failed], team.failure());
         }
         for (int k = failed + 1; failed >= 0 && k < count; k++) { // as if nobody had come to these
+            IntList group = motion.companions(firsts[k]);
             ahead.forget(firsts[k]);
-            motion.drivenMotion.undo(motion.companions(firsts[k]));
+            if (!motion.late().takeBack(group)) {
+                motion.drivenMotion.undo(group);
+            }
         }
         motion.drivenMotion.setAhead(ahead);
         return true;
@@ -113,7 +117,8 @@ public final class SharedMotion implements Team.Work, Serializable {
 
     private boolean mayBeShared(IntList group) {
         int first = group.values[0];
-        return trajectories.offset(first) == 0
+        boolean isAtStart = motion.late().has(first) || trajectories.offset(first) == 0;
+        return isAtStart
                 && (motion.isTiedGroup(group)
                         ? motion.ties.mayBeShared(group)
                         : motion.drivenMotion.hasOneBeginning(first));
@@ -155,6 +160,10 @@ public final class SharedMotion implements Team.Work, Serializable {
     @Override
     public void work(int worker, int item) {
         Motion helper = helpers[worker];
-        helper.drivenMotion.advanceAhead(helper.companions(firsts[item]), ahead);
+        IntList group = helper.companions(firsts[item]);
+        boolean isLate = motion.late().has(firsts[item]);
+        if (!isLate || !motion.late().advanceAhead(group, helper)) {
+            helper.drivenMotion.advanceAhead(group, isLate, ahead);
+        }
     }
 }
