@@ -341,11 +341,12 @@ public final class PhysicsEngine implements Steppable {
         try {
             for (int k = 0; k < driven.size; k++) {
                 int body = driven.values[k];
-                if (motion.companions(body).values[0] != body) {
+                int passed = motion.late().has(body) ? motion.late().advance(body) : 0;
+                if (passed > 0) {
+                    k += passed - 1;
                     continue;
                 }
-                if (motion.late().has(body) && motion.late().advance(motion.companions(body))) {
-                    k += Math.max(1, driven.common(k, motion.companions(body))) - 1;
+                if (motion.companions(body).values[0] != body) {
                     continue;
                 }
                 if (isShared && sharedMotion.isDone(body)) {
@@ -837,6 +838,7 @@ public final class PhysicsEngine implements Steppable {
         Objects.requireNonNull(solver, "solver");
         requireBetweenSteps("the constraint solver was set");
         constraintSolver = solver;
+        motion.late().forget();
         if (constraints != null) {
             constraints.setSolver(solver);
         }
@@ -1068,6 +1070,11 @@ public final class PhysicsEngine implements Steppable {
     /** How often work was shared by threads. */
     long sharedWorks() {
         return team == null ? 0 : team.works();
+    }
+
+    /** How many groups of bodies have gone through the last step without paths. */
+    int latePaths() {
+        return motion.late().count();
     }
 
     /**

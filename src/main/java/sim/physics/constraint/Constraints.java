@@ -37,6 +37,7 @@ public final class Constraints implements Ties, Serializable {
     private Stabilization stabilization = Stabilization.projection();
     private long version;
     private long grouping;
+    private final Brittle brittle = new Brittle();
 
     /** The islands of the group of several that was asked for last. */
     private final Several several = new Several();
@@ -69,11 +70,7 @@ public final class Constraints implements Ties, Serializable {
         return of[island.values[0]].isOwn && solver instanceof DirectSolver;
     }
 
-    /**
-     * What solves (41).
-     *
-     * @return a {@link DirectSolver} unless set
-     */
+    /** {@return what solves (41): a {@link DirectSolver} unless set} */
     public ConstraintSolver getSolver() {
         return solver;
     }
@@ -418,7 +415,7 @@ public final class Constraints implements Ties, Serializable {
 
     /** {@return whether some joint can break} */
     public boolean isBreakable() {
-        return Grouping.areBreakable(islands);
+        return brittle.isAny(islands, version);
     }
 
     @Override

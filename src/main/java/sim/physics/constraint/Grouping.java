@@ -114,13 +114,4 @@ final class Grouping {
         }
         return joined ? byJoint : bySwitch;
     }
-
-    /** Whether some joint of some island can break. */
-    static boolean areBreakable(List<Island> islands) {
-        boolean found = false;
-        for (int k = 0; k < islands.size(); k++) {
-            found |= islands.get(k).isBreakable();
-        }
-        return found;
-    }
 }

@@ -44,6 +44,11 @@ public final class LatePaths {
     /** By first body of a group: one of those. */
     private byte[] progress = {};
 
+    /** The same: how many of the driven bodies from that one on are certainly of the group; and that, or 0 if threads may not share it. */
+    private int[] rows = {};
+
+    private int[] sharedRows = {};
+
     /** The first body of the group that was found last to have no quick way; −1 when that has been made use of. */
     private int refused = -1;
 
@@ -67,7 +72,7 @@ public final class LatePaths {
         refused = -1;
     }
 
-    /** Bodies have been written, or are driven from now on, or no longer: other groups may be late. */
+    /** Bodies have been written, or are driven from now on, or no longer, or are tied otherwise: other groups may be late. */
     public void forget() {
         isStale = true;
     }
@@ -94,6 +99,8 @@ public final class LatePaths {
             startX = new double[n];
             startV = new double[n];
             progress = Arrays.copyOf(progress, n / State.BLOCK);
+            rows = Arrays.copyOf(rows, n / State.BLOCK);
+            sharedRows = Arrays.copyOf(rows, n / State.BLOCK);
         }
         candidates.clear();
         others.clear();
@@ -105,6 +112,8 @@ public final class LatePaths {
                 others.add(driven.values[k]);
             } else if (group.values[0] == driven.values[k]) {
                 candidates.add(driven.values[k]);
+                rows[driven.values[k]] = group.isRow() ? group.size : 1;
+                sharedRows[driven.values[k]] = motion.ties.mayBeShared(group) ? rows[driven.values[k]] : 0;
             }
         }
         grouping = motion.ties.grouping();
@@ -126,20 +135,34 @@ public final class LatePaths {
         return late.size == 0;
     }
 
+    /** {@return the number of groups that are late and have gone through the step} */
+    public int count() {
+        int found = 0;
+        for (int k = 0; k < late.size; k++) {
+            found += progress[late.values[k]] == DONE ? 1 : 0;
+        }
+        return found;
+    }
+
     /**
      * Moves a group through the step, without a path, or finds that a thread has done so.
      *
-     * @param group late
-     * @return false if it has no quick way; then it is where it was, and not late any more
+     * @param first index of its first body; it is late
+     * @return how many driven bodies from the first on need not be looked at any more; 0 if the group has no quick way: then it
+     *     is where it was, and not late any more
      */
-    public boolean advance(IntList group) {
-        int first = group.values[0];
-        if (progress[first] == AHEAD || leaps(group, motion)) {
+    public int advance(int first) {
+        if (progress[first] == AHEAD || leaps(motion.companions(first), motion)) {
             progress[first] = DONE;
-            return true;
+            return rows[first];
         }
         refused = first;
-        return false;
+        return 0;
+    }
+
+    /** How many driven bodies from the first one on are of a late group that a thread may move; 0 if the group is none. */
+    int shares(int first) {
+        return has(first) ? sharedRows[first] : 0;
     }
 
     /** Does that before it is the group's turn, in the thread of a motion. */
@@ -165,7 +188,7 @@ public final class LatePaths {
     /** Puts a group back to where it was, as if no thread had come to it; false if it is not late any more. */
     boolean takeBack(IntList group) {
         int first = group.values[0];
-        if (progress[first] == AHEAD || progress[first] == BEGUN) {
+        if (late.size > 0 && (progress[first] == AHEAD || progress[first] == BEGUN)) {
             copy(group, startX, state.x());
             copy(group, startV, state.v());
             progress[first] = LATE;

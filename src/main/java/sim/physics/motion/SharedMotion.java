@@ -71,11 +71,12 @@ public final class SharedMotion implements Team.Work, Serializable {
         int count = 0;
         for (int k = 0; k < driven.size; k++) {
             int body = driven.values[k];
-            IntList group = motion.companions(body);
-            if (group.values[0] == body && mayBeShared(group)) {
+            int known = motion.late().shares(body);
+            IntList group = known > 0 ? null : motion.companions(body);
+            if (known > 0 || group.values[0] == body && mayBeShared(group)) {
                 firsts[count++] = body;
             }
-            k += Math.max(1, driven.common(k, group)) - 1; // the others of a group are mostly next
+            k += Math.max(1, known > 0 ? known : driven.common(k, group)) - 1; // the others of a group are mostly next
         }
         if (count < 2) {
             return false;
