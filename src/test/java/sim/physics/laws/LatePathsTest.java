@@ -110,6 +110,7 @@ class LatePathsTest {
         PhysicsEngine engine = scene();
         chain(engine, 0);
         int pushed = chain(engine, 18).get(2).index();
+        engine.add(Body.fixed(new Circle(0.3)).at(1.5, 5.5)); // in the way of what is caught
         Doer doer = new Doer(deed, engine, chain(engine, 9));
         engine.addListener(doer);
         engine.setAudited(isAudited);
