@@ -10,6 +10,7 @@ import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
@@ -232,6 +233,40 @@ class ThreadsTest {
     @Test
     void chainsAndBoxesThatLieOnTheGround() {
         assertSameBits(ThreadsTest::ground, 120, 100);
+    }
+
+    /** No force; counts how often it is asked for. */
+    private static final class Count implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        private final AtomicLong calls = new AtomicLong();
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            calls.incrementAndGet();
+        }
+
+        @Override
+        public boolean isConcurrent() {
+            return true;
+        }
+    }
+
+    @Test
+    void forcesAreAskedForAsOftenAsByOneThread() {
+        for (Supplier<PhysicsEngine> scene : List.<Supplier<PhysicsEngine>>of(ThreadsTest::ground, ThreadsTest::workshop)) {
+            List<Long> calls = new ArrayList<>();
+            for (int threads : new int[] {1, 2, 16}) {
+                PhysicsEngine engine = scene.get();
+                Count count = new Count();
+                engine.add(count);
+                engine.bodies().forEach(body -> body.setRestitution(0)); // what lies is probed, which may be its motion
+                engine.setThreads(threads, true);
+                POOL.submit(() -> run(engine, 90)).join();
+                calls.add(count.calls.get());
+            }
+            assertThat(calls).containsOnly(calls.get(0));
+        }
     }
 
     @Test

@@ -78,7 +78,8 @@ final class Probe implements Serializable {
         return true;
     }
 
-    private boolean doesCount(IntList group) {
+    /** Whether the last probe of a group is the motion itself. */
+    boolean doesCount(IntList group) {
         boolean yes = group.values[0] < counts.length;
         for (int k = 0; yes && k < group.size; k++) {
             yes = counts[group.values[k]];

@@ -120,6 +120,7 @@ public final class SharedMotion implements Team.Work, Serializable {
         int first = group.values[0];
         boolean isAtStart = motion.late().has(first) || trajectories.offset(first) == 0;
         return isAtStart
+                && !motion.drivenMotion.probed.doesCount(group) // that has been its step
                 && (motion.isTiedGroup(group)
                         ? motion.ties.mayBeShared(group)
                         : motion.drivenMotion.hasOneBeginning(first));
