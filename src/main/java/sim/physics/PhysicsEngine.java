@@ -326,7 +326,7 @@ public final class PhysicsEngine implements Steppable {
         if (motion.late().isEmpty()) {
             return;
         }
-        IntList made = motion.late().make();
+        IntList made = motion.late().make(team);
         for (int k = 0; k < made.size; k++) {
             publish(made.values[k], timeStep, Entry.BODY);
             detection.endPath(made.values[k]);

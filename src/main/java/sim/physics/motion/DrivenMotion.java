@@ -483,7 +483,8 @@ final class DrivenMotion implements Serializable {
         return strikes.last(body, trajectories.step());
     }
 
-    private void ensure() {
+    /** Makes room for all bodies. */
+    void ensure() {
         int n = state.x().length;
         if (endX.length < n) {
             endX = Arrays.copyOf(endX, n);

@@ -4,13 +4,14 @@ package sim.physics.motion;
 
 import java.util.Arrays;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Team;
 
 /**
  * Groups of tied bodies that collide with nobody, whose anchors and paths nobody looks at while nothing happens in a step: they
  * are moved from state to state, and get anchors and paths only when something does happen, then the same as others at once. They
  * get them before they are saved, too.
  */
-public final class LatePaths {
+public final class LatePaths implements Team.Work {
     /** How far a late group is in the step: it has got its anchors, has not begun, is on its way, has gone through it. */
     private static final byte PROMPT = 0;
 
@@ -20,6 +21,9 @@ public final class LatePaths {
 
     /** A thread has taken it through the step before it was its turn. */
     private static final byte AHEAD = 4;
+
+    /** Driven bodies from which on it pays to share what is made for them late. */
+    private static final int FEWEST_SHARED = 512;
 
     private final Motion motion;
     private final State state;
@@ -100,7 +104,7 @@ public final class LatePaths {
             startV = new double[n];
             progress = Arrays.copyOf(progress, n / State.BLOCK);
             rows = Arrays.copyOf(rows, n / State.BLOCK);
-            sharedRows = Arrays.copyOf(rows, n / State.BLOCK);
+            sharedRows = Arrays.copyOf(sharedRows, n / State.BLOCK);
         }
         candidates.clear();
         others.clear();
@@ -206,25 +210,44 @@ public final class LatePaths {
     /**
      * Gives all groups that are late their anchors, and those that have gone through the step their paths.
      *
+     * @param team shares that, if it pays; null for the calling thread alone
      * @return the first bodies of the latter; valid until the next call
      */
-    public IntList make() {
+    public IntList make(Team team) {
         made.clear();
         for (int k = 0; k < late.size; k++) {
-            IntList group = motion.companions(late.values[k]);
-            byte how = progress[late.values[k]];
-            if (how == LATE) {
-                GroupPaths.anchor(trajectories, group, state.x(), state.v());
-            } else if (how != PROMPT) {
-                GroupPaths.anchor(trajectories, group, startX, startV);
-            }
-            if (how == DONE) {
-                motion.drivenMotion.lead(group);
+            if (progress[late.values[k]] == DONE) {
                 made.add(late.values[k]);
+            }
+        }
+        motion.drivenMotion.ensure(); // no array grows any more
+        if (team != null && late.size > 1 && team.pays(motion.driven().size, FEWEST_SHARED)) {
+            if (team.run(this, late.size) >= 0) {
+                Team.rethrow(team.failure());
+            }
+        } else {
+            for (int k = 0; k < late.size; k++) {
+                work(0, k);
             }
         }
         begin();
         return made;
+    }
+
+    /** Does that for a group. */
+    @Override
+    public void work(int worker, int item) {
+        int first = late.values[item];
+        IntList group = motion.companions(first);
+        byte how = progress[first];
+        if (how == LATE) {
+            GroupPaths.anchor(trajectories, group, state.x(), state.v());
+        } else if (how != PROMPT) {
+            GroupPaths.anchor(trajectories, group, startX, startV);
+        }
+        if (how == DONE) {
+            motion.drivenMotion.lead(group);
+        }
     }
 
     private static void copy(IntList group, double[] from, double[] to) {
