@@ -1206,7 +1206,7 @@ public final class PhysicsEngine implements Steppable {
      * @return since the engine was made or restored
      */
     public long getNarrowPhaseEvaluations() {
-        return detection.narrowPhase().evaluations();
+        return detection.narrowPhase().evaluations() + (timeStepping == null ? 0 : timeStepping.looks());
     }
 
     /**

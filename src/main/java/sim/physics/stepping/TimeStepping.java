@@ -96,6 +96,7 @@ public final class TimeStepping implements Serializable {
     private boolean isJudged = true;
 
     private double deepest;
+    private long looks;
 
     /**
      * Makes one that knows of no body.
@@ -216,6 +217,7 @@ public final class TimeStepping implements Serializable {
 
     private void look(int pair, int first, int second) {
         double size = Math.min(poses.hull(first).bounding, poses.hull(second).bounding);
+        looks++;
         touch.find(first, second, NEAR * size + h * speed(State.BLOCK * first, State.BLOCK * second, first, second));
         if (touch.count == 0) {
             near.flags[pair] = 0;
@@ -407,6 +409,11 @@ public final class TimeStepping implements Serializable {
                 near.kept[o + 1] = m < n ? rows.tangent(k, m) : 0;
             }
         }
+    }
+
+    /** {@return number of times that a pair was looked at for where it touches} */
+    public long looks() {
+        return looks;
     }
 
     /** {@return the smallest gap at which a step ever began, 0 or negative} */
