@@ -160,9 +160,7 @@ final class ContactRows implements Serializable {
         double leverB = bx * ny - by * nx;
         double slipA = ax * nx + ay * ny;
         double slipB = bx * nx + by * ny;
-        double masses = w[a] + w[b];
-        points[p + NORMAL_MASS] = 1 / (masses + w[a + 2] * leverA * leverA + w[b + 2] * leverB * leverB);
-        points[p + TANGENT_MASS] = 1 / (masses + w[a + 2] * slipA * slipA + w[b + 2] * slipB * slipB);
+        weigh(w, a, b, p, nx, ny);
         points[p + APPROACH] = nx * (v[b] - v[a]) + ny * (v[b + 1] - v[a + 1]) + leverB * v[b + 2] - leverA * v[a + 2];
         points[p + FORCED] =
                 nx * (forces[b] - forces[a]) + ny * (forces[b + 1] - forces[a + 1]) + leverB * forces[b + 2] - leverA * forces[a + 2];
@@ -175,6 +173,20 @@ final class ContactRows implements Serializable {
         points[p + TANGENT] = 0;
         points[p + NORMAL_SUM] = 0;
         points[p + TANGENT_SUM] = 0;
+    }
+
+    /**
+     * What an impulse at a point takes to change the speeds there by one, along the normal and the tangent. With less than its arms ask
+     * for, impulses would be too large, and grow from solution to solution.
+     */
+    void weigh(double[] w, int a, int b, int p, double nx, double ny) {
+        double leverA = points[p + AX] * ny - points[p + AY] * nx;
+        double leverB = points[p + BX] * ny - points[p + BY] * nx;
+        double slipA = points[p + AX] * nx + points[p + AY] * ny;
+        double slipB = points[p + BX] * nx + points[p + BY] * ny;
+        double masses = w[a] + w[b];
+        points[p + NORMAL_MASS] = 1 / (masses + w[a + 2] * leverA * leverA + w[b + 2] * leverB * leverB);
+        points[p + TANGENT_MASS] = 1 / (masses + w[a + 2] * slipA * slipA + w[b + 2] * slipB * slipB);
     }
 
     /** Takes back the pair that was added last. */

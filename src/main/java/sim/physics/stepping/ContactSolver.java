@@ -193,6 +193,7 @@ final class ContactSolver implements Serializable {
                 } else {
                     follow(p, discs == 0 ? 0.5 : discs - 1, dx, dy);
                 }
+                rows.weigh(w, a, b, p, normals[PAIR * k], normals[PAIR * k + 1]);
             }
         }
     }

@@ -74,6 +74,29 @@ class SteppedMotionTest {
         assertThat(after[2]).isCloseTo(before[2], within(isTied ? 0.1 : 1e-10));
     }
 
+    /**
+     * A plastic body that grazes another one and is many sizes on at the end of the step: their contact's point is half way then, and
+     * arms that are so long must not be pushed as if they were short.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {60, 1000, 6000, 60000})
+    void aGlancingBlowGivesNoEnergyAndKeepsAngularMomentum(double speed) {
+        for (boolean isDisc : new boolean[] {false, true}) {
+            PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
+            Stepped.rough(engine.add(new Body(new Rectangle(1, 1))));
+            Body other = engine.add(new Body(isDisc ? new Circle(0.5) : new Rectangle(1, 1)).at(-0.4, 0.995, isDisc ? 0 : 0.01));
+            Stepped.rough(other).moving(speed, -speed / 50);
+            double energy = engine.kineticEnergy();
+            double[] before = Stepped.momentum(engine);
+            for (int k = 0; k < 10; k++) {
+                engine.step();
+                assertThat(engine.kineticEnergy()).as("step %d", k).isLessThanOrEqualTo(energy);
+            }
+            assertThat(engine.getImpacts()).isPositive();
+            assertThat(Stepped.momentum(engine)[2]).isCloseTo(before[2], within(1e-12 * Math.abs(before[2])));
+        }
+    }
+
     @Test
     void aFastBodyDoesNotPassThroughAWallThatItFliesStraightAt() {
         for (double speed : new double[] {60, 600, 3000, 60000}) {
