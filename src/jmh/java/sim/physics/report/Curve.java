@@ -18,7 +18,11 @@ record Curve(String engine, String method, OwnMethod own, int order) {
 
     static List<Curve> all(ReportScene scene, PythonPeers python) {
         List<Curve> curves = new ArrayList<>();
-        if (scene.smooth) {
+        if (scene.methods != null) {
+            for (OwnMethod method : scene.methods) {
+                curves.add(new Curve(OURS, method.name(), method, 1));
+            }
+        } else if (scene.smooth) {
             for (OwnMethod method : OwnMethod.ALL) {
                 boolean applies = !method.conservative() || scene.conservative;
                 // dense systems of hundreds of unknowns: not what an implicit method is for

@@ -6,6 +6,7 @@ import org.dyn4j.collision.CategoryFilter;
 import org.dyn4j.dynamics.Body;
 import org.dyn4j.dynamics.BodyFixture;
 import org.dyn4j.dynamics.joint.DistanceJoint;
+import org.dyn4j.dynamics.joint.PrismaticJoint;
 import org.dyn4j.dynamics.joint.RevoluteJoint;
 import org.dyn4j.geometry.Convex;
 import org.dyn4j.geometry.Geometry;
@@ -22,11 +23,13 @@ final class Dyn4jWorld implements World {
     private final Body[] bodies;
     private final double dt;
     private final double torque;
+    private final double push;
 
     Dyn4jWorld(Model model, double dt, boolean tuned) {
         this.dt = dt;
         torque = model.torque;
-        world.setGravity(0, -model.gravity);
+        push = model.push;
+        world.setGravity(model.across, -model.gravity);
         world.getSettings().setAtRestDetectionEnabled(false);
         world.getSettings().setStepFrequency(dt);
         world.getSettings().setMaximumTranslation(1e6);
@@ -37,7 +40,7 @@ final class Dyn4jWorld implements World {
         }
         bodies = new Body[model.parts.size()];
         for (int k = 0; k < bodies.length; k++) {
-            bodies[k] = body(model.parts.get(k), tuned);
+            bodies[k] = body(model.parts.get(k), model.friction, tuned);
             world.addBody(bodies[k]);
         }
         Body ground = new Body();
@@ -52,6 +55,9 @@ final class Dyn4jWorld implements World {
             Vector2 centre = bodies[rod.a()].getWorldCenter();
             world.addJoint(new DistanceJoint<>(ground, bodies[rod.a()], new Vector2(rod.x(), rod.y()), centre));
         }
+        for (Model.Slide slide : model.slides) {
+            world.addJoint(new PrismaticJoint<>(ground, bodies[slide.a()], bodies[slide.a()].getWorldCenter(), new Vector2(1, 0)));
+        }
         for (Model.Elastic s : model.springs) {
             DistanceJoint<Body> joint = new DistanceJoint<>(
                     ground, bodies[s.a()], new Vector2(s.x(), s.y()), new Vector2(s.px(), s.py()));
@@ -65,7 +71,7 @@ final class Dyn4jWorld implements World {
         }
     }
 
-    private static Body body(Model.Part part, boolean tuned) {
+    private static Body body(Model.Part part, double friction, boolean tuned) {
         double[] size = part.size();
         Convex shape = switch (part.kind()) {
             case DISC -> Geometry.createCircle(size[0]);
@@ -80,7 +86,8 @@ final class Dyn4jWorld implements World {
             }
         };
         BodyFixture fixture = new BodyFixture(shape);
-        fixture.setFriction(0);
+        // of two coefficients the geometric mean counts
+        fixture.setFriction(friction);
         // of two coefficients the larger one counts there
         fixture.setRestitution(part.fixed() ? 0 : part.e());
         if (tuned) {
@@ -110,6 +117,9 @@ final class Dyn4jWorld implements World {
     public void step() {
         if (torque != 0) {
             bodies[0].applyTorque(torque);
+        }
+        if (push != 0) {
+            bodies[0].applyForce(new Vector2(push, 0));
         }
         world.step(1, dt);
     }

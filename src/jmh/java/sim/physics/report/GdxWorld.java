@@ -12,6 +12,7 @@ import com.badlogic.gdx.physics.box2d.MassData;
 import com.badlogic.gdx.physics.box2d.PolygonShape;
 import com.badlogic.gdx.physics.box2d.Shape;
 import com.badlogic.gdx.physics.box2d.joints.DistanceJointDef;
+import com.badlogic.gdx.physics.box2d.joints.PrismaticJointDef;
 import com.badlogic.gdx.physics.box2d.joints.RevoluteJointDef;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 
@@ -20,9 +21,14 @@ import com.badlogic.gdx.utils.GdxNativesLoader;
  * 20 and 10 and without a restitution threshold; no sleeping.
  */
 final class GdxWorld implements World {
+    /** Half of what shapes overlap at rest, so that polygons lie flush. */
+    private static final float SKIN = 0.0025f;
+
     private final com.badlogic.gdx.physics.box2d.World world;
     private final Body[] bodies;
     private final float dt;
+    private final float push;
+    private final float friction;
     private final boolean tuned;
 
     GdxWorld(Model model, double dt, boolean tuned) {
@@ -30,7 +36,9 @@ final class GdxWorld implements World {
         Box2D.init();
         this.dt = (float) dt;
         this.tuned = tuned;
-        world = new com.badlogic.gdx.physics.box2d.World(new Vector2(0, (float) -model.gravity), false);
+        push = (float) model.push;
+        friction = (float) model.friction;
+        world = new com.badlogic.gdx.physics.box2d.World(new Vector2((float) model.across, (float) -model.gravity), false);
         com.badlogic.gdx.physics.box2d.World.setVelocityThreshold(tuned ? 0 : 1);
         bodies = new Body[model.parts.size()];
         for (int k = 0; k < bodies.length; k++) {
@@ -45,6 +53,11 @@ final class GdxWorld implements World {
         for (Model.Rod rod : model.rods) {
             DistanceJointDef joint = new DistanceJointDef();
             joint.initialize(ground, bodies[rod.a()], vector(rod.x(), rod.y()), bodies[rod.a()].getPosition());
+            world.createJoint(joint);
+        }
+        for (Model.Slide slide : model.slides) {
+            PrismaticJointDef joint = new PrismaticJointDef();
+            joint.initialize(ground, bodies[slide.a()], bodies[slide.a()].getPosition(), vector(1, 0));
             world.createJoint(joint);
         }
         for (Model.Elastic s : model.springs) {
@@ -76,7 +89,8 @@ final class GdxWorld implements World {
         FixtureDef fixture = new FixtureDef();
         fixture.shape = shape;
         fixture.density = 1;
-        fixture.friction = 0;
+        // of two coefficients the geometric mean counts
+        fixture.friction = friction;
         // of two coefficients the larger one counts there
         fixture.restitution = part.fixed() ? 0 : (float) part.e();
         if (!part.collides()) {
@@ -93,7 +107,7 @@ final class GdxWorld implements World {
         return body;
     }
 
-    private static Shape shape(Model.Part part) {
+    private Shape shape(Model.Part part) {
         if (part.kind() == Model.Kind.DISC) {
             CircleShape circle = new CircleShape();
             circle.setRadius((float) part.size()[0]);
@@ -106,11 +120,17 @@ final class GdxWorld implements World {
         }
         PolygonShape polygon = new PolygonShape();
         polygon.set(all);
+        if (tuned) {
+            polygon.setRadius(SKIN);
+        }
         return polygon;
     }
 
     @Override
     public void step() {
+        if (push != 0) {
+            bodies[0].applyForceToCenter(push, 0, true);
+        }
         world.step(dt, tuned ? 20 : 8, tuned ? 10 : 3);
     }
 

@@ -66,8 +66,7 @@ public final class Honesty {
      * @param args how their names begin; all if there is none
      */
     public static void main(String[] args) {
-        List<ReportScene> scenes = new ArrayList<>(JointScenes.all(false));
-        scenes.addAll(OtherScenes.all(false));
+        List<ReportScene> scenes = Suite.all(false);
         Honesty honesty = new Honesty();
         for (ReportScene scene : scenes) {
             boolean asked = args.length == 0 || List.of(args).stream().anyMatch(scene.id::startsWith);

@@ -12,19 +12,27 @@ import org.jbox2d.dynamics.BodyDef;
 import org.jbox2d.dynamics.BodyType;
 import org.jbox2d.dynamics.FixtureDef;
 import org.jbox2d.dynamics.joints.DistanceJointDef;
+import org.jbox2d.dynamics.joints.PrismaticJointDef;
 import org.jbox2d.dynamics.joints.RevoluteJointDef;
 
 /** A scene in JBox2D 2.2.1.1, single precision: with 8 and 3 iterations, or tuned with 20 and 10; no sleeping. */
 final class JBox2DWorld implements World {
+    /** Half of what shapes overlap at rest, so that polygons lie flush. */
+    private static final float SKIN = 0.0025f;
+
     private final org.jbox2d.dynamics.World world;
     private final Body[] bodies;
     private final float dt;
+    private final float push;
+    private final float friction;
     private final boolean tuned;
 
     JBox2DWorld(Model model, double dt, boolean tuned) {
         this.dt = (float) dt;
         this.tuned = tuned;
-        world = new org.jbox2d.dynamics.World(new Vec2(0, (float) -model.gravity));
+        push = (float) model.push;
+        friction = (float) model.friction;
+        world = new org.jbox2d.dynamics.World(new Vec2((float) model.across, (float) -model.gravity));
         world.setAllowSleep(false);
         bodies = new Body[model.parts.size()];
         for (int k = 0; k < bodies.length; k++) {
@@ -39,6 +47,11 @@ final class JBox2DWorld implements World {
         for (Model.Rod rod : model.rods) {
             DistanceJointDef joint = new DistanceJointDef();
             joint.initialize(ground, bodies[rod.a()], vector(rod.x(), rod.y()), bodies[rod.a()].getPosition());
+            world.createJoint(joint);
+        }
+        for (Model.Slide slide : model.slides) {
+            PrismaticJointDef joint = new PrismaticJointDef();
+            joint.initialize(ground, bodies[slide.a()], bodies[slide.a()].getPosition(), vector(1, 0));
             world.createJoint(joint);
         }
         for (Model.Elastic s : model.springs) {
@@ -69,7 +82,8 @@ final class JBox2DWorld implements World {
         FixtureDef fixture = new FixtureDef();
         fixture.shape = shape(part);
         fixture.density = 1;
-        fixture.friction = 0;
+        // of two coefficients the geometric mean counts
+        fixture.friction = friction;
         // of two coefficients the larger one counts there
         fixture.restitution = part.fixed() ? 0 : (float) part.e();
         if (!part.collides()) {
@@ -86,7 +100,7 @@ final class JBox2DWorld implements World {
         return body;
     }
 
-    private static Shape shape(Model.Part part) {
+    private Shape shape(Model.Part part) {
         if (part.kind() == Model.Kind.DISC) {
             CircleShape circle = new CircleShape();
             circle.m_radius = (float) part.size()[0];
@@ -99,11 +113,17 @@ final class JBox2DWorld implements World {
         }
         PolygonShape polygon = new PolygonShape();
         polygon.set(all, all.length);
+        if (tuned) {
+            polygon.m_radius = SKIN;
+        }
         return polygon;
     }
 
     @Override
     public void step() {
+        if (push != 0) {
+            bodies[0].applyForceToCenter(new Vec2(push, 0));
+        }
         world.step(dt, tuned ? 20 : 8, tuned ? 10 : 3);
     }
 

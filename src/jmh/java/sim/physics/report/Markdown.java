@@ -169,7 +169,8 @@ final class Markdown {
                 rounds in which all points of all engines take turns in one JVM after a warm-up (those in Python by their own driver,
                 with pymunk's steps called one by one from Python). Errors, invariants and counts come from a run of their own that
                 is not timed. *Default* are the options as delivered, *tuned* the best we know: 20 + 10 iterations and no restitution
-                threshold where that can be set, MuJoCo's RK4 with loops as stiff as it lets them be. dyn4j's limit of motion per step
+                threshold where that can be set, in JBox2D and Box2D polygons with a skin of half their slop, so that they lie flush,
+                MuJoCo's RK4 with loops as stiff as it lets them be. dyn4j's limit of motion per step
                 is raised in both, sleeping is off everywhere. Times below are interpolated on the curve; *best error* and the
                 invariants beside it belong to the most accurate point: energy relative to the energy of the scene, the widest gap
                 of a joint, the deepest penetration, at the instants of comparison. JBox2D and Box2D are in single precision.
@@ -177,7 +178,9 @@ final class Markdown {
                 [the data](data/speed-vs-error.csv).
 
                 *Never* means: with no setting whose whole run takes less than CAP s of CPU. Where a method refused a setting, or a
-                step was too long for it, the finer ones count and the scene says so.
+                step was too long for it, the finer ones count and the scene says so. Steps are not made finer where that has long
+                ceased to help: an error below 1e-8 that two finer settings do not lessen, or any that three times a quarter of the
+                step does not, of a method of first order.
 
                 ## Where a peer is better
 

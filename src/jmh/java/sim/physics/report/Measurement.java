@@ -27,6 +27,9 @@ final class Measurement {
 
     private static final int LOOK = 256;
 
+    /** How often steps may be divided by four without a smaller error, before a method of first order is taken to be at its end. */
+    private static final int IDLE = 3;
+
     /** Part of the time of a scene that the untimed runs take, for the progress bar. */
     private static final double SWEEPS = 0.3;
 
@@ -152,7 +155,7 @@ final class Measurement {
             idle = point.error < 0.7 * best ? 0 : idle + 1;
             best = Math.min(best, point.error);
             predicted = predict(curve, point.spent);
-            if (best < 1e-8 && idle >= 2) {
+            if (idle >= (best < 1e-8 ? 2 : curve.order() == 1 ? IDLE : Integer.MAX_VALUE)) {
                 break;
             }
         }
@@ -199,7 +202,7 @@ final class Measurement {
         point.error = scene.error(states, reference);
         point.energy = scene.energyError(states);
         point.momentum = scene.momentumError(states);
-        boolean joints = !scene.model.pins.isEmpty() || !scene.model.rods.isEmpty();
+        boolean joints = scene.model.hasJoints();
         for (double[] state : states) {
             if (joints) {
                 point.gap = larger(point.gap, scene.model.gap(state));

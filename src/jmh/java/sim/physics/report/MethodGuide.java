@@ -53,7 +53,7 @@ final class MethodGuide {
         Curve curve = choice.curve;
         double setting = choice.point.setting;
         String how;
-        if (!scene.smooth) {
+        if (curve.own() == OwnMethod.EXACT_PATHS) {
             how = "any step";
         } else if (curve.isAdaptive()) {
             how = "tolerance " + String.format(Locale.ROOT, "%.0e", setting);

@@ -15,13 +15,22 @@ final class Model {
     double surfaceGravity;
     double surfaceFriction;
 
-    /** A torque that acts on the first part all the time. */
+    /** Gravity to the right, for slopes. */
+    double across;
+
+    /** Coefficient of friction of any two parts that touch. */
+    double friction;
+
+    /** A torque that acts on the first part all the time, and a force to the right. */
     double torque;
+
+    double push;
 
     final List<Part> parts = new ArrayList<>();
     final List<Pin> pins = new ArrayList<>();
     final List<Rod> rods = new ArrayList<>();
     final List<Elastic> springs = new ArrayList<>();
+    final List<Slide> slides = new ArrayList<>();
 
     Model(double gravity) {
         this.gravity = gravity;
@@ -52,6 +61,9 @@ final class Model {
 
     /** The centre of a part keeps its distance from a point of the world. */
     record Rod(int a, double x, double y) {}
+
+    /** A part moves along x and does not turn. */
+    record Slide(int a) {}
 
     /** A spring with a damper between a point of a part, given in the world at the start, and the world. */
     record Elastic(int a, double px, double py, double x, double y, double length, double stiffness, double damping) {}
@@ -96,9 +108,9 @@ final class Model {
     }
 
     double energy(double[] s) {
-        double sum = kinetic(s) - torque * s[2];
+        double sum = kinetic(s) - torque * s[2] - push * s[0];
         for (int k = 0; k < parts.size(); k++) {
-            sum += parts.get(k).mass * gravity * s[BLOCK * k + 1];
+            sum += parts.get(k).mass * (gravity * s[BLOCK * k + 1] - across * s[BLOCK * k]);
         }
         for (Elastic spring : springs) {
             double[] p = follow(spring.a, spring.px, spring.py, s);
@@ -154,7 +166,15 @@ final class Model {
             double length = Math.hypot(start[0] - rod.x, start[1] - rod.y);
             most = Math.max(most, Math.abs(Math.hypot(s[BLOCK * rod.a] - rod.x, s[BLOCK * rod.a + 1] - rod.y) - length));
         }
+        for (Slide slide : slides) {
+            double[] start = parts.get(slide.a).start;
+            most = Math.max(most, Math.abs(s[BLOCK * slide.a + 1] - start[1]));
+        }
         return most;
+    }
+
+    boolean hasJoints() {
+        return !pins.isEmpty() || !rods.isEmpty() || !slides.isEmpty();
     }
 
     /** The corners of a part in its own coordinates; a disc has its centre. */
@@ -250,7 +270,8 @@ final class Model {
 
     /** The scene for the driver of engines in Python. */
     String json() {
-        StringBuilder text = new StringBuilder("{\"gravity\":" + gravity + ",\"torque\":" + torque + ",\"parts\":[");
+        StringBuilder text = new StringBuilder("{\"gravity\":" + gravity + ",\"across\":" + across + ",\"friction\":" + friction
+                + ",\"torque\":" + torque + ",\"push\":" + push + ",\"parts\":[");
         String comma = "";
         for (Part part : parts) {
             text.append(comma).append(String.format(Locale.ROOT, "{\"kind\":\"%s\",\"mass\":%s,\"inertia\":%s,", part.kind, part.mass, part.inertia));
@@ -275,6 +296,12 @@ final class Model {
         comma = "";
         for (Elastic s : springs) {
             text.append(comma + java.util.Arrays.toString(new double[] {s.a, s.px, s.py, s.x, s.y, s.length, s.stiffness, s.damping}));
+            comma = ",";
+        }
+        text.append("],\"slides\":[");
+        comma = "";
+        for (Slide slide : slides) {
+            text.append(comma + slide.a);
             comma = ",";
         }
         return text.append("]}").toString();

@@ -16,7 +16,7 @@ final class OtherScenes {
     private static final double G = 9.81;
 
     /** MuJoCo's contacts are soft springs without a coefficient of restitution. */
-    private static final Function<String, String> RESTITUTION =
+    static final Function<String, String> RESTITUTION =
             engine -> engine.equals("MuJoCo") ? "no coefficient of restitution" : null;
 
     private OtherScenes() {}
@@ -27,7 +27,7 @@ final class OtherScenes {
 
     static List<ReportScene> all(boolean full) {
         return List.of(
-                balls(1, full), balls(0.9, full), balls(0.5, full), rodBounce(), blocks(100), blocks(10_000), billiard(full),
+                flight(), balls(1, full), balls(0.9, full), balls(0.5, full), rodBounce(), blocks(100), blocks(10_000), billiard(full),
                 gas(full), cluster(full), puck(), spring(100, 0.1),
                 elasticPendulum());
     }
@@ -36,6 +36,24 @@ final class OtherScenes {
         ReportScene scene = new ReportScene(id, title, model, duration, samples, coarse);
         scene.smooth = false;
         scene.cannot = RESTITUTION;
+        return scene;
+    }
+
+    /** W09. */
+    static ReportScene flight() {
+        Model model = new Model(G);
+        double w = 7;
+        int body = model.add(Model.Kind.BOX, new double[] {1, 0.5}, 1, 1.25 / 12, false, 1, 0, 0, 0, 20, 50, w);
+        ReportScene scene = new ReportScene("W09", "free flight with spin, 10 s", model, 10, 10, 30);
+        scene.smooth = false;
+        scene.point(body, 0.5, 0.25);
+        scene.energyUnit = model.kinetic(model.start());
+        scene.reference = "parabola and constant spin";
+        scene.expected = () -> JointScenes.rows(scene, t -> {
+            double cos = StrictMath.cos(w * t);
+            double sin = StrictMath.sin(w * t);
+            return new double[] {20 * t + 0.5 * cos - 0.25 * sin, 50 * t - G * t * t / 2 + 0.5 * sin + 0.25 * cos};
+        });
         return scene;
     }
 

@@ -41,6 +41,9 @@ record OwnMethod(String name, boolean adaptive, boolean conservative, DoubleFunc
             new OwnMethod("Automatic", true, false, Automatic::new),
             TIME_STEPPING);
 
+    /** Where contacts last: what touches is found between events, forces are constant on the way where they can be. */
+    static final OwnMethod EVENTS = new OwnMethod("RK4, events", false, false, tolerance -> new RungeKutta4());
+
     /** Where no integrator has anything to do. */
     static final OwnMethod EXACT_PATHS = new OwnMethod("exact paths", false, false, tolerance -> new RungeKutta4());
 }

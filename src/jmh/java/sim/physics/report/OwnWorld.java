@@ -9,6 +9,7 @@ import sim.physics.PhysicsEngine;
 import sim.physics.Witness;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.RodJoint;
+import sim.physics.constraint.SliderJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
@@ -41,18 +42,19 @@ final class OwnWorld implements World {
         bodies = new Body[model.parts.size()];
         for (int k = 0; k < bodies.length; k++) {
             bodies[k] = engine.add(body(model.parts.get(k)));
+            bodies[k].setFriction(model.friction);
             if (model.surfaceFriction > 0) {
                 bodies[k].setSurfaceFriction(model.surfaceFriction);
             }
         }
         if (model.gravity != 0) {
-            engine.add(new Gravity(0, -model.gravity));
+            engine.add(new Gravity(model.across, -model.gravity));
         }
         if (model.surfaceFriction > 0) {
             engine.add(new SurfaceFriction(model.surfaceGravity));
         }
-        if (model.torque != 0) {
-            engine.add(new Torque(bodies[0], model.torque));
+        if (model.torque != 0 || model.push != 0) {
+            engine.add(new Drive(bodies[0], model.push, model.torque));
         }
         for (Model.Pin pin : model.pins) {
             engine.add(new PinJoint(bodies[pin.a()], pin.b() < 0 ? null : bodies[pin.b()], pin.x(), pin.y()));
@@ -67,7 +69,11 @@ final class OwnWorld implements World {
                     bodies[s.a()], s.px() - start[0], s.py() - start[1], null, s.x(), s.y(),
                     s.length(), s.stiffness(), s.damping()));
         }
-        boolean driven = model.surfaceFriction > 0 || !model.pins.isEmpty() || !model.rods.isEmpty() || !model.springs.isEmpty();
+        for (Model.Slide slide : model.slides) {
+            double[] start = model.parts.get(slide.a()).start();
+            engine.add(new SliderJoint(bodies[slide.a()], null, start[0], start[1], 1, 0));
+        }
+        boolean driven = model.surfaceFriction > 0 || model.hasJoints() || !model.springs.isEmpty();
         counter = count && driven ? new Witness(bodies[0], true) : null;
         if (counter != null) {
             engine.add(counter);
@@ -151,15 +157,17 @@ final class OwnWorld implements World {
         return counts;
     }
 
-    /** A constant torque. */
-    private static final class Torque implements ForceGenerator {
+    /** A constant force to the right and a constant torque. */
+    private static final class Drive implements ForceGenerator {
         private static final long serialVersionUID = 1L;
 
         private final Body driven;
+        private final double push;
         private final double torque;
 
-        Torque(Body driven, double torque) {
+        Drive(Body driven, double push, double torque) {
             this.driven = driven;
+            this.push = push;
             this.torque = torque;
         }
 
@@ -175,6 +183,7 @@ final class OwnWorld implements World {
 
         @Override
         public void addForce(Body body, double time, Forces forces) {
+            forces.add(body, push, 0);
             forces.addTorque(body, torque);
         }
     }

@@ -24,6 +24,9 @@ final class ReportScene {
     /** Whether integrators matter here; else bodies follow exact paths between impacts. */
     boolean smooth = true;
 
+    /** Which of our methods are run; null for those that {@link #smooth} says. */
+    java.util.List<OwnMethod> methods;
+
     /** Whether forces depend on places alone. */
     boolean conservative = true;
 

@@ -57,8 +57,7 @@ public final class SpeedVsError {
         double cap = full ? 0.6 : 0.3;
         int rounds = full ? 7 : 3;
         long begun = System.nanoTime();
-        List<ReportScene> scenes = new ArrayList<>(JointScenes.all(full));
-        scenes.addAll(OtherScenes.all(full));
+        List<ReportScene> scenes = Suite.all(full);
         if (!only.isEmpty()) {
             scenes.removeIf(scene -> only.stream().noneMatch(scene.id::startsWith));
         }

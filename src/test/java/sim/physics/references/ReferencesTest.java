@@ -142,4 +142,41 @@ class ReferencesTest {
         assertThat(gragg).isCloseTo(15.8107711951, within(5e-9));
         assertThat(dormand).isCloseTo(gragg, within(1e-10));
     }
+
+    @Test
+    void aRodThatIsStruckTakesNewtonsImpulse() {
+        // I11: J = (1 + e) v / (1 / m + 3 d² / (M L²))
+        double[] state = new RodChain(new double[] {2}, 9.81).struck(0, 0.75, 0.5, 3, 0.8);
+        double impulse = 1.8 * 3 / (1 / 0.5 + 3 * 0.75 * 0.75 / 2);
+        assertThat(state[1]).isCloseTo(impulse * 0.75 * 3 / 2, within(1e-14));
+        assertThat(state[2]).isCloseTo(3 - impulse / 0.5, within(1e-14));
+    }
+
+    /** Of a heavy chain on which a light rod ends the heavy part moves as if there were no light one. */
+    @Test
+    void aLightEndDoesNotMoveAHeavyRod() {
+        double heavy = new RodChain(new double[] {1, 1e-9}, 9.81).states(new double[] {1}, true, 1e-13)[0][0];
+        assertThat(heavy).isCloseTo(EllipticPendulum.released(ROD, BigDecimal.ZERO).angle(1) - Math.PI / 2, within(1e-7));
+    }
+
+    @Test
+    void theSliderCrankKeepsItsRateWhereItHasTheSameInertia() {
+        SliderCrank crank = new SliderCrank(0.6, 1, 0, 1, 5);
+        assertThat(crank.computeDerivatives(0, new double[] {1 + 2 * Math.PI})[0]).isCloseTo(5, within(1e-13));
+        double[] t = {0.7, 2};
+        double[] gragg = crank.angles(1, t, true, 1e-14);
+        double[] dormand = crank.angles(1, t, false, 1e-14);
+        assertThat(gragg[1]).isCloseTo(dormand[1], within(1e-12));
+        double[] p = crank.places(2);
+        assertThat(Math.hypot(p[4] - p[0], p[5] - p[1])).isCloseTo(1, within(1e-15));
+    }
+
+    /** Textbook: a thin ladder leaves the wall at two thirds of its height. */
+    @Test
+    void aThinLadderLeavesTheWallAtTwoThirdsOfItsHeight() {
+        double[] left = new Ladder(1, 0, 1 / 3.0, 9.81).leaves(1.1, 1e-13);
+        assertThat(Math.sin(left[1])).isCloseTo(2.0 / 3 * Math.sin(1.1), within(1e-10));
+        // (1/3 + 1) φ̇² / 2 = g (sin φ0 − sin φ)
+        assertThat(left[2] * left[2]).isCloseTo(1.5 * 9.81 * (Math.sin(1.1) - Math.sin(left[1])), within(1e-10));
+    }
 }
