@@ -93,9 +93,8 @@ final class Dyn4jWorld implements World {
         if (tuned) {
             fixture.setRestitutionVelocity(0);
         }
-        if (!part.collides()) {
-            fixture.setFilter(new CategoryFilter(1, 0));
-        }
+        // a filter of another class than the other's lets everything pass: all have one
+        fixture.setFilter(new CategoryFilter(1, part.collides() ? 1 : 0));
         Body body = new Body();
         body.addFixture(fixture);
         if (part.fixed()) {

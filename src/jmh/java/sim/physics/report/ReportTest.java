@@ -54,6 +54,20 @@ class ReportTest {
         return scene.error(states, reference);
     }
 
+    /** Joints to the world need a body in some engines: nothing meets it, and nothing meets a part that does not collide. */
+    @Test
+    void whatDoesNotCollideIsNotMet() {
+        Model model = new Model(0);
+        int ball = model.add(Model.Kind.DISC, new double[] {0.5}, 1, 0.125, true, 1, -1, 0, 0, 2, 0, 0);
+        model.rod(0.5, 0, 0);
+        ReportScene scene = new ReportScene("test", "a ball that flies through", model, 1, 1, 10);
+        scene.smooth = false;
+        scene.point(ball, 0, 0);
+        for (Curve curve : Curve.all(scene, new PythonPeers("no such interpreter"))) {
+            assertThat(error(scene, curve, 40, new double[][] {{1, 0}}, 2 * Model.BLOCK)).as(curve.name()).isLessThan(1e-5);
+        }
+    }
+
     @Test
     void penetrationsAndGapsAreThoseOfTheShapes() {
         Model model = new Model(0);
