@@ -18,8 +18,7 @@ final class ShiftedScenes {
         return List.of(
                 chain("W04", "chain of 100 rods, 0.5 s", ones(100), 0, 0.5, 30),
                 sliderCrank(),
-                chain("W08-2", "chain of ten rods, masses 1 and 100 in turns, 1 s", turns(100), 0, 1, 60),
-                chain("W08-6", "chain of ten rods, masses over six decades, 0.5 s", decades(3), 0, 0.5, 60),
+                chain("W08", "chain of ten rods, masses over six decades, 0.5 s", decades(3), 0, 0.5, 60),
                 struck(),
                 chain("W23", "chain of ten rods, 10⁶ m from the origin, 1 s", ones(10), 1e6, 1, 30));
     }
@@ -27,14 +26,6 @@ final class ShiftedScenes {
     private static double[] ones(int n) {
         double[] masses = new double[n];
         java.util.Arrays.fill(masses, 1);
-        return masses;
-    }
-
-    private static double[] turns(double heavy) {
-        double[] masses = new double[10];
-        for (int k = 0; k < masses.length; k++) {
-            masses[k] = k % 2 == 0 ? 1 : heavy;
-        }
         return masses;
     }
 

@@ -101,14 +101,17 @@ public final class RodChain implements OrdinaryDifferentialEquation {
             double[] row = m[pivot];
             m[pivot] = m[c];
             m[c] = row;
-            for (int r = 0; r < n; r++) {
-                double f = r == c ? 0 : m[r][c] / row[c];
+            for (int r = c + 1; r < n; r++) {
+                double f = m[r][c] / row[c];
                 for (int k = c + 1; f != 0 && k <= n; k++) {
                     m[r][k] -= f * row[k];
                 }
             }
         }
-        for (int r = 0; r < n; r++) {
+        for (int r = n - 1; r >= 0; r--) {
+            for (int k = r + 1; k < n; k++) {
+                m[r][n] -= m[r][k] * m[k][n];
+            }
             m[r][n] /= m[r][r];
         }
     }
