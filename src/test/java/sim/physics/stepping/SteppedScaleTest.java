@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.constraint.PinJoint;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+
+/** Time stepping does not depend on units, on what is left and right, or on how many there are. */
+class SteppedScaleTest {
+    /** Bodies that fall on the ground, some of them pinned together, with lengths and times in other units. */
+    private static PhysicsEngine scene(double length, double time, int bodies, int hand) {
+        PhysicsEngine engine = Stepped.engine(time / 64, 4);
+        engine.add(new Gravity(0, -Stepped.G * length / time / time));
+        engine.add(Body.fixed(new Rectangle(4096 * length, 2 * length)).at(0, -length)).setFriction(0.5);
+        SplittableRandom random = new SplittableRandom(3);
+        for (int k = 0; k < bodies; k++) {
+            Body body = new Body(k % 2 == 0 ? new Circle(0.5 * length) : new Rectangle(length, 0.75 * length));
+            body.at(hand * (k % 10 - 4.5) * 1.25 * length, (1 + k / 10 * 1.25) * length, hand * 6 * random.nextDouble());
+            body.moving(
+                    hand * (random.nextDouble() - 0.5) * length / time,
+                    (random.nextDouble() - 0.5) * length / time,
+                    hand * (random.nextDouble() - 0.5) / time);
+            body.setFriction(0.5);
+            body.setRestitution(0.25);
+            engine.add(body);
+            if (k % 7 == 3) {
+                Body other = engine.bodies().get(k);
+                engine.add(new PinJoint(body, other, (body.getX() + other.getX()) / 2, (body.getY() + other.getY()) / 2));
+            }
+        }
+        return engine;
+    }
+
+    /** Units that differ by powers of two change no bit. */
+    @ParameterizedTest
+    @CsvSource({"1024, 1", "0.0009765625, 1", "1, 16", "8, 0.25"})
+    void unitsChangeNothing(double length, double time) {
+        PhysicsEngine engine = scene(1, 1, 70, 1);
+        PhysicsEngine other = scene(length, time, 70, 1);
+        Stepped.run(engine, 400);
+        Stepped.run(other, 400);
+        assertThat(engine.getImpacts()).isEqualTo(other.getImpacts()).isGreaterThan(100);
+        for (int k = 0; k < engine.bodies().size(); k++) {
+            assertThat(other.bodies().get(k).getX()).isEqualTo(length * engine.bodies().get(k).getX());
+            assertThat(other.bodies().get(k).getY()).isEqualTo(length * engine.bodies().get(k).getY());
+            assertThat(other.bodies().get(k).getAngle()).isEqualTo(engine.bodies().get(k).getAngle());
+        }
+    }
+
+    /** Left and right: the same but for the order in which two points of a contact are solved, until that has grown. */
+    @Test
+    void theMirrorImageOfASceneMovesLikeIt() {
+        PhysicsEngine engine = scene(1, 1, 30, 1);
+        PhysicsEngine mirrored = scene(1, 1, 30, -1);
+        Stepped.run(engine, 40);
+        Stepped.run(mirrored, 40);
+        assertThat(engine.getImpacts()).isPositive();
+        for (int k = 0; k < engine.bodies().size(); k++) {
+            assertThat(mirrored.bodies().get(k).getX()).isCloseTo(-engine.bodies().get(k).getX(), within(0.01));
+            assertThat(mirrored.bodies().get(k).getY()).isCloseTo(engine.bodies().get(k).getY(), within(0.01));
+        }
+    }
+
+    /** What is too heavy for one solution a substep sinks into what bears it; it gets no more energy than its fall gives. */
+    @Test
+    void aMillionTimesTheMassMakesNoNonsense() {
+        PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
+        Body[] stack = Stepped.stack(engine, 3);
+        stack[2].setMass(1e6);
+        for (int k = 0; k < 600; k++) {
+            engine.step();
+            assertThat(Math.hypot(stack[2].getVelocityX(), stack[2].getVelocityY())).isLessThan(Math.sqrt(2 * Stepped.G * 2.5));
+            for (Body body : stack) {
+                assertThat(body.getY()).isBetween(-1.0, 4.0);
+            }
+        }
+    }
+
+    @Test
+    void aLightBodyRestsOnAHeavyOne() {
+        PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
+        Body[] stack = Stepped.stack(engine, 2);
+        stack[0].setMass(1e6);
+        Stepped.run(engine, 300);
+        assertThat(stack[1].getY()).isCloseTo(1.5, within(1e-3));
+        assertThat(engine.contacts(stack[1]).get(0).forceY(stack[1])).isCloseTo(Stepped.G, within(1e-3));
+    }
+
+    @Test
+    void threeThousandBodiesComeToLie() {
+        PhysicsEngine engine = Stepped.engine(1.0 / 60, 2);
+        engine.add(new Gravity(0, -Stepped.G));
+        Stepped.ground(engine);
+        for (int k = 0; k < 3000; k++) {
+            Stepped.rough(engine.add(new Body(new Rectangle(0.4, 0.3)).at(0.5 * (k % 1000) - 250, 0.16 + 0.35 * (k / 1000))));
+        }
+        Stepped.run(engine, 120);
+        assertThat(engine.contacts()).hasSize(3000);
+        assertThat(Stepped.fastest(engine)).isLessThan(0.01);
+        assertThat(engine.queries().nearest(0, 0.2, 3, null)).hasSize(3);
+    }
+
+    /** Questions that are put after a step are about where the bodies are then. */
+    @Test
+    void questionsAreAboutWhereBodiesAre() {
+        PhysicsEngine engine = Stepped.engine(0.1, 4);
+        Body body = engine.add(new Body(new Circle(0.5)).moving(10, 0));
+        for (int k = 1; k < 20; k++) {
+            engine.step();
+            List<Body> there = engine.queries().within(k, 0, 0.1, null);
+            assertThat(there).containsExactly(body);
+            assertThat(engine.queries().within(k + 1, 0, 0.1, null)).isEmpty();
+        }
+    }
+}
