@@ -49,8 +49,8 @@ public final class TimeStepping implements Serializable {
     /** How often what bounces is solved in turn at most. */
     private static final int TURNS = 32;
 
-    /** How much less the pace is from step to step where substeps have become shorter. */
-    private static final double SLOWING = 0.9;
+    /** Time in which the pace becomes shorter by one unit of it where substeps are shorter: depths are regained in a few paces. */
+    private static final double PATIENCE = 16;
 
     /** Friction of what sticks. */
     private static final double STICKS = 1e100;
@@ -272,7 +272,7 @@ public final class TimeStepping implements Serializable {
             surface.begin(poses.movable);
         }
         findHeld(isTied, isRubbed);
-        soften(Math.max(d, SLOWING * pace));
+        soften(Math.max(d, pace - h / PATIENCE));
         boolean isUneven = forces.areUneven();
         for (int k = 0; k < substeps; k++) {
             if (k > 0 && isUneven) {
