@@ -24,6 +24,9 @@ public final class Honesty {
     /** An error that references and rounding do not let be told from none. */
     private static final double LOST = 1e-12;
 
+    /** The same in units of the last place of the coordinates. */
+    private static final double ROUNDED = 50;
+
     private static final double LEAST_TOLERANCE = 0.5e-13;
     private static final double CAP = 2;
 
@@ -92,6 +95,15 @@ public final class Honesty {
         return ratio < LOW ? Verdict.SMALLER : ratio > HIGH ? Verdict.LARGER : Verdict.WITHIN;
     }
 
+    /** What the spacing of numbers makes of places in a second, far from the origin: case G05. */
+    private static double resolution(Model model) {
+        double far = 0;
+        for (Model.Part part : model.parts) {
+            far = Math.max(far, Math.max(Math.abs(part.start()[0]), Math.abs(part.start()[1])));
+        }
+        return ROUNDED * Math.ulp(far);
+    }
+
     /** Takes the points of a scene; returns a row for each method. */
     List<Row> add(ReportScene scene, Map<Curve, List<Point>> points) {
         List<Row> rows = new ArrayList<>();
@@ -117,7 +129,8 @@ public final class Honesty {
         Held why = null;
         for (Point point : points) {
             if (point.setting > LEAST_TOLERANCE) {
-                Verdict verdict = verdict(point.error, point.setting, grown, scene.unit);
+                Verdict verdict = point.error * scene.unit <= resolution(scene.model)
+                        ? Verdict.LOST : verdict(point.error, point.setting, grown, scene.unit);
                 counts.merge(verdict, 1, Integer::sum);
                 if (verdict == Verdict.SMALLER) {
                     why = why == null ? new Held(scene, curve) : why;
