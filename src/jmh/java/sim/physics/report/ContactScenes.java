@@ -3,6 +3,7 @@
 package sim.physics.report;
 
 import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
 import sim.physics.references.Ladder;
 
@@ -16,9 +17,13 @@ final class ContactScenes {
     private ContactScenes() {}
 
     static List<ReportScene> all(boolean full) {
-        return List.of(
-                cradle(5, 1, 1e-3), cradle(20, 3, 1e-6), slide(), roll(), incline(), ladder(),
-                stack(1), stack(100), pushed(), rollers(), elastic(full));
+        List<ReportScene> all = new ArrayList<>(List.of(
+                cradle(20, 3, 1e-6), slide(), roll(), incline(), ladder(), stack(100), pushed(), rollers(), elastic(full)));
+        if (full) { // others of their kind tell more
+            all.add(cradle(5, 1, 1e-3));
+            all.add(stack(1));
+        }
+        return all;
     }
 
     private static ReportScene touching(String id, String title, Model model, double duration, int samples, int coarse) {

@@ -34,8 +34,8 @@ public final class TimeStepping implements Serializable {
     private static final double CONTACT_FREQUENCY = 1.0 / 4;
 
     private static final double CONTACT_DAMPING = 5;
-    private static final double JOINT_FREQUENCY = 0.4;
-    private static final double JOINT_DAMPING = 1;
+    private static final double JOINT_FREQUENCY = 1.0 / 4;
+    private static final double JOINT_DAMPING = 2;
 
     /** Gap, relative to the smaller body, from which on a contact is kept in mind whatever the speeds are. */
     private static final double NEAR = 0.01;
