@@ -34,6 +34,9 @@ public final class SharedMotion implements Team.Work, Serializable {
 
     private transient Ahead ahead;
 
+    /** Whether some group goes from state to state in this step. */
+    private transient boolean isAnyLate;
+
     /**
      * Makes the shared part of a motion.
      *
@@ -69,9 +72,10 @@ public final class SharedMotion implements Team.Work, Serializable {
         }
         wake(driven.size);
         int count = 0;
+        isAnyLate = !motion.late().isEmpty();
         for (int k = 0; k < driven.size; k++) {
             int body = driven.values[k];
-            int known = motion.late().shares(body);
+            int known = isAnyLate ? motion.late().shares(body) : 0;
             IntList group = known > 0 ? null : motion.companions(body);
             if (known > 0 || group.values[0] == body && mayBeShared(group)) {
                 firsts[count++] = body;
@@ -118,7 +122,7 @@ public final class SharedMotion implements Team.Work, Serializable {
 
     private boolean mayBeShared(IntList group) {
         int first = group.values[0];
-        boolean isAtStart = motion.late().has(first) || trajectories.offset(first) == 0;
+        boolean isAtStart = isAnyLate && motion.late().has(first) || trajectories.offset(first) == 0;
         return isAtStart
                 && !motion.drivenMotion.probed.doesCount(group) // that has been its step
                 && (motion.isTiedGroup(group)
@@ -163,7 +167,7 @@ public final class SharedMotion implements Team.Work, Serializable {
     public void work(int worker, int item) {
         Motion helper = helpers[worker];
         IntList group = helper.companions(firsts[item]);
-        boolean isLate = motion.late().has(firsts[item]);
+        boolean isLate = isAnyLate && motion.late().has(firsts[item]);
         if (!isLate || !motion.late().advanceAhead(group, helper)) {
             helper.drivenMotion.advanceAhead(group, isLate, ahead);
         }
