@@ -107,7 +107,7 @@ final class ContactRows implements Serializable {
     /**
      * Adds a pair.
      *
-     * @param forced acceleration by which forces close the gap
+     * @param forces accelerations of all bodies
      * @param regain the largest speed at which depth is regained
      * @param hasPressed whether the two pressed on one another in the step before
      */
