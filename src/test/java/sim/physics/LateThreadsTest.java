@@ -34,6 +34,7 @@ import sim.physics.motion.Integrator;
 import sim.physics.motion.SymplecticEuler;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
+import sim.physics.scenes.Deed;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -49,16 +50,6 @@ class LateThreadsTest {
     @AfterAll
     static void close() {
         POOL.shutdown();
-    }
-
-    /** What a collision elsewhere does to an island. */
-    enum Deed {
-        NOTHING,
-        PUSH,
-        STRIKE,
-        SHOVE,
-        CUT,
-        CATCH
     }
 
     /** A length between two bodies as an author would keep it, so that no other thread may ask. */
@@ -211,14 +202,10 @@ class LateThreadsTest {
             if (!engine.contains(tip)) {
                 return;
             }
-            switch (deed) {
-                case PUSH -> tip.addForce(3, 0);
-                case STRIKE -> tip.setVelocity(tip.getVelocityX() + 0.5, tip.getVelocityY());
-                case SHOVE -> island.get(0).setAngle(island.get(0).getAngle() + 0.001);
-                case CUT -> engine.remove(tip);
-                case CATCH -> tip.setCollisionGroup(1, -1);
-                default -> seen.add(tip.getAngle());
+            if (deed == Deed.NOTHING) {
+                seen.add(tip.getAngle());
             }
+            deed.act(engine, island.get(0), tip);
         }
     }
 

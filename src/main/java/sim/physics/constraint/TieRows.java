@@ -9,7 +9,6 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import sim.physics.internal.Softness;
-import sim.physics.motion.Body;
 import sim.physics.motion.State;
 
 /**

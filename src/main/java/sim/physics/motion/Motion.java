@@ -248,12 +248,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     /** Ends the step: writes where the driven bodies are; the forces that were applied for the step have acted. */
     public void finish() {
         drivenMotion.finish(driven);
-        for (int k = 0; k < pushed.size; k++) {
-            Body view = state.body(pushed.values[k]);
-            if (view != null) {
-                view.clearApplied();
-            }
-        }
+        forces.clearApplied(pushed);
         state.setUnsettled(false);
     }
 

@@ -35,11 +35,6 @@ public final class SpringRows implements Serializable {
         this.generators = generators;
     }
 
-    /** {@return whether there is none} */
-    public boolean isEmpty() {
-        return stiff.isEmpty();
-    }
-
     /**
      * Begins a step: finds out which springs are too stiff.
      *

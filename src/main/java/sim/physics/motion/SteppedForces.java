@@ -92,12 +92,7 @@ public final class SteppedForces implements Serializable {
 
     /** Ends it: the forces that were applied for it have acted. */
     public void end() {
-        for (int k = 0; k < pushed.size; k++) {
-            Body view = state.body(pushed.values[k]);
-            if (view != null) {
-                view.clearApplied();
-            }
-        }
+        forces.clearApplied(pushed);
         pushed.clear();
         state.setUnsettled(false);
     }

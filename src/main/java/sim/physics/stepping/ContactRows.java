@@ -5,7 +5,6 @@ package sim.physics.stepping;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.Growth;
-import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 
 /** The contacts of a step, in flat rows: pairs with their normals, and up to two points each, which {@link ContactSolver} solves. */

@@ -14,7 +14,8 @@ import sim.physics.response.ContactLaws;
 import sim.physics.response.LastingContact;
 
 /**
- * What listeners are asked before a step of time stepping, and told after it: between steps, so that they may change anything.
+ * What listeners are asked when a step of time stepping begins, when they may change bodies, joints and filters, and told when it is
+ * over, when they may change anything.
  */
 public final class Decisions implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -87,7 +88,7 @@ public final class Decisions implements Serializable {
         return asked.size > 0;
     }
 
-    /** Asks the listeners about all pairs that are about to touch; they may change anything. The step must begin anew then. */
+    /** Asks the listeners about all pairs that are about to touch; the step must begin anew then. */
     public void ask() {
         for (int k = 0; k < asked.size; k++) {
             int pair = asked.values[k];

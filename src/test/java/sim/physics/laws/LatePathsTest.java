@@ -20,6 +20,7 @@ import sim.physics.motion.Forces;
 import sim.physics.motion.Gravity;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
+import sim.physics.scenes.Deed;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -29,16 +30,6 @@ import sim.physics.shape.Rectangle;
  */
 class LatePathsTest {
     private static final int LINKS = 4;
-
-    /** What a collision elsewhere does to a chain. */
-    enum Deed {
-        NOTHING,
-        PUSH,
-        STRIKE,
-        SHOVE,
-        CUT,
-        CATCH
-    }
 
     /** Does something to the second chain in each third collision, and takes note of where its tip was at that instant. */
     private static final class Doer implements CollisionListener {
@@ -62,16 +53,10 @@ class LatePathsTest {
             if (++collisions % 3 != 0 || !engine.contains(tip)) {
                 return;
             }
-            switch (deed) {
-                case PUSH -> tip.addForce(3, 0);
-                case STRIKE -> tip.setVelocity(tip.getVelocityX() + 0.5, tip.getVelocityY());
-                case SHOVE -> chain.get(0).setAngle(chain.get(0).getAngle() + 0.001);
-                case CUT -> engine.remove(tip);
-                case CATCH -> tip.setCollisionGroup(1, -1);
-                default -> {
-                    return;
-                }
+            if (deed == Deed.NOTHING) {
+                return;
             }
+            deed.act(engine, chain.get(0), tip);
             seen.add(tip.getX());
             seen.add(tip.getVelocityY());
         }
