@@ -329,7 +329,16 @@ public final class NarrowPhase implements Serializable {
      */
     public boolean touches(int pair, double tau) {
         place(pair, tau);
-        return features.gap <= 4 * Tolerances.GAP * pose.extent;
+        return features.gap <= roundingOfGap();
+    }
+
+    /**
+     * What rounding of coordinates may make of a gap.
+     *
+     * @return for the pair that was looked at last, length
+     */
+    public double roundingOfGap() {
+        return 4 * Tolerances.GAP * pose.extent;
     }
 
     /**

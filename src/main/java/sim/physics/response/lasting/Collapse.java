@@ -6,6 +6,7 @@ import java.io.Serializable;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Tolerances;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
@@ -46,6 +47,7 @@ final class Collapse implements Serializable {
     private double lost;
 
     private double step;
+    private double[] accelerations = {};
 
     Collapse(
             State state,
@@ -68,7 +70,7 @@ final class Collapse implements Serializable {
     boolean stop(int pair, double tau, double hop, IntList changed) {
         boolean done = find(pair, tau);
         if (done) {
-            gather(tau, hop);
+            gather(tau, Math.min(hop / trajectories.h(), 0.5 * hop / Tolerances.RATTLE_SIZE * pull(tau) * trajectories.h()));
             solve(changed);
         }
         for (int k = 0; k < bodies.size; k++) {
@@ -102,6 +104,26 @@ final class Collapse implements Serializable {
             bodies.add(body);
             by.place[body] = bodies.size;
         }
+    }
+
+    /** The greatest acceleration that forces give to one of the bodies, in parts of its size. */
+    private double pull(double tau) {
+        accelerations = accelerations.length < state.x().length ? new double[state.x().length] : accelerations;
+        double most = 0;
+        for (int k = 0; k < bodies.size; k++) {
+            int body = bodies.values[k];
+            int o = State.BLOCK * body;
+            if (trajectories.isDriven(body)) {
+                motion.bring(body, tau);
+                motion.restore(motion.companions(body));
+                motion.load(motion.companions(body), motion.time(tau), accelerations);
+            } else {
+                motion.fall(body, accelerations, o);
+            }
+            double push = Math.sqrt(accelerations[o] * accelerations[o] + accelerations[o + 1] * accelerations[o + 1]);
+            most = Math.max(most, push / heap.scales().radius(body) + Math.abs(accelerations[o + 2]));
+        }
+        return most;
     }
 
     private boolean touch(int pair, double tau) {
@@ -145,7 +167,7 @@ final class Collapse implements Serializable {
         motion.bring(a, tau);
         motion.bring(b, tau);
         detection.narrowPhase().contact(pair, tau, manifold, NEAR * size / (heap.scales().radius(a) + heap.scales().radius(b)));
-        double least = hop * size / trajectories.h();
+        double least = hop * size;
         for (int k = 0; k < manifold.count; k++) {
             if (manifold.gaps[k] <= NEAR * size) {
                 points.load(manifold, pair, k, point);

@@ -77,7 +77,6 @@ final class DrivenHeap implements Serializable {
 
     /** By the first body of a heap. */
     private Extrapolation[] extrapolations = {};
-
     private HeapForecast[] forecasts = {};
 
     /** What tells the points of a heap from others. */
@@ -325,6 +324,7 @@ final class DrivenHeap implements Serializable {
         forecasts[first] = forecasts[first] == null ? new HeapForecast() : forecasts[first];
         forecasts[first].begin(names);
         forecasts[first].start(system, middle(first, length), length);
+        system.leaveNoneOut();
     }
 
     /** The middle of a time from the anchor of a body on, in steps. */

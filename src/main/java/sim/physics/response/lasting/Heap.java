@@ -366,7 +366,7 @@ final class Heap implements Serializable {
             }
             double bend = scales.bend(manifold, point, a, b, left) + (isDriven ? size * regain.sag(sag) : 0);
             double least = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, left)
-                    : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven());
+                    : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven(), isTied);
             if (isResumed && least > 0 && !isRough) {
                 double now = system.normal(p, courses.before());
                 double lift = (bend - Math.max(0, manifold.gaps[k] + depth)) / left;

@@ -62,7 +62,7 @@ final class HeapBends implements Serializable {
             double turnB = time * turn(2 * p + 1, data[o + RADIUS_B], s.v, before);
             double slide = time * Math.max(slide(s, p, s.v), slide(s, p, before));
             double bend = BodyScale.bend(turnA, data[o + RADIUS_A], turnB, data[o + RADIUS_B], slide, data[o + MOST]);
-            double least = HeapGaps.leastSpeed(data[o + GAP], data[o + DEPTH], bend, regain, true, true);
+            double least = HeapGaps.leastSpeed(data[o + GAP], data[o + DEPTH], bend, regain, true, true, false);
             if (least > s.bound(p)) {
                 s.bound(p, least);
                 any = true;

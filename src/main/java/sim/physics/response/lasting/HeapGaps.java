@@ -26,6 +26,18 @@ final class HeapGaps {
     /** Part of a missing gap that a solution regains. */
     private static final double REGAIN = 0.2;
 
+    /**
+     * What gaps are rounded to, in parts of the depth that is allowed: next to nothing must not decide which of several supports bear
+     * a body.
+     */
+    private static final double GRAIN = 0.01;
+
+    /** The same of bodies that are driven and not tied: their velocities are right to as much in a step. */
+    private static final double DRIVEN_GRAIN = 0.25;
+
+    /** How many of these a gap may be wider than the one that is kept, to be let be. */
+    private static final double LET_BE = 4;
+
     /** Part of the depth that a solution may be wrong by, if it has to be. */
     private static final double LITTLE = 1e-2;
 
@@ -87,25 +99,32 @@ final class HeapGaps {
      * The least normal velocity of a point. What was put into one another goes no deeper, but nothing drives it apart: the
      * shorter the time, the more energy that would be.
      *
-     * @param gap that there is
+     * @param exact gap that there is
      * @param depth how deep it may be
      * @param bend what turning and sliding may take of the gap in the time
      * @param regain has the time for which the velocity is to hold
      * @param isFresh whether it was not found for a longer time before
      * @param isEven whether the velocity is reached evenly in the time; if not, at once, and the heap is stopped when this
      *     does not do
+     * @param isTied whether bodies are tied to others
      */
-    static double leastSpeed(double gap, double depth, double bend, Regain regain, boolean isFresh, boolean isEven) {
-        if (gap * (isEven ? DRIVEN_CUSHION : FAIR_CUSHION) < -Tolerances.PUT * depth) {
+    static double leastSpeed(double exact, double depth, double bend, Regain regain, boolean isFresh, boolean isEven, boolean isTied) {
+        if (exact * (isEven ? DRIVEN_CUSHION : FAIR_CUSHION) < -Tolerances.PUT * depth) {
             return 0;
         }
-        double room = depth + bend;
+        double grain = isTied ? 0 : (isEven ? DRIVEN_GRAIN : GRAIN) * depth;
+        double gap = round(exact, grain);
+        double room = round(depth + bend, grain);
         double least = isFresh ? room : 0.5 * room;
         if (gap >= least) {
-            return (least - gap) / regain.time();
+            return gap <= room + LET_BE * grain ? 0 : (least - gap) / regain.time();
         }
         double regained = REGAIN * (room - gap);
-        double lift = bend - Math.max(0, gap + depth); // or it would be too deep before the time is over
+        double lift = bend - Math.max(0, exact + depth); // or it would be too deep before the time is over
         return isEven ? regain.speed(regained) + Math.max(0, 2 * lift) / regain.time() : Math.max(regained, lift) / regain.time();
+    }
+
+    private static double round(double gap, double grain) {
+        return grain == 0 ? gap : Math.rint(gap / grain) * grain;
     }
 }

@@ -88,7 +88,7 @@ public final class Heaps implements Serializable {
         this.heap = new Heap(state, trajectories, motion, detection, points, by, ledger);
         this.collapse = new Collapse(state, trajectories, motion, detection, points, by, heap);
         this.large = heap.large();
-        this.standing = new Standing(state, trajectories, motion, detection, points);
+        this.standing = new Standing(state, trajectories, motion, detection, points, heap.scales());
         this.calm = new HeapCalm(trajectories, motion, detection, heap);
     }
 
@@ -144,8 +144,8 @@ public final class Heaps implements Serializable {
         if (trajectories.isDriven(body) && motion.groups().isCoupled(body)) {
             return false;
         }
-        boolean paused = by.knows(body) && trajectories.step() < by.givenUp[body];
-        return !paused && (!isDriven(body) || calm.isCalm(motion.companions(body), body));
+        return !(by.knows(body) && trajectories.step() < by.givenUp[body])
+                && (!isDriven(body) || calm.isCalm(motion.companions(body), body));
     }
 
     /**
@@ -251,10 +251,8 @@ public final class Heaps implements Serializable {
         boolean onB = !has(a) && large.isDone(b) && !trajectories.isDriven(a);
         join(a);
         join(b);
-        if (onA && has(b)) {
-            large.bear(b);
-        } else if (onB && has(a)) {
-            large.bear(a);
+        if (onA && has(b) || onB && has(a)) {
+            large.bear(onA && has(b) ? b : a);
         }
     }
 
@@ -295,6 +293,7 @@ public final class Heaps implements Serializable {
                     members.add(group.values[k]);
                 }
             }
+            bear(body);
         }
         if (!by.lies[body]) {
             by.lies[body] = true;
@@ -306,12 +305,16 @@ public final class Heaps implements Serializable {
                 }
             }
             resting.forget(body);
-            IntList ground = standing.find(body, heap.lasting());
-            for (int k = 0; k < ground.size; k++) {
-                add(ground.values[k]);
-            }
+            bear(body);
         }
         mark(body);
+    }
+
+    /** Lets a body lie on all that it stands on or that stands on it: where one support bears it, it would never get to the others. */
+    private void bear(int body) {
+        for (int pair : standing.find(body, heap.lasting())) {
+            add(pair);
+        }
     }
 
     private void mark(int body) {
@@ -338,6 +341,11 @@ public final class Heaps implements Serializable {
             }
         }
         members.size = kept;
+        for (int k = 0; k < kept; k++) {
+            if (by.isDirty[members.values[k]] && !large.isDone(members.values[k])) {
+                bear(members.values[k]);
+            }
+        }
         IntList near = large.foresee(members);
         for (int k = 0; k < near.size; k++) {
             add(near.values[k]);
@@ -407,8 +415,7 @@ public final class Heaps implements Serializable {
      */
     public boolean close(int pair, double gap) {
         if (large.isDone(detection.pairs().first(pair)) || large.isDone(detection.pairs().second(pair))) {
-            double size = size(detection.pairs().first(pair), detection.pairs().second(pair));
-            detection.marks().setDepth(pair, HeapGaps.depthOfMany(gap, size));
+            detection.marks().setDepth(pair, HeapGaps.depthOfMany(gap, size(detection.pairs().first(pair), detection.pairs().second(pair))));
             return false;
         }
         for (int side = 0; side < 2; side++) {

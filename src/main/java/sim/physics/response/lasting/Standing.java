@@ -3,6 +3,7 @@
 package sim.physics.response.lasting;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
@@ -20,18 +21,25 @@ final class Standing implements Serializable {
     /** Part of what forces give a body in a step that the speed is at which it is not on its way to or from the ground. */
     private static final double STANDING = 1e-5;
 
+    /** Gap at which bodies stand on one another, in parts of the depth that is allowed: what lies in a heap is off its ground by as much. */
+    private static final double NEAR = 4;
+
+    private static final int[] NONE = {};
+
     private final State state;
     private final Trajectories trajectories;
     private final Motion motion;
     private final CollisionDetection detection;
     private final ContactPoints points;
+    private final BodyScale scales;
     private final IntList found = new IntList();
     private final double[] fall = new double[State.BLOCK];
     private final ContactPoint point = new ContactPoint();
     private transient Manifold manifold;
 
     Standing(
-            State state, Trajectories trajectories, Motion motion, CollisionDetection detection, ContactPoints points) {
+            State state, Trajectories trajectories, Motion motion, CollisionDetection detection, ContactPoints points, BodyScale scales) {
+        this.scales = scales;
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
@@ -39,37 +47,51 @@ final class Standing implements Serializable {
         this.points = points;
     }
 
-    /** The pairs of a body and the fixed ones on which it stands, but for those that last; valid until the next call. */
-    IntList find(int body, LastingPairs lasting) {
+    /** The pairs of a body and those on which it stands or that stand on it, but for those that last. */
+    int[] find(int body, LastingPairs lasting) {
         found.clear();
         motion.fall(body, fall, 0);
         double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
-        if (pull == 0 || trajectories.isDriven(body)) {
-            return found;
+        if (pull == 0) {
+            return NONE;
         }
         double tau = trajectories.offset(body);
         for (int k = 0; k < detection.pairs().countOf(body); k++) {
             int pair = detection.pairs().of(body, k);
-            boolean isGround = state.body(detection.pairs().other(pair, body)).isFixed();
-            if (isGround && !detection.marks().isUnseen(pair) && !lasting.has(pair) && standsOn(pair, body, tau, pull)) {
+            if (!detection.marks().isUnseen(pair) && !lasting.has(pair) && standsOn(pair, body, tau, pull)) {
                 found.add(pair);
             }
         }
-        return found;
+        return found.size == 0 ? NONE : Arrays.copyOf(found.values, found.size);
     }
 
     private boolean standsOn(int pair, int body, double tau, double pull) {
-        if (detection.marks().isIgnored(pair) || !detection.narrowPhase().touches(pair, tau)) {
+        if (detection.marks().isIgnored(pair)) {
+            return false;
+        }
+        int code = detection.pairs().code(pair);
+        boolean yes = isBorne(pair, body, tau, pull);
+        detection.pairs().setCode(pair, code);
+        return yes;
+    }
+
+    private boolean isBorne(int pair, int body, double tau, double pull) {
+        double depth = HeapGaps.depth(trajectories.isDriven(body), scales.size(detection.pairs().first(pair), detection.pairs().second(pair)));
+        double gap = detection.narrowPhase().gap(pair, tau);
+        double near = Math.max(NEAR * depth, detection.narrowPhase().roundingOfGap());
+        if (gap > near) {
             return false;
         }
         manifold = manifold == null ? new Manifold() : manifold;
         detection.narrowPhase().contact(pair, tau, manifold);
+        double none = Math.max(STANDING * pull * trajectories.h(), Math.sqrt(8 * pull * near));
+        boolean isGround = state.body(detection.pairs().other(pair, body)).isFixed();
         boolean yes = true;
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
             double pressed = fall[0] * point.nx + fall[1] * point.ny;
-            yes &= (detection.pairs().first(pair) == body ? pressed : -pressed) > 0
-                    && Math.abs(point.opening) < STANDING * pull * trajectories.h();
+            boolean isBelow = (detection.pairs().first(pair) == body ? pressed : -pressed) > 0;
+            yes &= (isBelow || !isGround) && Math.abs(point.opening) < none;
         }
         return yes;
     }
