@@ -342,8 +342,9 @@ public final class Heaps implements Serializable {
         }
         members.size = kept;
         for (int k = 0; k < kept; k++) {
-            if (by.isDirty[members.values[k]] && !large.isDone(members.values[k])) {
-                bear(members.values[k]);
+            int body = members.values[k];
+            if (by.isDirty[body] && !large.isRough(body)) {
+                bear(body);
             }
         }
         IntList near = large.foresee(members);

@@ -63,6 +63,11 @@ final class LargeHeaps implements Serializable {
         return yes; // also of what is left of a large one
     }
 
+    /** Whether the heap of a body is solved roughly, or was when it was solved last. */
+    boolean isRough(int body) {
+        return by.solvedIn[body] > 0 || trajectories.step() < by.roughUntil[body];
+    }
+
     /** Whether one of some bodies was in a heap that was solved roughly not long ago. */
     boolean wasRough(IntList heap) {
         boolean yes = false;
