@@ -300,6 +300,9 @@ final class Admission implements Presence, Serializable {
 
     /** All that rests or lies on something feels forces anew. */
     void stirAll() {
+        if (stepped != null) {
+            stepped.sleep().wakeAll();
+        }
         for (int k = 0; k < state.size(); k++) {
             if (resting.rests(k) || heaps.has(k)) {
                 state.stir(k);

@@ -98,6 +98,9 @@ public final class PhysicsEngine implements Steppable {
 
     private boolean isStepped;
 
+    /** Whether it lets bodies sleep. */
+    private boolean isSleepAllowed = true;
+
     private ConstraintSolver constraintSolver = new DirectSolver();
     private boolean broadPhaseIsChosen;
 
@@ -865,6 +868,9 @@ public final class PhysicsEngine implements Steppable {
         state.requireOpen();
         response.laws().add(listener);
         asksAuthors = true;
+        if (timeStepping != null) {
+            timeStepping.sleep().wakeAll(); // it is asked about all that touches
+        }
     }
 
     /**
@@ -1001,6 +1007,7 @@ public final class PhysicsEngine implements Steppable {
         if (isStepped && timeStepping == null) {
             timeStepping = new TimeStepping(state, motion, detection.filter(), response.laws());
             timeStepping.setConstraints(constraints);
+            timeStepping.sleep().setAllowed(isSleepAllowed);
         }
         if (isStepped) {
             timeStepping.setSubsteps(substeps);
@@ -1011,6 +1018,46 @@ public final class PhysicsEngine implements Steppable {
             timeStepping.forget();
             admission.setStepped(isStepped ? timeStepping : null);
         }
+    }
+
+    /**
+     * Whether time stepping lets bodies sleep.
+     *
+     * @return true unless set
+     */
+    public boolean isSleepAllowed() {
+        return isSleepAllowed;
+    }
+
+    /**
+     * Lets bodies sleep under time stepping, or not. Those that touch, are tied together or pull at one another by springs are an island, fixed
+     * bodies apart. When all bodies of one have stayed where they are, to two thousandths of their radius, for as long as they would take to
+     * fall by two radii, the island sleeps: its velocities are zero, its places do not change by a bit, its contacts and reactions are those of its
+     * last step, and a step costs nothing for it. It wakes as a whole when something comes near or any of its bodies, forces, joints,
+     * motors or what bears it is changed. Motors that want to run, forces that do not say that they are
+     * {@link ForceGenerator#isAutonomous() autonomous} and constraints of yours keep islands awake.
+     *
+     * @param allowed false to wake all, for what moves very slowly
+     * @throws IllegalStateException within a step
+     */
+    public void setSleepAllowed(boolean allowed) {
+        requireBetweenSteps("sleep was set");
+        isSleepAllowed = allowed;
+        if (timeStepping != null) {
+            timeStepping.sleep().setAllowed(allowed);
+        }
+    }
+
+    /**
+     * Whether a body sleeps under time stepping. What is changed wakes bodies when the next step begins.
+     *
+     * @param body a body of this engine
+     * @return false by events, where bodies at rest cost nothing anyway
+     * @throws IllegalStateException if it is not in this engine
+     */
+    public boolean isAsleep(Body body) {
+        requireMine(body);
+        return isStepped && timeStepping.sleep().isAsleep(body.index());
     }
 
     private void requireBetweenSteps(String what) {

@@ -38,7 +38,9 @@ final class PinImpulses implements Serializable {
 
     private double[] data = {};
     private double[] kept = {};
-    private int count;
+
+    /** How many of them, from the first one on, are of bodies that are awake. */
+    private int awake;
 
     /** Bodies with a pin beside their centre; the angles at which their cosines and sines hold. */
     private final IntList turning = new IntList();
@@ -52,17 +54,18 @@ final class PinImpulses implements Serializable {
         this.state = state;
     }
 
-    int count() {
-        return count;
-    }
-
-    /** Takes pins; their impulses are zero. */
-    void gather(List<PinJoint> pins) {
-        count = pins.size();
-        blocks = new int[2 * count];
-        data = new double[STRIDE * count];
+    /**
+     * Takes pins; their impulses are zero.
+     *
+     * @param number how many of them, from the first one on, are to be solved
+     */
+    void gather(List<PinJoint> pins, int number) {
+        awake = number;
+        blocks = new int[2 * pins.size()];
+        data = new double[STRIDE * pins.size()];
         turning.clear();
-        for (int k = 0; k < count; k++) {
+        boolean[] turns = new boolean[state.size()];
+        for (int k = 0; k < pins.size(); k++) {
             PinJoint pin = pins.get(k);
             int o = STRIDE * k;
             blocks[2 * k] = BLOCK * pin.getBodyA().index();
@@ -72,27 +75,30 @@ final class PinImpulses implements Serializable {
             data[o + 2] = pin.getAnchorBX();
             data[o + 3] = pin.getAnchorBY();
             System.arraycopy(data, o, data, o + ARM, ARM); // as they are where the body does not turn
-            need(blocks[2 * k], data[o], data[o + 1]);
-            need(blocks[2 * k + 1], data[o + 2], data[o + 3]);
+            if (k < awake) {
+                need(blocks[2 * k], data[o], data[o + 1], turns);
+                need(blocks[2 * k + 1], data[o + 2], data[o + 3], turns);
+            }
         }
-        turns = new double[2 * state.size()];
+        this.turns = new double[2 * state.size()];
         angles = new double[turning.size];
         Arrays.fill(angles, Double.NaN);
     }
 
-    private void need(int block, double x, double y) {
-        if (block >= 0 && (x != 0 || y != 0) && !turning.contains(block / BLOCK)) {
+    private void need(int block, double x, double y, boolean[] turns) {
+        if (block >= 0 && (x != 0 || y != 0) && !turns[block / BLOCK]) {
+            turns[block / BLOCK] = true;
             turning.add(block / BLOCK);
         }
     }
 
-    void setImpulse(int k, double x, double y) {
-        data[STRIDE * k + IMPULSE] = x;
-        data[STRIDE * k + IMPULSE + 1] = y;
+    /** Arms, equations, and impulses of a pin where it was evaluated last. */
+    double[] record(int k) {
+        return Arrays.copyOfRange(data, STRIDE * k + ARM, STRIDE * k + STRIDE);
     }
 
-    double impulse(int k, int row) {
-        return data[STRIDE * k + IMPULSE + row];
+    void setRecord(int k, double[] record) {
+        System.arraycopy(record, 0, data, STRIDE * k + ARM, STRIDE - ARM);
     }
 
     /** The sum in the step. */
@@ -108,7 +114,7 @@ final class PinImpulses implements Serializable {
     /** Begins a step, with substeps so many times longer than those of the last one: impulses grow with them. */
     void begin(double growth) {
         Arrays.fill(angles, Double.NaN);
-        for (int o = 0; o < data.length; o += STRIDE) {
+        for (int o = 0; o < STRIDE * awake; o += STRIDE) {
             data[o + IMPULSE] *= growth;
             data[o + IMPULSE + 1] *= growth;
             data[o + SUM] = 0;
@@ -119,7 +125,7 @@ final class PinImpulses implements Serializable {
 
     /** Adds the impulses of a substep to those of the step. */
     void add() {
-        for (int o = 0; o < data.length; o += STRIDE) {
+        for (int o = 0; o < STRIDE * awake; o += STRIDE) {
             data[o + SUM] += data[o + IMPULSE];
             data[o + SUM + 1] += data[o + IMPULSE + 1];
         }
@@ -131,7 +137,7 @@ final class PinImpulses implements Serializable {
         double[] d = data;
         double[] x = state.x();
         double[] w = state.w().values();
-        for (int k = 0, o = 0; k < count; k++, o += STRIDE) {
+        for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
             int a = blocks[2 * k];
             int b = blocks[2 * k + 1];
             arm(o, o + ARM, a);
@@ -207,7 +213,7 @@ final class PinImpulses implements Serializable {
     void start() {
         double[] v = state.v();
         double[] w = state.w().values();
-        for (int k = 0, o = 0; k < count; k++, o += STRIDE) {
+        for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
             push(v, w, k, o, data[o + IMPULSE], data[o + IMPULSE + 1]);
         }
     }
@@ -234,7 +240,7 @@ final class PinImpulses implements Serializable {
         double[] d = data;
         double[] v = state.v();
         double[] w = state.w().values();
-        for (int k = 0, o = 0; k < count; k++, o += STRIDE) {
+        for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
             int a = blocks[2 * k];
             int b = blocks[2 * k + 1];
             double ux = v[a] - d[o + ARM + 1] * v[a + 2] + rate * d[o + C];

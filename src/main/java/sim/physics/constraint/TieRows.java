@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 
@@ -24,9 +25,6 @@ public final class TieRows implements Serializable {
     /** Values of J of a constraint: for its first body, and for its second one. */
     private static final int J = 2 * BLOCK * ROWS;
 
-    /** What is less of a diagonal entry than this, relative to the largest, is no equation. */
-    private static final double SINGULAR = 1e-14;
-
     /** What a constraint is. */
     private enum Kind {
         JOINT,
@@ -38,7 +36,7 @@ public final class TieRows implements Serializable {
     private final Equations equations = new Equations();
 
     /** The pins, which have a loop of their own; and all others. */
-    private final List<PinJoint> pins = new ArrayList<>();
+    private final TieOrder order = new TieOrder();
 
     private final PinImpulses pinImpulses;
     private Constraint[] ties = {};
@@ -61,7 +59,7 @@ public final class TieRows implements Serializable {
     private double[] kept = {};
     /** Their sums over the substeps, along J. */
     private double[] sum = {};
-    /** Speeds of stops at the start of the step. */
+    /** Speeds of stops, and bounds of motors, at the start of the step. */
     private double[] approach = {};
 
     /** Whether a bound of a stop has borne something in this step. */
@@ -81,41 +79,36 @@ public final class TieRows implements Serializable {
     }
 
     /**
-     * Takes the constraints of an engine; impulses of those that stay are kept.
+     * Takes the constraints of an engine; impulses of those that stay are kept, and of sleeping bodies all that was done.
      *
      * @param constraints all of them, regrouped
-     * @return whether they are others than before
+     * @param asleep by body
+     * @param areOthersAsleep whether these are others than before
+     * @return whether there are other constraints than before
      */
-    public boolean gather(Constraints constraints) {
-        if (version == constraints.grouping()) {
+    public boolean gather(Constraints constraints, boolean[] asleep, boolean areOthersAsleep) {
+        boolean isNew = version != constraints.grouping();
+        if (!isNew && !areOthersAsleep) {
             return false;
         }
         version = constraints.grouping();
         Map<Constraint, double[]> before = new IdentityHashMap<>();
         for (int k = 0; k < ties.length; k++) {
-            before.put(ties[k], Arrays.copyOfRange(impulse, ROWS * k, ROWS * k + ROWS));
+            before.put(ties[k], record(k));
         }
-        for (int k = 0; k < pins.size(); k++) {
-            before.put(pins.get(k), new double[] {pinImpulses.impulse(k, 0), pinImpulses.impulse(k, 1)});
+        for (int k = 0; k < order.pins.size(); k++) {
+            before.put(order.pins.get(k), pinImpulses.record(k));
         }
-        pins.clear();
-        List<Constraint> others = new ArrayList<>();
-        for (Constraint tie : constraints.all()) {
-            if (tie instanceof PinJoint pin) {
-                pins.add(pin);
-            } else {
-                others.add(tie);
-            }
-        }
-        pinImpulses.gather(pins);
-        for (int k = 0; k < pins.size(); k++) {
-            double[] old = before.get(pins.get(k));
+        order.sort(constraints.all(), asleep);
+        pinImpulses.gather(order.pins, order.awakePins);
+        for (int k = 0; k < order.pins.size(); k++) {
+            double[] old = before.get(order.pins.get(k));
             if (old != null) {
-                pinImpulses.setImpulse(k, old[0], old[1]);
+                pinImpulses.setRecord(k, old);
             }
         }
-        gather(others, before);
-        return true;
+        gather(order.others, before);
+        return isNew;
     }
 
     private void gather(List<Constraint> others, Map<Constraint, double[]> before) {
@@ -127,6 +120,12 @@ public final class TieRows implements Serializable {
         blocks = new int[2 * n];
         impulse = new double[ROWS * n];
         kept = new double[ROWS * n];
+        j = new double[J * n];
+        c = new double[ROWS * n];
+        inverse = new double[ROWS * ROWS * n];
+        sum = new double[ROWS * n];
+        approach = new double[n];
+        hit = new boolean[2 * n];
         for (int k = 0; k < n; k++) {
             Constraint tie = ties[k];
             Constraint one = tie instanceof Switched s ? s.coordinate() : tie;
@@ -137,21 +136,29 @@ public final class TieRows implements Serializable {
             blocks[2 * k + 1] = tie.getBodyB() == null ? -1 : BLOCK * tie.getBodyB().index();
             double[] old = before.get(tie);
             if (old != null) {
-                System.arraycopy(old, 0, impulse, ROWS * k, old.length);
+                System.arraycopy(old, 0, impulse, ROWS * k, ROWS);
+                System.arraycopy(old, ROWS, sum, ROWS * k, ROWS);
+                System.arraycopy(old, 2 * ROWS, j, J * k, J);
+                approach[k] = old[2 * ROWS + J];
             }
         }
-        j = new double[J * n];
-        c = new double[ROWS * n];
-        inverse = new double[ROWS * ROWS * n];
-        sum = new double[ROWS * n];
-        approach = new double[n];
-        hit = new boolean[2 * n];
+    }
+
+    /** Impulses, their sums, J and the bound of a constraint. */
+    private double[] record(int k) {
+        double[] record = new double[2 * ROWS + J + 1];
+        System.arraycopy(impulse, ROWS * k, record, 0, ROWS);
+        System.arraycopy(sum, ROWS * k, record, ROWS, ROWS);
+        System.arraycopy(j, J * k, record, 2 * ROWS, J);
+        record[2 * ROWS + J] = approach[k];
+        return record;
     }
 
     /** Forgets all constraints and what they did. */
     public void forget() {
-        pins.clear();
+        order.clear();
         ties = new Constraint[0];
+        pinImpulses.gather(List.of(), 0);
         version = -1;
     }
 
@@ -161,12 +168,46 @@ public final class TieRows implements Serializable {
      * @param marks by body
      */
     public void mark(boolean[] marks) {
-        for (int k = 0; k < pins.size(); k++) {
-            mark(marks, pins.get(k));
+        for (int k = 0; k < order.awakePins; k++) {
+            mark(marks, order.pins.get(k));
         }
-        for (Constraint tie : ties) {
-            mark(marks, tie);
+        for (int k = 0; k < order.awakeOthers; k++) {
+            mark(marks, ties[k]);
         }
+    }
+
+    /**
+     * Marks the bodies that do not stay where they are: those of motors that want to run, and of constraints of authors, which may say
+     * something else in each step.
+     *
+     * @param marks by body
+     */
+    public void markDriven(boolean[] marks) {
+        for (int k = 0; k < order.awakeOthers; k++) {
+            if (isSet(k) || !Joint.isOwn(ties[k])) {
+                mark(marks, ties[k]);
+            }
+        }
+    }
+
+    /**
+     * Finds the bodies of sleeping motors that were set.
+     *
+     * @param found takes their indices, of fixed ones, too
+     */
+    public void findSet(IntList found) {
+        found.clear();
+        for (int k = order.awakeOthers; k < ties.length; k++) {
+            if (isSet(k)) {
+                found.add(ties[k].getBodyA().index());
+                found.add(ties[k].getBodyB() == null ? ties[k].getBodyA().index() : ties[k].getBodyB().index());
+            }
+        }
+    }
+
+    /** Whether a constraint is a motor that wants to run, or is of another strength than in its last step. */
+    private boolean isSet(int k) {
+        return ties[k] instanceof Motor motor && (motor.getSpeed() != 0 || motor.getLimit() != approach[k]);
     }
 
     private static void mark(boolean[] marks, Constraint tie) {
@@ -183,14 +224,14 @@ public final class TieRows implements Serializable {
      */
     public void begin(double growth) {
         pinImpulses.begin(growth);
-        for (int k = 0; growth != 1 && k < impulse.length; k++) {
+        for (int k = 0; growth != 1 && k < ROWS * order.awakeOthers; k++) {
             impulse[k] *= growth;
         }
         evaluate(true);
-        Arrays.fill(sum, 0);
+        Arrays.fill(sum, 0, ROWS * order.awakeOthers, 0);
         Arrays.fill(hit, false);
-        for (int k = 0; k < ties.length; k++) {
-            approach[k] = kinds[k] == Kind.STOP ? speed(k, 0, state.v()) : 0;
+        for (int k = 0; k < order.awakeOthers; k++) {
+            approach[k] = kinds[k] == Kind.STOP ? speed(k, 0, state.v()) : ties[k] instanceof Motor motor ? motor.getLimit() : 0;
         }
     }
 
@@ -203,7 +244,7 @@ public final class TieRows implements Serializable {
     private void evaluate(boolean isFirst) {
         double[] x = state.x();
         double[] w = state.w().values();
-        for (int k = 0; k < ties.length; k++) {
+        for (int k = 0; k < order.awakeOthers; k++) {
             if (gears[k] != null && !isFirst) {
                 int b = blocks[2 * k + 1];
                 c[ROWS * k] = gears[k].open(x[blocks[2 * k] + State.THETA], b < 0 ? 0 : x[b + State.THETA]);
@@ -214,59 +255,14 @@ public final class TieRows implements Serializable {
             System.arraycopy(equations.c, 0, c, ROWS * k, rows[k]);
             System.arraycopy(equations.jA, 0, j, J * k, BLOCK * rows[k]);
             System.arraycopy(equations.jB, 0, j, J * k + BLOCK * ROWS, BLOCK * rows[k]);
-            invert(k, rows[k], w);
+            RowInverse.invert(rows[k], w, blocks[2 * k], blocks[2 * k + 1], j, J * k, inverse, ROWS * ROWS * k);
         }
-    }
-
-    /** K = J W Jᵀ of a constraint, inverted; a row that nothing can move gets zeros. */
-    private void invert(int k, int rows, double[] w) {
-        int o = ROWS * ROWS * k;
-        if (rows == 1) {
-            double only = stiffness(k, 0, 0, w);
-            inverse[o] = only > 0 ? 1 / only : 0;
-            return;
-        }
-        double k00 = stiffness(k, 0, 0, w);
-        double k01 = stiffness(k, 0, 1, w);
-        double k11 = stiffness(k, 1, 1, w);
-        if (rows == 2) {
-            double det = k00 * k11 - k01 * k01;
-            boolean isRegular = det > SINGULAR * k00 * k11;
-            inverse[o] = isRegular ? k11 / det : k00 > 0 ? 1 / k00 : 0;
-            inverse[o + 1] = isRegular ? -k01 / det : 0;
-            inverse[o + 3] = inverse[o + 1];
-            inverse[o + 4] = isRegular ? k00 / det : k11 > 0 && !(k00 > 0) ? 1 / k11 : 0;
-            return;
-        }
-        double k02 = stiffness(k, 0, 2, w);
-        double k12 = stiffness(k, 1, 2, w);
-        double k22 = stiffness(k, 2, 2, w);
-        if (!SmallInverse.invert(k00, k01, k02, k11, k12, k22, inverse, o)) { // row by row
-            Arrays.fill(inverse, o, o + ROWS * ROWS, 0);
-            inverse[o] = k00 > 0 ? 1 / (ROWS * k00) : 0;
-            inverse[o + 4] = k11 > 0 ? 1 / (ROWS * k11) : 0;
-            inverse[o + 8] = k22 > 0 ? 1 / (ROWS * k22) : 0;
-        }
-    }
-
-    private double stiffness(int k, int row, int column, double[] w) {
-        int o = J * k + BLOCK * row;
-        int p = J * k + BLOCK * column;
-        int a = blocks[2 * k];
-        int b = blocks[2 * k + 1];
-        double entry = w[a] * j[o] * j[p] + w[a + 1] * j[o + 1] * j[p + 1] + w[a + 2] * j[o + 2] * j[p + 2];
-        if (b >= 0) {
-            o += BLOCK * ROWS;
-            p += BLOCK * ROWS;
-            entry += w[b] * j[o] * j[p] + w[b + 1] * j[o + 1] * j[p + 1] + w[b + 2] * j[o + 2] * j[p + 2];
-        }
-        return entry;
     }
 
     /** Gives the bodies the impulses of the substep before. */
     public void start() {
         pinImpulses.start();
-        for (int k = 0; k < ties.length; k++) {
+        for (int k = 0; k < order.awakeOthers; k++) {
             if (kinds[k] == Kind.STOP) {
                 push(k, 0, impulse[ROWS * k] - impulse[ROWS * k + 1]);
             } else {
@@ -313,7 +309,7 @@ public final class TieRows implements Serializable {
      * @param h substep
      */
     public void solve(Softness softness, double h) {
-        for (int k = 0; k < ties.length; k++) {
+        for (int k = 0; k < order.awakeOthers; k++) {
             switch (kinds[k]) {
                 case JOINT -> join(k, softness);
                 case MOTOR -> drive(k, (Motor) ties[k], h);
@@ -387,7 +383,7 @@ public final class TieRows implements Serializable {
     /** Adds the impulses of a substep to those of the step. */
     public void add() {
         pinImpulses.add();
-        for (int k = 0; k < ties.length; k++) {
+        for (int k = 0; k < order.awakeOthers; k++) {
             int o = ROWS * k;
             boolean isStop = kinds[k] == Kind.STOP;
             sum[o] += isStop ? impulse[o] - impulse[o + 1] : impulse[o];
@@ -398,7 +394,7 @@ public final class TieRows implements Serializable {
 
     /** Lets coordinates bounce off stops that they have hit. */
     public void bounce() {
-        for (int k = 0; k < ties.length; k++) {
+        for (int k = 0; k < order.awakeOthers; k++) {
             if (kinds[k] != Kind.STOP || ((Limit) ties[k]).getRestitution() == 0) {
                 continue;
             }
@@ -428,7 +424,7 @@ public final class TieRows implements Serializable {
 
     /** Solves joints for velocities once more. */
     public void settle() {
-        for (int k = 0; k < ties.length; k++) {
+        for (int k = 0; k < order.awakeOthers; k++) {
             if (kinds[k] == Kind.JOINT) {
                 join(k, Softness.RIGID);
             }
@@ -444,7 +440,7 @@ public final class TieRows implements Serializable {
      * @return its force; null if it has not been solved
      */
     public Reaction reaction(Constraint constraint, double time) {
-        int pin = pins.indexOf(constraint);
+        int pin = order.pins.indexOf(constraint);
         if (pin >= 0) {
             return pinReaction(pin, time);
         }
@@ -480,13 +476,13 @@ public final class TieRows implements Serializable {
      */
     public List<Constraint> overloaded(double time) {
         List<Constraint> those = List.of();
-        for (int k = 0; k < pins.size(); k++) {
-            if (pins.get(k).isBreakable() && pins.get(k).breaksUnder(pinReaction(k, time))) {
+        for (int k = 0; k < order.awakePins; k++) {
+            if (order.pins.get(k).isBreakable() && order.pins.get(k).breaksUnder(pinReaction(k, time))) {
                 those = those.isEmpty() ? new ArrayList<>() : those;
-                those.add(pins.get(k));
+                those.add(order.pins.get(k));
             }
         }
-        for (int k = 0; k < ties.length; k++) {
+        for (int k = 0; k < order.awakeOthers; k++) {
             if (ties[k] instanceof Joint joint && joint.isBreakable() && joint.breaksUnder(reaction(k, time))) {
                 those = those.isEmpty() ? new ArrayList<>() : those;
                 those.add(joint);

@@ -80,7 +80,8 @@ public interface ForceGenerator extends Serializable {
      * whenever these are: not on the time, nor on anything that is changed from outside without a body being written. A method
      * that chooses its steps may then follow them beyond the end of the engine's step, as far as its tolerance allows, which
      * costs less where the engine's step is short; and what is written between steps acts at once all the same. Forces are
-     * then asked for at places that the body may never reach, as is done at rejected steps.
+     * then asked for at places that the body may never reach, as is done at rejected steps. Under time stepping, bodies sleep under no
+     * other forces than these.
      *
      * @return false, unless overridden: then no force is asked for beyond the engine's step
      */

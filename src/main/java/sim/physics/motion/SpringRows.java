@@ -28,6 +28,10 @@ public final class SpringRows implements Serializable {
     private final Generators generators;
     private final List<Generators.Entry> stiff = new ArrayList<>();
     private double[] rows = {};
+
+    /** Whether a body of a spring is asleep. */
+    private boolean[] isIdle = {};
+
     private final double[] turn = new double[2];
 
     SpringRows(State state, Generators generators) {
@@ -39,8 +43,9 @@ public final class SpringRows implements Serializable {
      * Begins a step: finds out which springs are too stiff.
      *
      * @param h substep
+     * @param asleep by body
      */
-    public void begin(double h) {
+    public void begin(double h, boolean[] asleep) {
         List<Generators.Entry> all = generators.driving();
         List<Generators.Entry> before = stiff.isEmpty() ? List.of() : new ArrayList<>(stiff);
         double[] old = before.isEmpty() ? rows : rows.clone();
@@ -51,9 +56,14 @@ public final class SpringRows implements Serializable {
                 entry.isRow = isThere(spring) && isStiff(spring, h);
                 if (entry.isRow) {
                     add(entry, before.indexOf(entry), old);
+                    isIdle[stiff.size() - 1] = isAsleep(spring.getBodyA(), asleep) || isAsleep(spring.getBodyB(), asleep);
                 }
             }
         }
+    }
+
+    private static boolean isAsleep(Body body, boolean[] asleep) {
+        return body != null && asleep[body.index()];
     }
 
     /** Lets all springs be forces again. */
@@ -67,6 +77,7 @@ public final class SpringRows implements Serializable {
         stiff.add(entry);
         if (o + STRIDE > rows.length) {
             rows = Arrays.copyOf(rows, 2 * (o + STRIDE));
+            isIdle = Arrays.copyOf(isIdle, rows.length / STRIDE);
         }
         rows[o + IMPULSE] = place < 0 ? 0 : old[STRIDE * place + IMPULSE];
     }
@@ -97,6 +108,9 @@ public final class SpringRows implements Serializable {
     public void evaluate(double h) {
         double[] w = state.w().values();
         for (int k = 0; k < stiff.size(); k++) {
+            if (isIdle[k]) {
+                continue;
+            }
             Spring spring = (Spring) stiff.get(k).generator;
             int o = STRIDE * k;
             int a = block(spring.getBodyA());
@@ -141,7 +155,9 @@ public final class SpringRows implements Serializable {
     /** Gives the bodies the impulses of the substep before. */
     public void start() {
         for (int k = 0; k < stiff.size(); k++) {
-            push(k, rows[STRIDE * k + IMPULSE]);
+            if (!isIdle[k]) {
+                push(k, rows[STRIDE * k + IMPULSE]);
+            }
         }
     }
 
@@ -167,6 +183,9 @@ public final class SpringRows implements Serializable {
     /** Solves all of them once. */
     public void solve() {
         for (int k = 0; k < stiff.size(); k++) {
+            if (isIdle[k]) {
+                continue;
+            }
             Spring spring = (Spring) stiff.get(k).generator;
             int o = STRIDE * k;
             double speed = speed(block(spring.getBodyA()), o, o + ARMS);

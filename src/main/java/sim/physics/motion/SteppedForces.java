@@ -3,6 +3,7 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
+import java.util.List;
 import sim.physics.internal.IntList;
 
 /** The forces of an engine as time stepping asks for them. */
@@ -72,6 +73,70 @@ public final class SteppedForces implements Serializable {
      */
     public void load(IntList bodies, double t, double[] a) {
         generators.accelerate(state, bodies, t, forces, a, generators.surface);
+    }
+
+    /** {@return the acceleration of the uniform fields} */
+    public double evenPull() {
+        return Math.sqrt(generators.gravityX * generators.gravityX + generators.gravityY * generators.gravityY);
+    }
+
+    /**
+     * The acceleration against which friction with the plane holds a body.
+     *
+     * @param body a movable one
+     * @return 0 if it does not
+     */
+    public double hold(Body body) {
+        boolean isHeld = generators.surface != null && generators.surface.actsOn(body);
+        return isHeld ? body.getSurfaceStaticFriction() * generators.surface.getGravity() : 0;
+    }
+
+    /**
+     * Whether a force on a body may change though all bodies stay where they are.
+     *
+     * @param body index of a movable one
+     * @return true for forces of authors that do not say that they are autonomous, and for those that couple all bodies
+     */
+    public boolean mayChange(int body) {
+        boolean may = false;
+        for (Generators.Entry entry : generators.acting(state.body(body))) {
+            ForceGenerator generator = entry.generator;
+            boolean couplesAll = entry.couples == null && generator.isCoupled();
+            may |= generator != generators.surface && (couplesAll || !generator.isAutonomous());
+        }
+        return may;
+    }
+
+    /**
+     * Whether a force on a body may depend on a fixed one.
+     *
+     * @param body index of a movable one
+     * @param fixed another body
+     * @return true for springs between them, and for forces of authors
+     */
+    public boolean feels(int body, Body fixed) {
+        boolean may = false;
+        for (Generators.Entry entry : generators.acting(state.body(body))) {
+            boolean isElsewhere = entry.generator instanceof Spring && !entry.bodies.contains(fixed);
+            may |= !isElsewhere && entry.generator != generators.surface && !(entry.generator instanceof ViscousFriction);
+        }
+        return may;
+    }
+
+    /** {@return number of generators that may couple bodies} */
+    public int couplings() {
+        return generators.driving().size();
+    }
+
+    /**
+     * The bodies that a generator couples.
+     *
+     * @param k 0 … couplings() − 1
+     * @return live; null if it couples none, or all
+     */
+    public List<Body> coupled(int k) {
+        Generators.Entry entry = generators.driving().get(k);
+        return entry.generator.isCoupled() ? entry.couples : null;
     }
 
     /**

@@ -112,11 +112,7 @@ final class ContactRows implements Serializable {
      */
     void add(
             int pair, int a, int b, Touch touch, double friction, double restitution, double[] forces, double regain, boolean hasPressed) {
-        if (INTS * (count + 1) > pairs.length) {
-            int length = Growth.length(pairs.length / INTS, count + 1);
-            pairs = Arrays.copyOf(pairs, INTS * length);
-            normals = Arrays.copyOf(normals, PAIR * length);
-        }
+        reserve();
         int o = INTS * count;
         pairs[o] = pair;
         pairs[o + 1] = a;
@@ -131,13 +127,22 @@ final class ContactRows implements Serializable {
         normals[n + FRICTION] = friction;
         normals[n + BOUNCE] = restitution;
         normals[n + REGAIN] = regain;
-        if (STRIDE * (used + 2) > points.length) {
-            points = Arrays.copyOf(points, STRIDE * Growth.length(points.length / STRIDE, used + 2));
-        }
         for (int k = 0; k < touch.count; k++) {
             load(touch, k, State.BLOCK * a, State.BLOCK * b, forces);
         }
         pairs[o + 4] = used;
+    }
+
+    /** Makes room for one more. */
+    private void reserve() {
+        if (INTS * (count + 1) > pairs.length) {
+            int length = Growth.length(pairs.length / INTS, count + 1);
+            pairs = Arrays.copyOf(pairs, INTS * length);
+            normals = Arrays.copyOf(normals, PAIR * length);
+        }
+        if (STRIDE * (used + 2) > points.length) {
+            points = Arrays.copyOf(points, STRIDE * Growth.length(points.length / STRIDE, used + 2));
+        }
     }
 
     private void load(Touch touch, int k, int a, int b, double[] forces) {
@@ -186,6 +191,30 @@ final class ContactRows implements Serializable {
         double masses = w[a] + w[b];
         points[p + NORMAL_MASS] = 1 / (masses + w[a + 2] * leverA * leverA + w[b + 2] * leverB * leverB);
         points[p + TANGENT_MASS] = 1 / (masses + w[a + 2] * slipA * slipA + w[b + 2] * slipB * slipB);
+    }
+
+    /** Adds a pair of other rows as it is there. */
+    void copy(ContactRows other, int k) {
+        reserve();
+        int n = other.pointCount(k);
+        System.arraycopy(other.pairs, INTS * k, pairs, INTS * count, INTS);
+        System.arraycopy(other.normals, PAIR * k, normals, PAIR * count, PAIR);
+        System.arraycopy(other.points, STRIDE * other.pairs[INTS * k + 3], points, STRIDE * used, STRIDE * n);
+        pairs[INTS * count + 3] = used;
+        used += n;
+        pairs[INTS * count++ + 4] = used;
+    }
+
+    /** Keeps the pairs that have a body of those that are marked, in their order. */
+    void keepOf(boolean[] marks) {
+        int all = count;
+        count = 0;
+        used = 0;
+        for (int k = 0; k < all; k++) {
+            if (marks[first(k)] || marks[second(k)]) {
+                copy(this, k);
+            }
+        }
     }
 
     /** Takes back the pair that was added last. */

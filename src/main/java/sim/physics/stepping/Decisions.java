@@ -25,6 +25,9 @@ public final class Decisions implements Serializable {
     private final ContactRows rows;
     private NearPairs near;
 
+    /** What sleeping bodies bear. */
+    private ContactRows kept;
+
     /** Pairs that are about to touch, and what listeners are asked about them. */
     private final IntList asked = new IntList();
 
@@ -41,8 +44,9 @@ public final class Decisions implements Serializable {
         this.rows = rows;
     }
 
-    void setPairs(NearPairs near) {
+    void setPairs(NearPairs near, ContactRows kept) {
         this.near = near;
+        this.kept = kept;
     }
 
     void begin(double now, double step) {
@@ -152,31 +156,34 @@ public final class Decisions implements Serializable {
         }
         IntList pairs = new IntList();
         List<LastingContact> contacts = new ArrayList<>();
-        for (int row = 0; row < rows.count; row++) {
-            if (lasts(row)) {
-                pairs.add(rows.pair(row));
-                contacts.add(lasting(row));
-            }
-        }
+        gather(rows, null, pairs, contacts);
+        gather(kept, null, pairs, contacts);
         laws.tellLasting(pairs, contacts);
     }
 
+    /** Gathers the contacts that last, and their pairs; those of a body, or all. */
+    private void gather(ContactRows rows, Body body, IntList pairs, List<LastingContact> contacts) {
+        for (int row = 0; row < rows.count; row++) {
+            if (lasts(rows, row) && (body == null || rows.first(row) == body.index() || rows.second(row) == body.index())) {
+                pairs.add(rows.pair(row));
+                contacts.add(lasting(rows, row));
+            }
+        }
+    }
+
     /** Whether two bodies press on one another at the end of the last step; one that was removed since, or its successor, does not. */
-    private boolean lasts(int row) {
+    private boolean lasts(ContactRows rows, int row) {
         return rows.impulse(row) > 0 && !rows.hasBounced(row) && !near.is(rows.pair(row), NearPairs.FORBIDDEN);
     }
 
     List<LastingContact> contacts(Body body) {
         List<LastingContact> all = new ArrayList<>();
-        for (int row = 0; row < rows.count; row++) {
-            if (lasts(row) && (body == null || rows.first(row) == body.index() || rows.second(row) == body.index())) {
-                all.add(lasting(row));
-            }
-        }
+        gather(rows, body, new IntList(), all);
+        gather(kept, body, new IntList(), all);
         return all;
     }
 
-    private LastingContact lasting(int row) {
+    private LastingContact lasting(ContactRows rows, int row) {
         Body a = state.body(rows.first(row));
         Body b = state.body(rows.second(row));
         double normal = 0;

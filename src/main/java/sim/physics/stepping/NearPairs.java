@@ -30,6 +30,9 @@ final class NearPairs implements Pairs.Listener, Serializable {
     /** Values kept of a pair: impulses along normal and tangent of two points. */
     static final int KEPT = 4;
 
+    /** Binary logarithm of the bits of a word. */
+    static final int WORD = 6;
+
     /** Number of bodies from which a grid finds the pairs. */
     private static final int CROWD = 50;
 
@@ -49,6 +52,9 @@ final class NearPairs implements Pairs.Listener, Serializable {
     int[] flags = {};
     double[] kept = {};
     int[] features = {};
+
+    /** A bit for each pair of which one body may move; those of sleeping and fixed ones are not looked at. */
+    long[] live = {};
 
     private double minX;
     private double minY;
@@ -102,13 +108,30 @@ final class NearPairs implements Pairs.Listener, Serializable {
         for (int k = 0; k < pairs.countOf(body); k++) {
             filter(pairs.of(body, k));
         }
+        revive(body);
+    }
+
+    private void setLive(int pair) {
+        live[pair >> WORD] |= 1L << pair;
+    }
+
+    /** A pair is not to be looked at until one of its bodies is written or wakes. */
+    void leave(int pair) {
+        live[pair >> WORD] &= ~(1L << pair);
+    }
+
+    /** The pairs of a body are to be looked at. */
+    void revive(int body) {
+        for (int k = 0; k < pairs.countOf(body); k++) {
+            setLive(pairs.of(body, k));
+        }
     }
 
     /** Makes the boxes anew that bodies may leave in the step. */
     void update(double h) {
         double[] d = boxes.data();
-        for (int k = 0; k < poses.movable.size; k++) {
-            int body = poses.movable.values[k];
+        for (int k = 0; k < poses.awake.size; k++) {
+            int body = poses.awake.values[k];
             poses.turn(body);
             bound(body, h, 1, 0);
             int o = Boxes.STRIDE * body;
@@ -164,8 +187,10 @@ final class NearPairs implements Pairs.Listener, Serializable {
             flags = Arrays.copyOf(flags, length);
             kept = Arrays.copyOf(kept, KEPT * length);
             features = Arrays.copyOf(features, 2 * length);
+            live = Arrays.copyOf(live, (length >> WORD) + 1);
         }
         flags[pair] = 0;
+        setLive(pair);
         Arrays.fill(kept, KEPT * pair, KEPT * pair + KEPT, 0);
         Arrays.fill(features, 2 * pair, 2 * pair + 2, 0);
         filter(pair);
@@ -181,6 +206,7 @@ final class NearPairs implements Pairs.Listener, Serializable {
     @Override
     public void pairEnded(int pair) {
         flags[pair] = FORBIDDEN;
+        leave(pair);
     }
 
     boolean is(int pair, int flag) {

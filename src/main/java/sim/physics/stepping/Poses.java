@@ -27,6 +27,9 @@ final class Poses implements Serializable {
     /** The movable bodies, in ascending order. */
     final IntList movable = new IntList();
 
+    /** Those of them that do not sleep. */
+    final IntList awake = new IntList();
+
     Poses(State state) {
         this.state = state;
     }

@@ -66,14 +66,17 @@ public final class TimeStepping implements Serializable {
     private final ContactSolver contacts;
     private final TieRows ties;
     private final Decisions decisions;
+    private final Sleep sleep;
 
     /** Null until the first constraint is added. */
     private Constraints constraints;
 
     private int substeps;
 
-    /** Whether bodies or constraints are new. */
+    /** Whether bodies or constraints are new; and whether others sleep than before. */
     private boolean isCold;
+
+    private boolean areOthersAsleep;
     private double[] a = {};
 
     /** Whether something acts on a body but even forces. */
@@ -117,7 +120,8 @@ public final class TimeStepping implements Serializable {
         ties = new TieRows(state);
         decisions = new Decisions(state, laws, rows);
         near = new NearPairs(state, poses, filter);
-        decisions.setPairs(near);
+        sleep = new Sleep(state, poses, near, forces, rows);
+        decisions.setPairs(near, sleep.kept());
         touch = new Touch(state, poses);
     }
 
@@ -132,6 +136,9 @@ public final class TimeStepping implements Serializable {
      * @param substeps at least 1
      */
     public void setSubsteps(int substeps) {
+        if (this.substeps != substeps) {
+            sleep.wakeAll();
+        }
         this.substeps = substeps;
     }
 
@@ -146,6 +153,7 @@ public final class TimeStepping implements Serializable {
 
     /** Begins or ends time stepping: nothing is known of impulses, and all forces are forces. */
     public void forget() {
+        sleep.wakeAll();
         forces.leave();
         rows.begin();
         ties.forget();
@@ -163,10 +171,14 @@ public final class TimeStepping implements Serializable {
             poses.add(body);
             poses.turn(body);
             near.add(body, h);
+            sleep.admit(body, true);
             isCold = true;
-        } else if (!state.isOnlyPushed(body)) {
-            poses.turn(body);
-            near.written(body, h);
+        } else {
+            sleep.admit(body, false);
+            if (!state.isOnlyPushed(body)) {
+                poses.turn(body);
+                near.written(body, h);
+            }
         }
         forces.admit(body);
     }
@@ -178,9 +190,15 @@ public final class TimeStepping implements Serializable {
      */
     public void remove(int body) {
         if (poses.knows(body)) {
+            sleep.remove(body);
             near.remove(body);
             poses.remove(body);
         }
+    }
+
+    /** {@return which bodies are asleep} */
+    public Sleep sleep() {
+        return sleep;
     }
 
     /** {@return what is asked and told of contacts} */
@@ -197,20 +215,34 @@ public final class TimeStepping implements Serializable {
     public void begin(double time, double step) {
         h = step;
         forces.begin();
-        forces.springs().begin(step / substeps);
         if (a.length < state.x().length) {
             a = new double[state.x().length];
             isHeld = new boolean[a.length / State.BLOCK];
         }
-        forces.load(poses.movable, time, a);
-        near.update(step);
         growth = keptOf > 0 ? step / substeps / keptOf : 0;
-        rows.begin();
-        decisions.begin(time, step);
+        sleep.wakeDriven(ties);
+        areOthersAsleep |= sleep.refresh();
+        near.update(step);
+        sleep.settle(constraints, ties);
+        sleep.hasWoken();
+        do {
+            areOthersAsleep |= sleep.refresh();
+            forces.springs().begin(step / substeps, sleep.asleep());
+            forces.load(poses.awake, time, a);
+            rows.begin();
+            decisions.begin(time, step);
+            look();
+        } while (sleep.hasWoken());
+    }
+
+    private void look() {
         Pairs pairs = near.pairs();
-        for (int pair = 0; pair < pairs.capacity(); pair++) {
-            if (!near.is(pair, NearPairs.FORBIDDEN)) {
-                look(pair, pairs.first(pair), pairs.second(pair));
+        for (int word = 0; word < near.live.length; word++) {
+            for (long left = near.live[word]; left != 0; left &= left - 1) {
+                int pair = (word << NearPairs.WORD) + Long.numberOfTrailingZeros(left);
+                if (!near.is(pair, NearPairs.FORBIDDEN)) {
+                    look(pair, pairs.first(pair), pairs.second(pair));
+                }
             }
         }
     }
@@ -221,10 +253,13 @@ public final class TimeStepping implements Serializable {
         touch.find(first, second, NEAR * size + h * speed(State.BLOCK * first, State.BLOCK * second, first, second));
         if (touch.count == 0) {
             near.flags[pair] = 0;
+            if (sleep.isIdle(first, second)) {
+                near.leave(pair);
+            }
             return;
         }
-        if (near.is(pair, NearPairs.IGNORED)) {
-            return;
+        if (near.is(pair, NearPairs.IGNORED) || sleep.wakes(first, second)) {
+            return; // if a body wakes, the step begins anew
         }
         double friction = near.is(pair, NearPairs.STICKY) ? STICKS : laws.friction(first, second);
         double restitution = near.is(pair, NearPairs.STICKY) ? 0 : laws.restitution(first, second);
@@ -265,18 +300,19 @@ public final class TimeStepping implements Serializable {
         boolean isTied = constraints != null;
         boolean isRubbed = !surface.isEmpty();
         if (isTied) {
-            isCold |= ties.gather(constraints);
+            isCold |= ties.gather(constraints, sleep.asleep(), areOthersAsleep);
+            areOthersAsleep = false;
             ties.begin(growth);
         }
         if (isRubbed) {
-            surface.begin(poses.movable);
+            surface.begin(poses.awake);
         }
         findHeld(isTied, isRubbed);
         soften(Math.max(d, pace - h / PATIENCE));
         boolean isUneven = forces.areUneven();
         for (int k = 0; k < substeps; k++) {
             if (k > 0 && isUneven) {
-                forces.load(poses.movable, time + k * d, a);
+                forces.load(poses.awake, time + k * d, a);
             }
             accelerate(d);
             forces.springs().evaluate(d);
@@ -302,6 +338,7 @@ public final class TimeStepping implements Serializable {
             ties.bounce();
         }
         keep();
+        sleep.watch(h, a);
         keptOf = d;
         isCold = false;
         isJudged = false;
@@ -339,8 +376,8 @@ public final class TimeStepping implements Serializable {
 
     private void accelerate(double d) {
         double[] v = state.v();
-        for (int k = 0; k < poses.movable.size; k++) {
-            int b = State.BLOCK * poses.movable.values[k];
+        for (int k = 0; k < poses.awake.size; k++) {
+            int b = State.BLOCK * poses.awake.values[k];
             v[b] += d * a[b];
             v[b + 1] += d * a[b + 1];
             v[b + 2] += d * a[b + 2];
@@ -373,8 +410,8 @@ public final class TimeStepping implements Serializable {
     private void move(double d) {
         double[] x = state.x();
         double[] v = state.v();
-        for (int k = 0; k < poses.movable.size; k++) {
-            int body = poses.movable.values[k];
+        for (int k = 0; k < poses.awake.size; k++) {
+            int body = poses.awake.values[k];
             int b = State.BLOCK * body;
             double back = isHeld[body] ? 0 : 0.5 * d;
             x[b] += d * (v[b] - back * a[b]);
@@ -386,7 +423,7 @@ public final class TimeStepping implements Serializable {
     private void findHeld(boolean isTied, boolean isRubbed) {
         Arrays.fill(isHeld, isRubbed);
         if (forces.areUneven()) {
-            forces.markUneven(poses.movable, isHeld);
+            forces.markUneven(poses.awake, isHeld);
         }
         for (int k = 0; k < rows.count; k++) {
             isHeld[rows.first(k)] = true;

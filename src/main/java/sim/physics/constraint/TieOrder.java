@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The constraints of an engine in the order in which time stepping solves them: pins apart, and those of sleeping bodies last. */
+final class TieOrder implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    final List<PinJoint> pins = new ArrayList<>();
+    final List<Constraint> others = new ArrayList<>();
+
+    /** How many of both, from the first one on, are of bodies that are awake. */
+    int awakePins;
+
+    int awakeOthers;
+
+    void clear() {
+        pins.clear();
+        others.clear();
+        awakePins = 0;
+        awakeOthers = 0;
+    }
+
+    /**
+     * Takes constraints.
+     *
+     * @param asleep by body
+     */
+    void sort(List<Constraint> all, boolean[] asleep) {
+        clear();
+        sort(all, asleep, false);
+        awakePins = pins.size();
+        awakeOthers = others.size();
+        sort(all, asleep, true);
+    }
+
+    private void sort(List<Constraint> all, boolean[] asleep, boolean areAsleep) {
+        for (Constraint tie : all) {
+            boolean isAsleep = asleep[tie.getBodyA().index()] || tie.getBodyB() != null && asleep[tie.getBodyB().index()];
+            if (isAsleep == areAsleep && tie instanceof PinJoint pin) {
+                pins.add(pin);
+            } else if (isAsleep == areAsleep) {
+                others.add(tie);
+            }
+        }
+    }
+}
