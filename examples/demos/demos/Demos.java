@@ -125,6 +125,9 @@ public final class Demos {
         print("bodies", model.physics.bodies().size());
         print("joints", model.physics.allConstraints().size());
         print("impacts", model.physics.getImpacts());
+        if (model.physics.getTimeStepping() > 0) {
+            print("asleep", model.physics.bodies().stream().filter(model.physics::isAsleep).count());
+        }
         print("energy at start", energy);
         print("energy at end", model.physics.kineticEnergy());
         if (energy != 0) {

@@ -32,8 +32,9 @@ public final class Sleep implements Serializable {
     private static final double SPEED = 0.02;
 
     /**
-     * The time is that of three windows, since the first one may be one of settling. By how much the way may grow from one to the next: not
-     * at all where a body creeps, but twice where it tips over. And the way, relative to the radius, that is too short to say.
+     * The time is that of three windows, since the first one may be one of settling. By how much the way in a window may be more than in all
+     * others before, but the first one: what creeps or trembles soon has gone as far as it ever does, what tips over goes twice as far each
+     * time. And the way, relative to the radius, that is too short to say.
      */
     private static final int WINDOWS = 3;
 
@@ -61,7 +62,7 @@ public final class Sleep implements Serializable {
     /** The next body of a sleeper's island, in a ring. */
     private int[] next = {};
 
-    /** The steps of a body's window, where it began, how many windows are over, and the way in the last one of these. */
+    /** The steps of a body's window, where it began, how many windows are over, and the longest way in one but the first. */
     private int[] calm = {};
 
     private double[] places = {};
@@ -347,9 +348,9 @@ public final class Sleep implements Serializable {
         double time = WINDOWS * calm[body] * h;
         boolean isOver = calm[body] >= LEAST && (time * time * pull >= 4 * size || pull == 0); // as g t²/2 = 2 r
         if (isNew || isOver || way > most) {
-            boolean grows = windows[body] > 0 && way > GROWTH * ways[body] && way > NOISE * size;
-            windows[body] = isNew || way > most ? 0 : grows ? 1 : Math.min(WINDOWS, windows[body] + 1);
-            ways[body] = way;
+            boolean grows = windows[body] >= 2 && way > GROWTH * ways[body] && way > NOISE * size;
+            ways[body] = windows[body] >= 2 ? Math.max(ways[body], way) : way;
+            windows[body] = isNew || way > most ? 0 : grows ? 2 : Math.min(WINDOWS, windows[body] + 1);
             System.arraycopy(x, b, places, b, State.BLOCK);
             calm[body] = 0;
         }

@@ -28,6 +28,7 @@ final class SleepScenes {
             case "pyramid" -> pyramid(engine);
             case "heap" -> heap(engine);
             case "ragdoll" -> ragdoll(engine);
+            case "bridge" -> bridge(engine);
             default -> throw new IllegalArgumentException(name);
         }
         return engine;
@@ -76,6 +77,19 @@ final class SleepScenes {
                 body.setAngularVelocity(0.3);
             }
         }
+    }
+
+    /** Eight planks that hang between two points, with a load. */
+    private static void bridge(PhysicsEngine engine) {
+        engine.add(new Gravity(0, -Stepped.G));
+        Body last = null;
+        for (int k = 0; k < 8; k++) {
+            Body plank = Stepped.rough(engine.add(new Body(new Rectangle(1, 0.2)).at(k + 0.5, 0)));
+            engine.add(last == null ? new PinJoint(plank, 0, 0) : new PinJoint(last, plank, k, 0));
+            last = plank;
+        }
+        engine.add(new PinJoint(last, 8, 0));
+        Stepped.rough(engine.add(new Body(new Rectangle(0.8, 0.8)).at(4, 0.5)));
     }
 
     static List<Body> movable(PhysicsEngine engine) {

@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -29,7 +31,7 @@ class SleepTest {
     private static final double G = Stepped.G;
 
     @ParameterizedTest
-    @ValueSource(strings = {"stack", "pyramid", "heap", "ragdoll"})
+    @ValueSource(strings = {"stack", "pyramid", "heap", "ragdoll", "bridge"})
     void whatHasComeToRestFallsAsleepAndStaysToTheBit(String name) {
         PhysicsEngine engine = SleepScenes.scene(name);
         assertThat(SleepScenes.fallAsleep(engine)).isTrue();
@@ -128,6 +130,43 @@ class SleepTest {
         engine.step();
         assertThat(engine.isAsleep(bob)).isFalse();
         assertThat(engine.getReaction(pin).forceY()).isCloseTo(3 * G, within(1e-9));
+    }
+
+    /** Impulses are kept while bodies sleep: who wakes stays where it is, and bears what it bore from the first step on. */
+    @ParameterizedTest
+    @ValueSource(strings = {"pyramid", "heap", "ragdoll", "bridge"})
+    void wakingDisturbsNothing(String name) {
+        PhysicsEngine engine = SleepScenes.scene(name);
+        assertThat(SleepScenes.fallAsleep(engine)).isTrue();
+        for (int turn = 0; turn < 20; turn++) {
+            double[] before = SleepScenes.places(engine);
+            double[] forces = forces(engine);
+            for (Body body : SleepScenes.movable(engine)) {
+                body.addForce(0, 0);
+            }
+            engine.step();
+            assertThat(SleepScenes.movable(engine)).noneMatch(engine::isAsleep);
+            assertThat(Stepped.fastest(engine)).isLessThan(0.01);
+            double[] after = forces(engine);
+            assertThat(after).hasSameSizeAs(forces);
+            for (int k = 0; k < forces.length; k++) {
+                assertThat(after[k]).isCloseTo(forces[k], within(0.02 * G));
+            }
+            assertThat(SleepScenes.fallAsleep(engine)).isTrue();
+            for (int k = 0; k < before.length; k++) {
+                assertThat(SleepScenes.places(engine)[k]).isCloseTo(before[k], within(turn == 0 ? 5e-3 : 1e-3));
+            }
+        }
+    }
+
+    /** Of all contacts, by the bodies, and of all joints. */
+    private static double[] forces(PhysicsEngine engine) {
+        return DoubleStream.concat(
+                        engine.contacts().stream()
+                                .sorted(Comparator.comparing((LastingContact c) -> c.a().index()).thenComparing(c -> c.b().index()))
+                                .mapToDouble(LastingContact::normalForce),
+                        engine.allConstraints().stream().mapToDouble(joint -> engine.getReaction(joint).force()))
+                .toArray();
     }
 
     /** A ball meets a pile that sleeps as it meets one that stands awake. */
