@@ -344,7 +344,7 @@ public final class Sleep implements Serializable {
         int b = State.BLOCK * body;
         boolean isNew = calm[body] == 0;
         double way = Math.abs(x[b] - places[b]) + Math.abs(x[b + 1] - places[b + 1]) + Math.abs(x[b + 2] - places[b + 2]) * size;
-        double most = pull > 0 ? WAY * size / WINDOWS : 0;
+        double most = WAY * size / WINDOWS;
         double time = WINDOWS * calm[body] * h;
         boolean isOver = calm[body] >= LEAST && (time * time * pull >= 4 * size || pull == 0); // as g t²/2 = 2 r
         if (isNew || isOver || way > most) {

@@ -153,7 +153,6 @@ public final class TimeStepping implements Serializable {
 
     /** Begins or ends time stepping: nothing is known of impulses, and all forces are forces. */
     public void forget() {
-        sleep.wakeAll();
         forces.leave();
         rows.begin();
         ties.forget();

@@ -16,6 +16,7 @@ import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.RodJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
@@ -117,6 +118,9 @@ class SleepTest {
         Body bob = engine.add(new Body(new Circle(0.5)).at(0, -2));
         bob.setMass(3);
         PinJoint pin = engine.add(new PinJoint(bob, 0, 0));
+        Body load = engine.add(new Body(new Circle(0.5)).at(5, -2));
+        load.setMass(2);
+        RodJoint rod = engine.add(new RodJoint(load, 5, -2, null, 5, 0));
         assertThat(SleepScenes.fallAsleep(engine)).isTrue();
         Body other = engine.add(new Body(new Rectangle(1, 1)).at(20, 0).moving(1, 1, 1));
         PinJoint running = engine.add(new PinJoint(other, 19.5, 0.5));
@@ -124,6 +128,7 @@ class SleepTest {
             engine.step();
             assertThat(engine.isAsleep(bob)).isTrue();
             assertThat(engine.getReaction(pin).forceY()).isCloseTo(3 * G, within(1e-9));
+            assertThat(engine.getReaction(rod).forceY()).isCloseTo(2 * G, within(1e-9));
             assertThat(engine.getReaction(running).force()).isGreaterThan(0.1);
         }
         engine.setTimeStep(SleepScenes.STEP / 2);
@@ -307,6 +312,7 @@ class SleepTest {
         double y = weight.getY();
         Stepped.run(engine, 100);
         assertThat(weight.getY()).isEqualTo(y);
+        assertThat(engine.kineticEnergy()).isZero();
         hook.setPosition(0, 4);
         engine.step();
         assertThat(engine.isAsleep(weight)).isFalse();
@@ -314,23 +320,63 @@ class SleepTest {
         assertThat(weight.getY()).isCloseTo(2 - G / stiffness, within(1e-3));
     }
 
+    /** Two boxes with a spring between: who pushes one pushes both. */
+    @ParameterizedTest
+    @ValueSource(doubles = {20, 1e6})
+    void whatPullsAtOneAnotherSleepsAndWakesTogether(double stiffness) {
+        PhysicsEngine engine = Stepped.engine(SleepScenes.STEP, 4);
+        engine.add(new Gravity(0, -G));
+        Stepped.ground(engine);
+        Body left = Stepped.rough(engine.add(new Body(new Rectangle(1, 1)).at(0, 0.5)));
+        Body right = Stepped.rough(engine.add(new Body(new Rectangle(1, 1)).at(3, 0.5)));
+        engine.add(new Spring(left, 0, 0, right, 0, 0, 3, stiffness, 1));
+        assertThat(SleepScenes.fallAsleep(engine)).isTrue();
+        left.setVelocity(-6, 0);
+        engine.step();
+        assertThat(engine.isAsleep(right)).isFalse();
+        assertThat(SleepScenes.fallAsleep(engine)).isTrue();
+        assertThat(right.getX() - left.getX()).isCloseTo(3, within(0.5 * G / stiffness + 0.01)); // what friction holds
+    }
+
     @Test
     void whatFrictionWithThePlaneHasStoppedSleeps() {
         PhysicsEngine engine = Stepped.engine(SleepScenes.STEP, 4);
         engine.add(new SurfaceFriction(G));
-        for (int k = 0; k < 12; k++) {
-            Body puck = engine.add(new Body(k % 2 == 0 ? new Circle(0.5) : new Rectangle(1, 0.6)).at(1.2 * (k % 4), 1.2 * (k / 4)));
+        SteppedHeapTest.bin(engine, 3); // so narrow that they press on one another in the end
+        for (int k = 0; k < 36; k++) {
+            Body puck = engine.add(new Body(k % 2 == 0 ? new Circle(0.5) : new Rectangle(0.95, 0.95)).at(k % 6 - 2.5, k / 6 - 2.5));
             puck.moving(3 - k % 3, k % 5 - 2, 1);
-            puck.setSurfaceFriction(0.3);
+            Stepped.rough(puck).setSurfaceFriction(0.3);
         }
         assertThat(SleepScenes.fallAsleep(engine)).isTrue();
         double[] places = SleepScenes.places(engine);
         Stepped.run(engine, 100);
         assertThat(SleepScenes.places(engine)).isEqualTo(places);
-        engine.bodies().get(0).addForce(1, 0); // less than what holds it
+        engine.bodies().get(9).addForce(1, 0); // less than what holds it
         engine.step();
-        assertThat(engine.isAsleep(engine.bodies().get(0))).isFalse();
+        assertThat(engine.isAsleep(engine.bodies().get(9))).isFalse();
         assertThat(SleepScenes.fallAsleep(engine)).isTrue();
+    }
+
+    /** Also if another body takes its number, or another pair that of its contact. */
+    @Test
+    void aSleeperThatLeavesTakesItsContactsAlong() {
+        PhysicsEngine engine = Stepped.engine(SleepScenes.STEP, 4);
+        Body[] stack = Stepped.stack(engine, 1);
+        assertThat(SleepScenes.fallAsleep(engine)).isTrue();
+        Body box = Stepped.rough(engine.add(new Body(new Rectangle(1, 1)).at(5, 4)));
+        engine.step();
+        assertThat(engine.contacts()).hasSize(1);
+        engine.remove(stack[0]);
+        assertThat(engine.contacts()).isEmpty();
+        Stepped.run(engine, 120);
+        assertThat(engine.contacts()).hasSize(1);
+        assertThat(engine.contacts(box)).hasSize(1);
+        Body other = Stepped.rough(engine.add(new Body(new Rectangle(1, 1)).at(0, 0.5)));
+        assertThat(other.index()).isLessThan(box.index());
+        assertThat(engine.isAsleep(other)).isFalse();
+        engine.step();
+        assertThat(engine.contacts()).hasSize(2);
     }
 
     /** A pile that sleeps is no concern of another one that is struck. */
