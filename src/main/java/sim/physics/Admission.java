@@ -62,8 +62,7 @@ final class Admission implements Presence, Serializable {
             Trajectories trajectories,
             Motion motion,
             CollisionDetection detection,
-            RestingContacts resting,
-            Heaps heaps) {
+            RestingContacts resting, Heaps heaps) {
         this.resting = resting;
         this.heaps = heaps;
         this.state = state;
@@ -192,7 +191,6 @@ final class Admission implements Presence, Serializable {
             heaps.forget(index);
         }
         boolean isDriven = trajectories.isDriven(index);
-        boolean moves = isDriven || !isThere;
         motion.admit(index, tau);
         if (trajectories.isDriven(index)) {
             resting.forget(index); // it was at rest until it was tied, or a spring was put on it
@@ -201,7 +199,7 @@ final class Admission implements Presence, Serializable {
         boolean staysDriven = isDriven && trajectories.isDriven(index);
         if (isKnown && !(staysDriven && isOnlyPushed(index, tau))) { // else its path is told with those of all driven bodies
             boolean isOutOfBox = detection.refilter(index);
-            detection.moved(index, tau, moves || isOutOfBox || state.body(index).isFixed(), -1);
+            detection.moved(index, tau, isDriven || !isThere || isOutOfBox || state.body(index).isFixed(), -1);
         } else if (!isKnown) {
             detection.add(index, tau);
         }
@@ -253,15 +251,17 @@ final class Admission implements Presence, Serializable {
         rounds.begin();
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
-            if (state.body(index) == null || !motion.isTied(index) || isOnlyPushed(index, tau)) {
-                continue;
-            }
-            IntList island = constraints.island(index);
-            if (rounds.isFirst(island)) {
+            boolean isWritten = state.body(index) != null && motion.isTied(index) && !isOnlyPushed(index, tau);
+            if (isWritten && rounds.isFirst(constraints.island(index))) {
+                IntList island = constraints.island(index);
                 for (int m = 0; m < island.size; m++) {
                     bring(island.values[m], tau);
                 }
-                constraints.assemble(island);
+                if (stepped == null) {
+                    constraints.assemble(island);
+                } else {
+                    stepped.assemble(island);
+                }
             }
         }
     }

@@ -22,14 +22,15 @@ final class PinImpulses implements Serializable {
     /** What is less of a determinant than this, relative to the diagonal, says that the rows are one. */
     private static final double SINGULAR = 1e-14;
 
-    /** Values of a pin: arms in the bodies' frames, arms in the world, C, the inverse of J W Jᵀ, impulse, and its sum in the step. */
-    private static final int STRIDE = 17;
+    /** Values of a pin: arms in the bodies' frames, arms in the world, C, the inverse of J W Jᵀ, impulse, its sum in the step, largest C. */
+    private static final int STRIDE = 18;
 
     private static final int ARM = 4;
     private static final int C = 8;
     private static final int INVERSE = 10;
     private static final int IMPULSE = 13;
     private static final int SUM = 15;
+    private static final int MOST = 17;
 
     private final State state;
 
@@ -74,6 +75,7 @@ final class PinImpulses implements Serializable {
             data[o + 1] = pin.getAnchorAY();
             data[o + 2] = pin.getAnchorBX();
             data[o + 3] = pin.getAnchorBY();
+            data[o + MOST] = TieEquations.size(pin);
             System.arraycopy(data, o, data, o + ARM, ARM); // as they are where the body does not turn
             if (k < awake) {
                 need(blocks[2 * k], data[o], data[o + 1], turns);
@@ -89,6 +91,30 @@ final class PinImpulses implements Serializable {
         if (block >= 0 && (x != 0 || y != 0) && !turns[block / BLOCK]) {
             turns[block / BLOCK] = true;
             turning.add(block / BLOCK);
+        }
+    }
+
+    /** Marks the bodies that are pinned. */
+    void mark(boolean[] marks) {
+        TieEquations.mark(marks, blocks, awake);
+    }
+
+    /** Joins the sets of movable bodies that are pinned to one another. */
+    void join(int[] parent) {
+        TieEquations.join(parent, blocks, awake, state.w().values());
+    }
+
+    private boolean isMarked(int k, boolean[] marks) {
+        return marks[blocks[2 * k] / BLOCK] || blocks[2 * k + 1] >= 0 && marks[blocks[2 * k + 1] / BLOCK];
+    }
+
+    /** Takes the impulses of marked bodies away, without a change of velocities. */
+    void clear(boolean[] marks) {
+        for (int k = 0; k < awake; k++) {
+            if (isMarked(k, marks)) {
+                data[STRIDE * k + IMPULSE] = 0;
+                data[STRIDE * k + IMPULSE + 1] = 0;
+            }
         }
     }
 
@@ -158,8 +184,12 @@ final class PinImpulses implements Serializable {
                 placeX = x[b] + bx;
                 placeY = x[b + 1] + by;
             }
-            d[o + C] = x[a] + ax - placeX;
-            d[o + C + 1] = x[a + 1] + ay - placeY;
+            double cx = x[a] + ax - placeX;
+            double cy = x[a + 1] + ay - placeY;
+            double square = cx * cx + cy * cy;
+            double part = square > d[o + MOST] * d[o + MOST] ? d[o + MOST] / Math.sqrt(square) : 1;
+            d[o + C] = part * cx;
+            d[o + C + 1] = part * cy;
             double det = k00 * k11 - k01 * k01;
             double per = det > SINGULAR * k00 * k11 ? 1 / det : 0;
             d[o + INVERSE] = k11 * per;
@@ -234,26 +264,36 @@ final class PinImpulses implements Serializable {
 
     /** Solves all pins once. */
     void solve(Softness softness) {
-        double rate = softness.rate();
-        double mass = softness.mass();
-        double back = softness.impulse();
-        double[] d = data;
         double[] v = state.v();
         double[] w = state.w().values();
         for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
-            int a = blocks[2 * k];
-            int b = blocks[2 * k + 1];
-            double ux = v[a] - d[o + ARM + 1] * v[a + 2] + rate * d[o + C];
-            double uy = v[a + 1] + d[o + ARM] * v[a + 2] + rate * d[o + C + 1];
-            if (b >= 0) {
-                ux -= v[b] - d[o + ARM + 3] * v[b + 2];
-                uy -= v[b + 1] + d[o + ARM + 2] * v[b + 2];
-            }
-            double jx = -mass * (d[o + INVERSE] * ux + d[o + INVERSE + 1] * uy) - back * d[o + IMPULSE];
-            double jy = -mass * (d[o + INVERSE + 1] * ux + d[o + INVERSE + 2] * uy) - back * d[o + IMPULSE + 1];
-            d[o + IMPULSE] += jx;
-            d[o + IMPULSE + 1] += jy;
-            push(v, w, k, o, jx, jy);
+            solve(v, w, k, o, softness.rate(), softness.mass(), softness.impulse());
         }
+    }
+
+    /** Solves the pins of marked bodies once. */
+    void solve(boolean[] marks, Softness softness) {
+        for (int k = 0; k < awake; k++) {
+            if (isMarked(k, marks)) {
+                solve(state.v(), state.w().values(), k, STRIDE * k, softness.rate(), softness.mass(), softness.impulse());
+            }
+        }
+    }
+
+    private void solve(double[] v, double[] w, int k, int o, double rate, double mass, double back) {
+        double[] d = data;
+        int a = blocks[2 * k];
+        int b = blocks[2 * k + 1];
+        double ux = v[a] - d[o + ARM + 1] * v[a + 2] + rate * d[o + C];
+        double uy = v[a + 1] + d[o + ARM] * v[a + 2] + rate * d[o + C + 1];
+        if (b >= 0) {
+            ux -= v[b] - d[o + ARM + 3] * v[b + 2];
+            uy -= v[b + 1] + d[o + ARM + 2] * v[b + 2];
+        }
+        double jx = -mass * (d[o + INVERSE] * ux + d[o + INVERSE + 1] * uy) - back * d[o + IMPULSE];
+        double jy = -mass * (d[o + INVERSE + 1] * ux + d[o + INVERSE + 2] * uy) - back * d[o + IMPULSE + 1];
+        d[o + IMPULSE] += jx;
+        d[o + IMPULSE + 1] += jy;
+        push(v, w, k, o, jx, jy);
     }
 }

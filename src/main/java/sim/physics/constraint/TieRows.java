@@ -22,37 +22,13 @@ public final class TieRows implements Serializable {
     private static final int BLOCK = State.BLOCK;
     private static final int ROWS = Equations.ROWS;
 
-    /** Values of J of a constraint: for its first body, and for its second one. */
-    private static final int J = 2 * BLOCK * ROWS;
-
-    /** What a constraint is. */
-    private enum Kind {
-        JOINT,
-        MOTOR,
-        STOP
-    }
-
     private final State state;
-    private final Equations equations = new Equations();
+    private final TieEquations equations;
 
     /** The pins, which have a loop of their own; and all others. */
     private final TieOrder order = new TieOrder();
 
     private final PinImpulses pinImpulses;
-    private Constraint[] ties = {};
-    private Kind[] kinds = {};
-    private int[] rows = {};
-
-    /** The turn that a constraint is about, whose J does not change; null for others. */
-    private GearJoint[] gears = {};
-
-    /** Per constraint: the blocks of its bodies, −1 for the world. */
-    private int[] blocks = {};
-
-    private double[] j = {};
-    private double[] c = {};
-    /** The inverse of J W Jᵀ, 3 × 3. */
-    private double[] inverse = {};
     /** Impulses of this substep; of a stop that of its lower and its upper bound. */
     private double[] impulse = {};
     /** The same, to be put back. */
@@ -65,6 +41,9 @@ public final class TieRows implements Serializable {
     /** Whether a bound of a stop has borne something in this step. */
     private boolean[] hit = {};
 
+    /** Whether there are stops that bounce. */
+    private boolean bounces;
+
     /** The changes that these rows are for. */
     private long version = -1;
 
@@ -75,6 +54,7 @@ public final class TieRows implements Serializable {
      */
     public TieRows(State state) {
         this.state = state;
+        equations = new TieEquations(state);
         pinImpulses = new PinImpulses(state);
     }
 
@@ -93,8 +73,8 @@ public final class TieRows implements Serializable {
         }
         version = constraints.grouping();
         Map<Constraint, double[]> before = new IdentityHashMap<>();
-        for (int k = 0; k < ties.length; k++) {
-            before.put(ties[k], record(k));
+        for (int k = 0; k < equations.ties.length; k++) {
+            before.put(equations.ties[k], record(k));
         }
         for (int k = 0; k < order.pins.size(); k++) {
             before.put(order.pins.get(k), pinImpulses.record(k));
@@ -112,52 +92,39 @@ public final class TieRows implements Serializable {
     }
 
     private void gather(List<Constraint> others, Map<Constraint, double[]> before) {
+        equations.gather(others, order.awakeOthers);
         int n = others.size();
-        ties = others.toArray(new Constraint[0]);
-        kinds = new Kind[n];
-        rows = new int[n];
-        gears = new GearJoint[n];
-        blocks = new int[2 * n];
         impulse = new double[ROWS * n];
         kept = new double[ROWS * n];
-        j = new double[J * n];
-        c = new double[ROWS * n];
-        inverse = new double[ROWS * ROWS * n];
         sum = new double[ROWS * n];
         approach = new double[n];
         hit = new boolean[2 * n];
+        bounces = others.stream().anyMatch(tie -> tie instanceof Limit stop && stop.getRestitution() > 0);
         for (int k = 0; k < n; k++) {
-            Constraint tie = ties[k];
-            Constraint one = tie instanceof Switched s ? s.coordinate() : tie;
-            kinds[k] = tie instanceof Motor ? Kind.MOTOR : tie instanceof Limit ? Kind.STOP : Kind.JOINT;
-            rows[k] = tie.getRows();
-            gears[k] = one instanceof GearJoint gear ? gear : null;
-            blocks[2 * k] = BLOCK * tie.getBodyA().index();
-            blocks[2 * k + 1] = tie.getBodyB() == null ? -1 : BLOCK * tie.getBodyB().index();
-            double[] old = before.get(tie);
+            double[] old = before.get(others.get(k));
             if (old != null) {
                 System.arraycopy(old, 0, impulse, ROWS * k, ROWS);
                 System.arraycopy(old, ROWS, sum, ROWS * k, ROWS);
-                System.arraycopy(old, 2 * ROWS, j, J * k, J);
-                approach[k] = old[2 * ROWS + J];
+                System.arraycopy(old, 2 * ROWS, equations.j, TieEquations.J * k, TieEquations.J);
+                approach[k] = old[2 * ROWS + TieEquations.J];
             }
         }
     }
 
     /** Impulses, their sums, J and the bound of a constraint. */
     private double[] record(int k) {
-        double[] record = new double[2 * ROWS + J + 1];
+        double[] record = new double[2 * ROWS + TieEquations.J + 1];
         System.arraycopy(impulse, ROWS * k, record, 0, ROWS);
         System.arraycopy(sum, ROWS * k, record, ROWS, ROWS);
-        System.arraycopy(j, J * k, record, 2 * ROWS, J);
-        record[2 * ROWS + J] = approach[k];
+        System.arraycopy(equations.j, TieEquations.J * k, record, 2 * ROWS, TieEquations.J);
+        record[2 * ROWS + TieEquations.J] = approach[k];
         return record;
     }
 
     /** Forgets all constraints and what they did. */
     public void forget() {
         order.clear();
-        ties = new Constraint[0];
+        equations.gather(List.of(), 0);
         pinImpulses.gather(List.of(), 0);
         version = -1;
     }
@@ -168,12 +135,8 @@ public final class TieRows implements Serializable {
      * @param marks by body
      */
     public void mark(boolean[] marks) {
-        for (int k = 0; k < order.awakePins; k++) {
-            mark(marks, order.pins.get(k));
-        }
-        for (int k = 0; k < order.awakeOthers; k++) {
-            mark(marks, ties[k]);
-        }
+        pinImpulses.mark(marks);
+        equations.mark(marks);
     }
 
     /**
@@ -183,9 +146,9 @@ public final class TieRows implements Serializable {
      * @param marks by body
      */
     public void markDriven(boolean[] marks) {
-        for (int k = 0; k < order.awakeOthers; k++) {
-            if (isSet(k) || !Joint.isOwn(ties[k])) {
-                mark(marks, ties[k]);
+        for (int k = 0; k < equations.count(); k++) {
+            if (isSet(k) || !Joint.isOwn(equations.ties[k])) {
+                equations.mark(k, marks);
             }
         }
     }
@@ -197,24 +160,18 @@ public final class TieRows implements Serializable {
      */
     public void findSet(IntList found) {
         found.clear();
-        for (int k = order.awakeOthers; k < ties.length; k++) {
+        for (int k = equations.count(); k < equations.ties.length; k++) {
             if (isSet(k)) {
-                found.add(ties[k].getBodyA().index());
-                found.add(ties[k].getBodyB() == null ? ties[k].getBodyA().index() : ties[k].getBodyB().index());
+                Constraint tie = equations.ties[k];
+                found.add(tie.getBodyA().index());
+                found.add(tie.getBodyB() == null ? tie.getBodyA().index() : tie.getBodyB().index());
             }
         }
     }
 
     /** Whether a constraint is a motor that wants to run, or is of another strength than in its last step. */
     private boolean isSet(int k) {
-        return ties[k] instanceof Motor motor && (motor.getSpeed() != 0 || motor.getLimit() != approach[k]);
-    }
-
-    private static void mark(boolean[] marks, Constraint tie) {
-        marks[tie.getBodyA().index()] = true;
-        if (tie.getBodyB() != null) {
-            marks[tie.getBodyB().index()] = true;
-        }
+        return equations.ties[k] instanceof Motor motor && (motor.getSpeed() != 0 || motor.getLimit() != approach[k]);
     }
 
     /**
@@ -224,81 +181,92 @@ public final class TieRows implements Serializable {
      */
     public void begin(double growth) {
         pinImpulses.begin(growth);
-        for (int k = 0; growth != 1 && k < ROWS * order.awakeOthers; k++) {
+        for (int k = 0; growth != 1 && k < ROWS * equations.count(); k++) {
             impulse[k] *= growth;
         }
-        evaluate(true);
-        Arrays.fill(sum, 0, ROWS * order.awakeOthers, 0);
+        equations.evaluate(true);
+        Arrays.fill(sum, 0, ROWS * equations.count(), 0);
         Arrays.fill(hit, false);
-        for (int k = 0; k < order.awakeOthers; k++) {
-            approach[k] = kinds[k] == Kind.STOP ? speed(k, 0, state.v()) : ties[k] instanceof Motor motor ? motor.getLimit() : 0;
+        for (int k = 0; k < equations.count(); k++) {
+            boolean isStop = equations.kinds[k] == TieEquations.Kind.STOP;
+            approach[k] = isStop ? equations.speed(k, 0, state.v()) : equations.ties[k] instanceof Motor motor ? motor.getLimit() : 0;
         }
     }
 
     /** Evaluates all equations where the state vectors say that the bodies are, within a step. */
     public void evaluate() {
         pinImpulses.evaluate();
-        evaluate(false);
-    }
-
-    private void evaluate(boolean isFirst) {
-        double[] x = state.x();
-        double[] w = state.w().values();
-        for (int k = 0; k < order.awakeOthers; k++) {
-            if (gears[k] != null && !isFirst) {
-                int b = blocks[2 * k + 1];
-                c[ROWS * k] = gears[k].open(x[blocks[2 * k] + State.THETA], b < 0 ? 0 : x[b + State.THETA]);
-                continue;
-            }
-            equations.clear();
-            (kinds[k] == Kind.JOINT ? ties[k] : ((Switched) ties[k]).coordinate()).evaluate(equations);
-            System.arraycopy(equations.c, 0, c, ROWS * k, rows[k]);
-            System.arraycopy(equations.jA, 0, j, J * k, BLOCK * rows[k]);
-            System.arraycopy(equations.jB, 0, j, J * k + BLOCK * ROWS, BLOCK * rows[k]);
-            RowInverse.invert(rows[k], w, blocks[2 * k], blocks[2 * k + 1], j, J * k, inverse, ROWS * ROWS * k);
-        }
+        equations.evaluate(false);
     }
 
     /** Gives the bodies the impulses of the substep before. */
     public void start() {
         pinImpulses.start();
-        for (int k = 0; k < order.awakeOthers; k++) {
-            if (kinds[k] == Kind.STOP) {
-                push(k, 0, impulse[ROWS * k] - impulse[ROWS * k + 1]);
+        for (int k = 0; k < equations.count(); k++) {
+            if (equations.kinds[k] == TieEquations.Kind.STOP) {
+                equations.push(k, 0, impulse[ROWS * k] - impulse[ROWS * k + 1]);
             } else {
-                for (int r = 0; r < rows[k]; r++) {
-                    push(k, r, impulse[ROWS * k + r]);
+                for (int r = 0; r < equations.rows[k]; r++) {
+                    equations.push(k, r, impulse[ROWS * k + r]);
                 }
             }
         }
     }
 
-    private double speed(int k, int row, double[] v) {
-        int o = J * k + BLOCK * row;
-        int a = blocks[2 * k];
-        int b = blocks[2 * k + 1];
-        double speed = j[o] * v[a] + j[o + 1] * v[a + 1] + j[o + 2] * v[a + 2];
-        if (b >= 0) {
-            o += BLOCK * ROWS;
-            speed += j[o] * v[b] + j[o + 1] * v[b + 1] + j[o + 2] * v[b + 2];
-        }
-        return speed;
+    /**
+     * Joins the sets of movable bodies that are tied to one another.
+     *
+     * @param parent sets of bodies
+     */
+    public void join(int[] parent) {
+        pinImpulses.join(parent);
+        TieEquations.join(parent, equations.blocks, equations.count(), state.w().values());
     }
 
-    private void push(int k, int row, double by) {
-        double[] v = state.v();
-        double[] w = state.w().values();
-        int o = J * k + BLOCK * row;
-        int a = blocks[2 * k];
-        int b = blocks[2 * k + 1];
-        v[a] += w[a] * j[o] * by;
-        v[a + 1] += w[a + 1] * j[o + 1] * by;
-        v[a + 2] += w[a + 2] * j[o + 2] * by;
-        if (b >= 0) {
-            o += BLOCK * ROWS;
-            v[b] += w[b] * j[o] * by;
-            v[b + 1] += w[b + 1] * j[o + 1] * by;
-            v[b + 2] += w[b + 2] * j[o + 2] * by;
+    /**
+     * Takes the impulses of some bodies away, without a change of their velocities.
+     *
+     * @param marks by body
+     */
+    public void clear(boolean[] marks) {
+        pinImpulses.clear(marks);
+        for (int k = 0; k < equations.count(); k++) {
+            if (equations.isMarked(k, marks)) {
+                Arrays.fill(impulse, ROWS * k, ROWS * k + ROWS, 0);
+            }
+        }
+    }
+
+    /**
+     * Solves the constraints of some bodies once: places alone, or velocities alone, with motors.
+     *
+     * @param marks by body
+     * @param softness how places are regained; {@link Softness#RIGID} if they are not
+     * @param h substep
+     */
+    public void solve(boolean[] marks, Softness softness, double h) {
+        for (int k = 0; k < equations.count(); k++) {
+            if (equations.isMarked(k, marks) && (softness == Softness.RIGID || equations.kinds[k] != TieEquations.Kind.MOTOR)) {
+                solve(k, softness, h);
+            }
+        }
+        pinImpulses.solve(marks, softness);
+    }
+
+    /**
+     * Adds what motors may have given bodies in the substep: impulse times speed.
+     *
+     * @param group group of each movable body
+     * @param given takes twice the energy, by group
+     */
+    public void give(int[] group, double[] given) {
+        for (int k = 0; k < equations.count(); k++) {
+            if (equations.kinds[k] == TieEquations.Kind.MOTOR) {
+                double most = 2 * Math.max(0, impulse[ROWS * k] * ((Motor) equations.ties[k]).getSpeed());
+                int b = equations.blocks[2 * k];
+                boolean isFirst = state.w().values()[b] > 0; // or the first one is fixed, and has no group
+                given[group[(isFirst ? b : equations.blocks[2 * k + 1]) / BLOCK]] += most;
+            }
         }
     }
 
@@ -309,55 +277,59 @@ public final class TieRows implements Serializable {
      * @param h substep
      */
     public void solve(Softness softness, double h) {
-        for (int k = 0; k < order.awakeOthers; k++) {
-            switch (kinds[k]) {
-                case JOINT -> join(k, softness);
-                case MOTOR -> drive(k, (Motor) ties[k], h);
-                case STOP -> stop(k, (Limit) ties[k], softness, h);
-            }
+        for (int k = 0; k < equations.count(); k++) {
+            solve(k, softness, h);
         }
         pinImpulses.solve(softness); // last, as what is solved last is right
+    }
+
+    private void solve(int k, Softness softness, double h) {
+        switch (equations.kinds[k]) {
+            case JOINT -> join(k, softness);
+            case MOTOR -> drive(k, (Motor) equations.ties[k], h);
+            case STOP -> stop(k, (Limit) equations.ties[k], softness, h);
+        }
     }
 
     private void join(int k, Softness softness) {
         double[] v = state.v();
         int o = ROWS * k;
         int m = ROWS * o;
-        int count = rows[k];
+        int count = equations.rows[k];
         double mass = softness.mass();
         double back = softness.impulse();
-        double r0 = speed(k, 0, v) + softness.rate() * c[o];
+        double r0 = equations.speed(k, 0, v) + softness.rate() * equations.c[o];
         if (count == 1) {
-            take(k, 0, -mass * inverse[m] * r0 - back * impulse[o]);
+            take(k, 0, -mass * equations.inverse[m] * r0 - back * impulse[o]);
             return;
         }
-        double r1 = speed(k, 1, v) + softness.rate() * c[o + 1];
+        double r1 = equations.speed(k, 1, v) + softness.rate() * equations.c[o + 1];
         if (count == 2) {
-            take(k, 0, -mass * (inverse[m] * r0 + inverse[m + 1] * r1) - back * impulse[o]);
-            take(k, 1, -mass * (inverse[m + 3] * r0 + inverse[m + 4] * r1) - back * impulse[o + 1]);
+            take(k, 0, -mass * (equations.inverse[m] * r0 + equations.inverse[m + 1] * r1) - back * impulse[o]);
+            take(k, 1, -mass * (equations.inverse[m + 3] * r0 + equations.inverse[m + 4] * r1) - back * impulse[o + 1]);
             return;
         }
-        double r2 = speed(k, 2, v) + softness.rate() * c[o + 2];
+        double r2 = equations.speed(k, 2, v) + softness.rate() * equations.c[o + 2];
         for (int r = 0; r < ROWS; r++, m += ROWS) {
-            double by = inverse[m] * r0 + inverse[m + 1] * r1 + inverse[m + 2] * r2;
+            double by = equations.inverse[m] * r0 + equations.inverse[m + 1] * r1 + equations.inverse[m + 2] * r2;
             take(k, r, -mass * by - back * impulse[o + r]);
         }
     }
 
     private void take(int k, int row, double by) {
         impulse[ROWS * k + row] += by;
-        push(k, row, by);
+        equations.push(k, row, by);
     }
 
     private void drive(int k, Motor motor, double h) {
         double most = motor.getLimit() * h;
         double old = impulse[ROWS * k];
-        double asked = old - inverse[ROWS * ROWS * k] * (speed(k, 0, state.v()) - motor.getSpeed());
+        double asked = old - equations.inverse[ROWS * ROWS * k] * (equations.speed(k, 0, state.v()) - motor.getSpeed());
         take(k, 0, Math.max(-most, Math.min(most, asked)) - old);
     }
 
     private void stop(int k, Limit stop, Softness softness, double h) {
-        double q = c[ROWS * k];
+        double q = equations.c[ROWS * k];
         bound(k, 0, q - stop.getLower(), 1, softness, h);
         bound(k, 1, stop.getUpper() - q, -1, softness, h);
     }
@@ -368,43 +340,48 @@ public final class TieRows implements Serializable {
         if (gap == Double.POSITIVE_INFINITY) {
             return;
         }
-        double speed = sign * speed(k, 0, state.v());
+        double speed = sign * equations.speed(k, 0, state.v());
         boolean isOpen = gap > 0;
-        double aim = isOpen ? gap / h : softness.rate() * gap;
+        double aim = isOpen ? gap / h : softness.rate() * equations.limited(k, 0, gap);
         double mass = isOpen ? 1 : softness.mass();
         double back = isOpen ? 0 : softness.impulse();
         double old = impulse[o];
-        double now = Math.max(0, old - mass * inverse[ROWS * ROWS * k] * (speed + aim) - back * old);
+        double now = Math.max(0, old - mass * equations.inverse[ROWS * ROWS * k] * (speed + aim) - back * old);
         impulse[o] = now;
         hit[2 * k + side] |= now > 0;
-        push(k, 0, sign * (now - old));
+        equations.push(k, 0, sign * (now - old));
     }
 
     /** Adds the impulses of a substep to those of the step. */
     public void add() {
         pinImpulses.add();
-        for (int k = 0; k < order.awakeOthers; k++) {
+        for (int k = 0; k < equations.count(); k++) {
             int o = ROWS * k;
-            boolean isStop = kinds[k] == Kind.STOP;
+            boolean isStop = equations.kinds[k] == TieEquations.Kind.STOP;
             sum[o] += isStop ? impulse[o] - impulse[o + 1] : impulse[o];
             sum[o + 1] += isStop ? 0 : impulse[o + 1];
             sum[o + 2] += isStop ? 0 : impulse[o + 2];
         }
     }
 
+    /** {@return whether there are stops that bounce} */
+    public boolean bounces() {
+        return bounces;
+    }
+
     /** Lets coordinates bounce off stops that they have hit. */
     public void bounce() {
-        for (int k = 0; k < order.awakeOthers; k++) {
-            if (kinds[k] != Kind.STOP || ((Limit) ties[k]).getRestitution() == 0) {
+        for (int k = 0; k < equations.count(); k++) {
+            if (equations.kinds[k] != TieEquations.Kind.STOP || ((Limit) equations.ties[k]).getRestitution() == 0) {
                 continue;
             }
-            double aim = -((Limit) ties[k]).getRestitution() * approach[k];
-            double speed = speed(k, 0, state.v());
+            double aim = -((Limit) equations.ties[k]).getRestitution() * approach[k];
+            double speed = equations.speed(k, 0, state.v());
             boolean isLower = hit[2 * k] && aim > speed && approach[k] < 0;
             boolean isUpper = hit[2 * k + 1] && aim < speed && approach[k] > 0;
             if (isLower || isUpper) {
-                double by = inverse[ROWS * ROWS * k] * (aim - speed);
-                push(k, 0, by);
+                double by = equations.inverse[ROWS * ROWS * k] * (aim - speed);
+                equations.push(k, 0, by);
                 sum[ROWS * k] += by;
             }
         }
@@ -424,8 +401,8 @@ public final class TieRows implements Serializable {
 
     /** Solves joints for velocities once more. */
     public void settle() {
-        for (int k = 0; k < order.awakeOthers; k++) {
-            if (kinds[k] == Kind.JOINT) {
+        for (int k = 0; k < equations.count(); k++) {
+            if (equations.kinds[k] == TieEquations.Kind.JOINT) {
                 join(k, Softness.RIGID);
             }
         }
@@ -444,7 +421,7 @@ public final class TieRows implements Serializable {
         if (pin >= 0) {
             return pinReaction(pin, time);
         }
-        int k = Arrays.asList(ties).indexOf(constraint);
+        int k = Arrays.asList(equations.ties).indexOf(constraint);
         return k < 0 ? null : reaction(k, time);
     }
 
@@ -458,12 +435,12 @@ public final class TieRows implements Serializable {
         double x = 0;
         double y = 0;
         double turn = 0;
-        for (int r = 0; r < rows[k]; r++) {
-            int o = J * k + BLOCK * r;
+        for (int r = 0; r < equations.rows[k]; r++) {
+            int o = TieEquations.J * k + BLOCK * r;
             double force = sum[ROWS * k + r] / time;
-            x += j[o] * force;
-            y += j[o + 1] * force;
-            turn += j[o + 2] * force;
+            x += equations.j[o] * force;
+            y += equations.j[o + 1] * force;
+            turn += equations.j[o + 2] * force;
         }
         return new Reaction(x, y, turn);
     }
@@ -482,8 +459,8 @@ public final class TieRows implements Serializable {
                 those.add(order.pins.get(k));
             }
         }
-        for (int k = 0; k < order.awakeOthers; k++) {
-            if (ties[k] instanceof Joint joint && joint.isBreakable() && joint.breaksUnder(reaction(k, time))) {
+        for (int k = 0; k < equations.count(); k++) {
+            if (equations.ties[k] instanceof Joint joint && joint.isBreakable() && joint.breaksUnder(reaction(k, time))) {
                 those = those.isEmpty() ? new ArrayList<>() : those;
                 those.add(joint);
             }

@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import sim.physics.internal.DisjointSets;
 import sim.physics.internal.Trig;
 
 /**
@@ -33,6 +34,8 @@ public final class SpringRows implements Serializable {
     private boolean[] isIdle = {};
 
     private final double[] turn = new double[2];
+    private final double[] ends = new double[4];
+    private boolean areNew;
 
     SpringRows(State state, Generators generators) {
         this.state = state;
@@ -60,6 +63,15 @@ public final class SpringRows implements Serializable {
                 }
             }
         }
+        areNew = before.size() != stiff.size();
+        for (int k = 0; !areNew && k < stiff.size(); k++) {
+            areNew = before.get(k) != stiff.get(k);
+        }
+    }
+
+    /** {@return whether they are others than in the step before} */
+    public boolean areNew() {
+        return areNew;
     }
 
     private static boolean isAsleep(Body body, boolean[] asleep) {
@@ -115,8 +127,8 @@ public final class SpringRows implements Serializable {
             int o = STRIDE * k;
             int a = block(spring.getBodyA());
             int b = block(spring.getBodyB());
-            arm(o + ARMS, a, spring.getAnchorAX(), spring.getAnchorAY());
-            arm(o + ARMS + 2, b, spring.getAnchorBX(), spring.getAnchorBY());
+            arm(rows, o + ARMS, a, spring.getAnchorAX(), spring.getAnchorAY());
+            arm(rows, o + ARMS + 2, b, spring.getAnchorBX(), spring.getAnchorBY());
             double dx = state.x()[a] + rows[o + 2] - rows[o + 4] - (b < 0 ? 0 : state.x()[b]);
             double dy = state.x()[a + 1] + rows[o + 3] - rows[o + 5] - (b < 0 ? 0 : state.x()[b + 1]);
             double distance = Math.sqrt(dx * dx + dy * dy);
@@ -138,17 +150,28 @@ public final class SpringRows implements Serializable {
         }
     }
 
+    /** The distance of a spring's ends where the bodies are now. */
+    private double distance(Spring spring) {
+        int a = block(spring.getBodyA());
+        int b = block(spring.getBodyB());
+        arm(ends, 0, a, spring.getAnchorAX(), spring.getAnchorAY());
+        arm(ends, 2, b, spring.getAnchorBX(), spring.getAnchorBY());
+        double dx = state.x()[a] + ends[0] - ends[2] - (b < 0 ? 0 : state.x()[b]);
+        double dy = state.x()[a + 1] + ends[1] - ends[3] - (b < 0 ? 0 : state.x()[b + 1]);
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+
     private static int block(Body body) {
         return body == null ? -1 : State.BLOCK * body.index();
     }
 
-    private void arm(int to, int block, double px, double py) {
-        rows[to] = px;
-        rows[to + 1] = py;
+    private void arm(double[] to, int at, int block, double px, double py) {
+        to[at] = px;
+        to[at + 1] = py;
         if (block >= 0 && (px != 0 || py != 0)) {
             Trig.sinCos(state.x()[block + State.THETA], turn, 0);
-            rows[to] = turn[0] * px - turn[1] * py;
-            rows[to + 1] = turn[1] * px + turn[0] * py;
+            to[at] = turn[0] * px - turn[1] * py;
+            to[at + 1] = turn[1] * px + turn[0] * py;
         }
     }
 
@@ -183,18 +206,109 @@ public final class SpringRows implements Serializable {
     /** Solves all of them once. */
     public void solve() {
         for (int k = 0; k < stiff.size(); k++) {
+            if (!isIdle[k]) {
+                solve(k);
+            }
+        }
+    }
+
+    private void solve(int k) {
+        Spring spring = (Spring) stiff.get(k).generator;
+        int o = STRIDE * k;
+        double speed = speed(block(spring.getBodyA()), o, o + ARMS);
+        if (spring.getBodyB() != null) {
+            speed -= speed(block(spring.getBodyB()), o, o + ARMS + 2);
+        }
+        double by = -rows[o + MASS] * (speed + rows[o + BIAS] + rows[o + SOFTNESS] * rows[o + IMPULSE]);
+        rows[o + IMPULSE] += by;
+        push(k, by);
+    }
+
+    private static boolean isMarked(Spring spring, boolean[] marks) {
+        return marks[spring.getBodyA().index()] || spring.getBodyB() != null && marks[spring.getBodyB().index()];
+    }
+
+    /**
+     * Takes the impulses of some bodies away, without a change of their velocities.
+     *
+     * @param marks by body
+     */
+    public void clear(boolean[] marks) {
+        for (int k = 0; k < stiff.size(); k++) {
+            if (isMarked((Spring) stiff.get(k).generator, marks)) {
+                rows[STRIDE * k + IMPULSE] = 0;
+            }
+        }
+    }
+
+    /**
+     * Solves the springs of some bodies once.
+     *
+     * @param marks by body
+     */
+    public void solve(boolean[] marks) {
+        for (int k = 0; k < stiff.size(); k++) {
+            if (isMarked((Spring) stiff.get(k).generator, marks)) {
+                solve(k);
+            }
+        }
+    }
+
+    /**
+     * Marks the bodies that have such springs.
+     *
+     * @param marks by body
+     */
+    public void mark(boolean[] marks) {
+        for (int k = 0; k < stiff.size(); k++) {
+            if (isIdle[k]) {
+                continue;
+            }
+            Spring spring = (Spring) stiff.get(k).generator;
+            marks[spring.getBodyA().index()] = true;
+            if (spring.getBodyB() != null) {
+                marks[spring.getBodyB().index()] = true;
+            }
+        }
+    }
+
+    /**
+     * Joins the sets of movable bodies between which there are such springs.
+     *
+     * @param parent sets of bodies
+     */
+    public void join(int[] parent) {
+        for (int k = 0; k < stiff.size(); k++) {
+            if (isIdle[k]) {
+                continue;
+            }
+            Spring spring = (Spring) stiff.get(k).generator;
+            Body b = spring.getBodyB();
+            if (b != null && !b.isFixed() && !spring.getBodyA().isFixed()) {
+                DisjointSets.join(parent, spring.getBodyA().index(), b.index());
+            }
+        }
+    }
+
+    /**
+     * Adds what these springs may have given bodies in the substep: what they have less; negative if that is more.
+     *
+     * @param group group of each movable body
+     * @param given takes twice the energy, by group
+     * @param h substep
+     */
+    public void give(int[] group, double[] given, double h) {
+        for (int k = 0; k < stiff.size(); k++) {
             if (isIdle[k]) {
                 continue;
             }
             Spring spring = (Spring) stiff.get(k).generator;
             int o = STRIDE * k;
-            double speed = speed(block(spring.getBodyA()), o, o + ARMS);
-            if (spring.getBodyB() != null) {
-                speed -= speed(block(spring.getBodyB()), o, o + ARMS + 2);
-            }
-            double by = -rows[o + MASS] * (speed + rows[o + BIAS] + rows[o + SOFTNESS] * rows[o + IMPULSE]);
-            rows[o + IMPULSE] += by;
-            push(k, by);
+            double stretch = rows[o + BIAS] / (rows[o + SOFTNESS] * h * spring.getStiffness());
+            double now = distance(spring) - spring.getLength();
+            double energy = spring.getStiffness() * (stretch * stretch - now * now);
+            Body body = spring.getBodyA().isFixed() ? spring.getBodyB() : spring.getBodyA();
+            given[group[body.index()]] += energy; // what is fixed has no group
         }
     }
 

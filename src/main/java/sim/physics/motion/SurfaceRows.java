@@ -86,23 +86,54 @@ public final class SurfaceRows implements Serializable {
         double[] v = state.v();
         double[] w = state.w().values();
         for (int k = 0; k < bodies.size; k++) {
-            int b = State.BLOCK * bodies.values[k];
-            int o = STRIDE * k;
-            double vx = v[b] - w[b] * rows[o]; // without friction
-            double vy = v[b + 1] - w[b] * rows[o + 1];
-            double spin = v[b + 2] - w[b + 2] * rows[o + 2];
-            double arm = rows[o + ARM];
-            boolean rests = held(vx, vy, spin, w[b], w[b + 2], arm) <= rows[o + STATIC] * h;
-            if (rests) {
-                rows[o] = -vx / w[b];
-                rows[o + 1] = -vy / w[b];
-                rows[o + 2] = -spin / w[b + 2];
-                v[b] = 0;
-                v[b + 1] = 0;
-                v[b + 2] = 0;
-            } else {
-                slide(o, b, vx, vy, spin, rows[o + KINETIC] * h);
+            solve(k, v, w, h);
+        }
+    }
+
+    /**
+     * Takes the impulses of some bodies away, without a change of their velocities.
+     *
+     * @param marks by body
+     */
+    public void clear(boolean[] marks) {
+        for (int k = 0; k < bodies.size; k++) {
+            if (marks[bodies.values[k]]) {
+                Arrays.fill(rows, STRIDE * k, STRIDE * k + State.BLOCK, 0);
             }
+        }
+    }
+
+    /**
+     * Solves some bodies once.
+     *
+     * @param marks by body
+     * @param h substep
+     */
+    public void solve(boolean[] marks, double h) {
+        for (int k = 0; k < bodies.size; k++) {
+            if (marks[bodies.values[k]]) {
+                solve(k, state.v(), state.w().values(), h);
+            }
+        }
+    }
+
+    private void solve(int k, double[] v, double[] w, double h) {
+        int b = State.BLOCK * bodies.values[k];
+        int o = STRIDE * k;
+        double vx = v[b] - w[b] * rows[o]; // without friction
+        double vy = v[b + 1] - w[b] * rows[o + 1];
+        double spin = v[b + 2] - w[b + 2] * rows[o + 2];
+        double arm = rows[o + ARM];
+        boolean rests = held(vx, vy, spin, w[b], w[b + 2], arm) <= rows[o + STATIC] * h;
+        if (rests) {
+            rows[o] = -vx / w[b];
+            rows[o + 1] = -vy / w[b];
+            rows[o + 2] = -spin / w[b + 2];
+            v[b] = 0;
+            v[b + 1] = 0;
+            v[b + 2] = 0;
+        } else {
+            slide(o, b, vx, vy, spin, rows[o + KINETIC] * h);
         }
     }
 

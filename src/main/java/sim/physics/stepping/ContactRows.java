@@ -73,6 +73,9 @@ final class ContactRows implements Serializable {
     double[] points = {};
     int used;
 
+    /** Number of pairs that may bounce. */
+    int bounces;
+
     /** Where the bodies were at the start of the step. */
     double[] from = {};
 
@@ -84,11 +87,21 @@ final class ContactRows implements Serializable {
     void begin() {
         count = 0;
         used = 0;
+        bounces = 0;
         double[] x = state.x();
         if (from.length < x.length) {
             from = new double[x.length];
         }
         System.arraycopy(x, 0, from, 0, State.BLOCK * state.size());
+    }
+
+    /** The first of the values of a pair's first point, and the one after those of its last. */
+    int begin(int k) {
+        return STRIDE * pairs[INTS * k + 3];
+    }
+
+    int end(int k) {
+        return STRIDE * pairs[INTS * k + 4];
     }
 
     int pair(int k) {
@@ -126,6 +139,7 @@ final class ContactRows implements Serializable {
         normals[n + 1] = touch.ny;
         normals[n + FRICTION] = friction;
         normals[n + BOUNCE] = restitution;
+        bounces += restitution > 0 ? 1 : 0;
         normals[n + REGAIN] = regain;
         for (int k = 0; k < touch.count; k++) {
             load(touch, k, State.BLOCK * a, State.BLOCK * b, forces);
@@ -221,6 +235,7 @@ final class ContactRows implements Serializable {
     void dropLast() {
         count--;
         used = pairs[INTS * count + 3];
+        bounces -= normals[PAIR * count + BOUNCE] > 0 ? 1 : 0;
     }
 
     /** Whether a pair will touch within a step if nothing else happens. */
@@ -284,6 +299,10 @@ final class ContactRows implements Serializable {
             sum += points[STRIDE * m + NORMAL_SUM];
         }
         return sum;
+    }
+
+    boolean mayBounce(int k) {
+        return normals[PAIR * k + BOUNCE] > 0;
     }
 
     boolean hasBounced(int k) {

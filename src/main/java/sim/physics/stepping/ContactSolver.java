@@ -97,15 +97,42 @@ final class ContactSolver implements Serializable {
         double[] v = state.v();
         double[] w = state.w().values();
         for (int k = 0; k < rows.count; k++) {
-            int a = State.BLOCK * rows.first(k);
-            int b = State.BLOCK * rows.second(k);
-            int begin = STRIDE * pairs[INTS * k + 3];
-            int end = STRIDE * pairs[INTS * k + 4];
-            for (int p = begin; p < end; p += STRIDE) {
-                rub(v, w, a, b, k, p);
+            solve(v, w, k, softness, regains, h);
+        }
+    }
+
+    private void solve(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
+        int a = State.BLOCK * rows.first(k);
+        int b = State.BLOCK * rows.second(k);
+        int begin = STRIDE * pairs[INTS * k + 3];
+        int end = STRIDE * pairs[INTS * k + 4];
+        for (int p = begin; p < end; p += STRIDE) {
+            rub(v, w, a, b, k, p);
+        }
+        for (int p = begin; p < end; p += STRIDE) {
+            press(v, w, a, b, k, p, softness, regains, h);
+        }
+    }
+
+    private boolean isMarked(int k, boolean[] marks) {
+        return marks[rows.first(k)] || marks[rows.second(k)];
+    }
+
+    /** Takes the impulses of marked bodies away, without a change of their velocities. */
+    void clear(boolean[] marks) {
+        for (int k = 0; k < rows.count; k++) {
+            for (int m = pairs[INTS * k + 3]; isMarked(k, marks) && m < pairs[INTS * k + 4]; m++) {
+                points[STRIDE * m + NORMAL] = 0;
+                points[STRIDE * m + TANGENT] = 0;
             }
-            for (int p = begin; p < end; p += STRIDE) {
-                press(v, w, a, b, k, p, softness, regains, h);
+        }
+    }
+
+    /** Solves the points of marked bodies once. */
+    void solve(boolean[] marks, Softness softness, boolean regains, double h) {
+        for (int k = 0; k < rows.count; k++) {
+            if (isMarked(k, marks)) {
+                solve(state.v(), state.w().values(), k, softness, regains, h);
             }
         }
     }
@@ -239,12 +266,10 @@ final class ContactSolver implements Serializable {
 
     /** Compresses what will bounce once more in turn, as its gaps are of no more use; whether something has changed. */
     boolean compress() {
-        double[] v = state.v();
-        double[] w = state.w().values();
         boolean goesOn = false;
         for (int k = 0; k < rows.count; k++) {
             for (int m = pairs[INTS * k + 3]; rows.hasBounced(k) && m < pairs[INTS * k + 4]; m++) {
-                goesOn |= points[STRIDE * m + RESTORED] > 0 && compress(v, w, k, STRIDE * m);
+                goesOn |= points[STRIDE * m + RESTORED] > 0 && compress(k, STRIDE * m, NORMAL_SUM);
             }
         }
         return goesOn;
@@ -278,16 +303,26 @@ final class ContactSolver implements Serializable {
         return any;
     }
 
-    /** Takes what is left of a point's approach, as the gap that it still had is of no more use; whether there was anything. */
-    private boolean compress(double[] v, double[] w, int k, int p) {
+    /** The speed at which a point opens. */
+    double opening(int k, int p) {
         int a = State.BLOCK * rows.first(k);
         int b = State.BLOCK * rows.second(k);
-        double nx = normals[PAIR * k];
-        double ny = normals[PAIR * k + 1];
-        double old = points[p + NORMAL_SUM];
-        double now = Math.max(0, old - points[p + NORMAL_MASS] * opening(v, a, b, p, nx, ny));
-        points[p + NORMAL_SUM] = now;
-        push(v, w, a, b, p, nx * (now - old), ny * (now - old));
+        return opening(state.v(), a, b, p, normals[PAIR * k], normals[PAIR * k + 1]);
+    }
+
+    /** Gives an impulse along the normal. */
+    void give(int k, int p, double by) {
+        double jx = normals[PAIR * k] * by;
+        double jy = normals[PAIR * k + 1] * by;
+        push(state.v(), state.w().values(), State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), p, jx, jy);
+    }
+
+    /** Takes what is left of a point's approach, with an impulse that is kept among its values; whether there was anything. */
+    boolean compress(int k, int p, int impulse) {
+        double old = points[p + impulse];
+        double now = Math.max(0, old - points[p + NORMAL_MASS] * opening(k, p));
+        points[p + impulse] = now;
+        give(k, p, now - old);
         return Math.abs(now - old) > SETTLED * (now + old);
     }
 

@@ -8,9 +8,11 @@ import java.util.List;
 import sim.physics.collision.CollisionFilter;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.constraint.Constraint;
+import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.Reaction;
 import sim.physics.constraint.TieRows;
+import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
 import sim.physics.motion.Body;
 import sim.physics.motion.Motion;
@@ -46,8 +48,6 @@ public final class TimeStepping implements Serializable {
     /** Solutions of a substep where something is new, of whose impulses nothing is known. */
     private static final int COLD = 8;
 
-    /** How often what bounces is solved in turn at most. */
-    private static final int TURNS = 32;
 
     /** Time in which the pace becomes shorter by one unit of it where substeps are shorter: depths are regained in a few paces. */
     private static final double PATIENCE = 16;
@@ -67,6 +67,7 @@ public final class TimeStepping implements Serializable {
     private final TieRows ties;
     private final Decisions decisions;
     private final Sleep sleep;
+    private final Retake retake;
 
     /** Null until the first constraint is added. */
     private Constraints constraints;
@@ -77,6 +78,7 @@ public final class TimeStepping implements Serializable {
     private boolean isCold;
 
     private boolean areOthersAsleep;
+
     private double[] a = {};
 
     /** Whether something acts on a body but even forces. */
@@ -123,6 +125,7 @@ public final class TimeStepping implements Serializable {
         sleep = new Sleep(state, poses, near, forces, rows);
         decisions.setPairs(near, sleep.kept());
         touch = new Touch(state, poses);
+        retake = new Retake(state, forces, ties, rows, contacts);
     }
 
     /** {@return number of substeps of a step} */
@@ -177,6 +180,7 @@ public final class TimeStepping implements Serializable {
             if (!state.isOnlyPushed(body)) {
                 poses.turn(body);
                 near.written(body, h);
+                retake.written();
             }
         }
         forces.admit(body);
@@ -198,6 +202,19 @@ public final class TimeStepping implements Serializable {
     /** {@return which bodies are asleep} */
     public Sleep sleep() {
         return sleep;
+    }
+
+    /**
+     * Closes the joints of bodies that were written. Those that say the same twice may be too far open for that: substeps regain it.
+     *
+     * @param island the bodies
+     */
+    public void assemble(IntList island) {
+        try {
+            constraints.assemble(island);
+        } catch (ConstraintException e) {
+            // all is as before
+        }
     }
 
     /** {@return what is asked and told of contacts} */
@@ -298,15 +315,22 @@ public final class TimeStepping implements Serializable {
         contacts.begin();
         boolean isTied = constraints != null;
         boolean isRubbed = !surface.isEmpty();
+        boolean areOthers = areOthersAsleep || forces.springs().areNew();
         if (isTied) {
             isCold |= ties.gather(constraints, sleep.asleep(), areOthersAsleep);
-            areOthersAsleep = false;
             ties.begin(growth);
         }
+        areOthersAsleep = false;
         if (isRubbed) {
             surface.begin(poses.awake);
         }
         findHeld(isTied, isRubbed);
+        boolean bounces = rows.bounces > 0 || isTied && ties.bounces();
+        boolean isBalanced = bounces || isTied;
+        retake.begin(rows, isCold || areOthers, isBalanced);
+        if (bounces) {
+            retake.bound(a, h);
+        }
         soften(Math.max(d, pace - h / PATIENCE));
         boolean isUneven = forces.areUneven();
         for (int k = 0; k < substeps; k++) {
@@ -315,6 +339,9 @@ public final class TimeStepping implements Serializable {
             }
             accelerate(d);
             forces.springs().evaluate(d);
+            if (isBalanced) {
+                retake.open();
+            }
             start(isTied, isRubbed);
             for (int m = isCold ? COLD : 1; m > 0; m--) {
                 solve(isTied, isRubbed, true, d);
@@ -325,16 +352,16 @@ public final class TimeStepping implements Serializable {
                 ties.evaluate();
             }
             solve(isTied, isRubbed, false, d);
+            if (isBalanced) {
+                retake.close(a, contact, joint, d);
+            }
             contacts.add();
             if (isTied) {
                 ties.add();
             }
         }
-        if (contacts.findImpacts(h)) {
-            bounce(isTied);
-        }
-        if (isTied) {
-            ties.bounce();
+        if (bounces) {
+            retake.bounce(isTied, h);
         }
         keep();
         sleep.watch(h, a);
@@ -342,27 +369,6 @@ public final class TimeStepping implements Serializable {
         isCold = false;
         isJudged = false;
         forces.end();
-    }
-
-    /**
-     * Lets bodies that have met bounce, by Poisson's hypothesis: what compression has taken, restitution gives once more, in part. Of what
-     * meets at the same time, joints included, that keeps the energy of elastic bodies, as v⁺ = 2 v − v⁻ is the mirror image of v⁻
-     * in the projection v.
-     */
-    private void bounce(boolean isTied) {
-        ties.keep();
-        boolean goesOn = true;
-        for (int turn = 0; goesOn && turn < TURNS; turn++) {
-            if (isTied) {
-                ties.settle();
-            }
-            goesOn = contacts.compress();
-        }
-        contacts.restore(h);
-        for (int turn = 0; isTied && turn < TURNS; turn++) {
-            ties.settle();
-        }
-        ties.putBack();
     }
 
     private void soften(double substep) {

@@ -35,6 +35,20 @@ class FieldMirrorTest {
     }
 
     @Test
+    void showsWhereBodiesAreUnderTimeStepping() {
+        engine.setTimeStepping(4);
+        FieldMirror mirror = new FieldMirror(engine, field);
+        Body other = engine.add(new Body(new Circle(1)).at(14, 24)); // is struck
+        for (int k = 0; k < 5; k++) {
+            engine.step();
+            mirror.step(null);
+            assertThat(field.getObjectLocation(body)).isEqualTo(new Double2D(body.getX(), body.getY()));
+            assertThat(field.getObjectLocation(other)).isEqualTo(new Double2D(other.getX(), other.getY()));
+        }
+        assertThat(other.getX()).isGreaterThan(14);
+    }
+
+    @Test
     void bodiesThatAnotherOneReplacesAreGoneAtOnce() {
         FieldMirror mirror = new FieldMirror(engine, field);
         engine.remove(body);

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.List;
+import sim.physics.internal.DisjointSets;
+import sim.physics.motion.Body;
+import sim.physics.motion.State;
+
+/** The equations of constraints other than pins, in flat arrays: where they are off, how speeds and impulses pass through them. */
+final class TieEquations implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    static final int ROWS = Equations.ROWS;
+    private static final int BLOCK = State.BLOCK;
+
+    /** What a constraint is. */
+    enum Kind {
+        JOINT,
+        MOTOR,
+        STOP
+    }
+
+    /** Values of J of a constraint: for its first body, and for its second one. */
+    static final int J = 2 * BLOCK * ROWS;
+
+    private final State state;
+    private int awake;
+    private final Equations one = new Equations();
+    Constraint[] ties = {};
+    Kind[] kinds = {};
+    int[] rows = {};
+    private double[] sizes = {};
+
+    /** The turn that a constraint is about, whose J does not change; null for others. */
+    private GearJoint[] gears = {};
+
+    /** Per constraint: the blocks of its bodies, −1 for the world. */
+    int[] blocks = {};
+
+    double[] j = {};
+    double[] c = {};
+    /** The inverse of J W Jᵀ, 3 × 3. */
+    double[] inverse = {};
+
+    TieEquations(State state) {
+        this.state = state;
+    }
+
+    /** The size of the smaller body that a constraint moves. */
+    static double size(Constraint tie) {
+        double a = size(tie.getBodyA());
+        double b = tie.getBodyB() == null ? Double.POSITIVE_INFINITY : size(tie.getBodyB());
+        return Math.min(a, b);
+    }
+
+    private static double size(Body body) {
+        return body.isFixed() ? Double.POSITIVE_INFINITY : body.getShape().boundingRadius();
+    }
+
+    /** What a row is off, as far as it is regained: by the size of a body, or a radian. Joints that jam would else throw bodies about. */
+    double limited(int k, int row, double off) {
+        double most = ties[k].isAngle(row) ? 1 : sizes[k];
+        return Math.max(-most, Math.min(most, off));
+    }
+
+    /**
+     * Takes constraints.
+     *
+     * @param awakeOnes how many of them, from the first one on, are of bodies that are awake: no others are looked at
+     */
+    void gather(List<Constraint> all, int awakeOnes) {
+        int n = all.size();
+        awake = awakeOnes;
+        ties = all.toArray(new Constraint[0]);
+        kinds = new Kind[n];
+        rows = new int[n];
+        sizes = new double[n];
+        gears = new GearJoint[n];
+        blocks = new int[2 * n];
+        for (int k = 0; k < n; k++) {
+            Constraint tie = ties[k];
+            Constraint coordinate = tie instanceof Switched s ? s.coordinate() : tie;
+            kinds[k] = tie instanceof Motor ? Kind.MOTOR : tie instanceof Limit ? Kind.STOP : Kind.JOINT;
+            rows[k] = tie.getRows();
+            sizes[k] = size(tie);
+            gears[k] = coordinate instanceof GearJoint gear ? gear : null;
+            blocks[2 * k] = BLOCK * tie.getBodyA().index();
+            blocks[2 * k + 1] = tie.getBodyB() == null ? -1 : BLOCK * tie.getBodyB().index();
+        }
+        j = new double[J * n];
+        c = new double[ROWS * n];
+        inverse = new double[ROWS * ROWS * n];
+    }
+
+    /** How many there are of bodies that are awake. */
+    int count() {
+        return awake;
+    }
+
+    /** Marks the bodies that are tied. */
+    void mark(boolean[] marks) {
+        mark(marks, blocks, awake);
+    }
+
+    /** Marks the bodies of the first constraints. */
+    static void mark(boolean[] marks, int[] blocks, int count) {
+        for (int k = 0; k < 2 * count; k++) {
+            if (blocks[k] >= 0) {
+                marks[blocks[k] / BLOCK] = true;
+            }
+        }
+    }
+
+    /** Marks the bodies of a constraint. */
+    void mark(int k, boolean[] marks) {
+        marks[blocks[2 * k] / BLOCK] = true;
+        if (blocks[2 * k + 1] >= 0) {
+            marks[blocks[2 * k + 1] / BLOCK] = true;
+        }
+    }
+
+    /** Whether one of the bodies of a constraint is marked. */
+    boolean isMarked(int k, boolean[] marks) {
+        return marks[blocks[2 * k] / BLOCK] || blocks[2 * k + 1] >= 0 && marks[blocks[2 * k + 1] / BLOCK];
+    }
+
+    /** Joins the sets of movable bodies that are tied to one another. */
+    static void join(int[] parent, int[] blocks, int count, double[] w) {
+        for (int k = 0; k < 2 * count; k += 2) {
+            int a = blocks[k];
+            int b = blocks[k + 1];
+            if (b >= 0 && w[a] > 0 && w[b] > 0) {
+                DisjointSets.join(parent, a / BLOCK, b / BLOCK);
+            }
+        }
+    }
+
+    /**
+     * Evaluates all of them where the state vectors say that the bodies are.
+     *
+     * @param isFirst whether the step begins: within it what does not change is kept
+     */
+    void evaluate(boolean isFirst) {
+        double[] x = state.x();
+        double[] w = state.w().values();
+        for (int k = 0; k < awake; k++) {
+            if (gears[k] != null && !isFirst) {
+                int b = blocks[2 * k + 1];
+                double off = gears[k].open(x[blocks[2 * k] + State.THETA], b < 0 ? 0 : x[b + State.THETA]);
+                c[ROWS * k] = kinds[k] == Kind.JOINT ? limited(k, 0, off) : off;
+                continue;
+            }
+            one.clear();
+            (kinds[k] == Kind.JOINT ? ties[k] : ((Switched) ties[k]).coordinate()).evaluate(one);
+            for (int r = 0; r < rows[k]; r++) {
+                c[ROWS * k + r] = kinds[k] == Kind.JOINT ? limited(k, r, one.c[r]) : one.c[r];
+            }
+            System.arraycopy(one.jA, 0, j, J * k, BLOCK * rows[k]);
+            System.arraycopy(one.jB, 0, j, J * k + BLOCK * ROWS, BLOCK * rows[k]);
+            RowInverse.invert(rows[k], w, blocks[2 * k], blocks[2 * k + 1], j, J * k, inverse, ROWS * ROWS * k);
+        }
+    }
+
+    /** The speed of a row. */
+    double speed(int k, int row, double[] v) {
+        int o = J * k + BLOCK * row;
+        int a = blocks[2 * k];
+        int b = blocks[2 * k + 1];
+        double speed = j[o] * v[a] + j[o + 1] * v[a + 1] + j[o + 2] * v[a + 2];
+        if (b >= 0) {
+            o += BLOCK * ROWS;
+            speed += j[o] * v[b] + j[o + 1] * v[b + 1] + j[o + 2] * v[b + 2];
+        }
+        return speed;
+    }
+
+    /** Gives the bodies an impulse along a row. */
+    void push(int k, int row, double by) {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        int o = J * k + BLOCK * row;
+        int a = blocks[2 * k];
+        int b = blocks[2 * k + 1];
+        v[a] += w[a] * j[o] * by;
+        v[a + 1] += w[a + 1] * j[o + 1] * by;
+        v[a + 2] += w[a + 2] * j[o + 2] * by;
+        if (b >= 0) {
+            o += BLOCK * ROWS;
+            v[b] += w[b] * j[o] * by;
+            v[b + 1] += w[b + 1] * j[o + 1] * by;
+            v[b + 2] += w[b + 2] * j[o + 2] * by;
+        }
+    }
+}

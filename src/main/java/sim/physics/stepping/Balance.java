@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.constraint.TieRows;
+import sim.physics.motion.SpringRows;
+import sim.physics.motion.State;
+
+/**
+ * Keeps the books of kinetic energy, by groups of bodies that joints, stiff springs and contacts connect: what holds bodies together or apart
+ * takes energy, or leaves it. Solved once, one after the other, impulses may give some: those of the substep before push into
+ * directions that have turned since, and of what was missing and is regained the second solution takes back a part only, the less the lighter
+ * a body is between heavy ones and the farther from its centre it is tied. In joints that jam that would grow without bound.
+ */
+final class Balance implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private static final int BLOCK = State.BLOCK;
+
+    /** Energy at which a group is too slow to be looked at, in units of what forces give it in a substep when it is at rest. */
+    private static final double SLOW = 16;
+
+    /** Part of its energy that a group may have got for nothing before it is made to pay: what swings gains some and loses it again. */
+    private static final double PATIENCE = 0.01;
+
+    /** What energies may differ by for rounding. */
+    private static final double ROUNDING = 1e-12;
+
+    private final State state;
+    private final Groups groups;
+
+    /** Where bodies were, and their velocities. */
+    private double[] places = {};
+
+    private double[] speeds = {};
+
+    /** By group: twice the energies that were noted, those of now, and what these may be. */
+    private double[] before = {};
+
+    private double[] after = {};
+    private double[] most = {};
+
+    /** By body: twice the energy that the group that it is the first of has got for nothing. */
+    private double[] debt = {};
+
+    private boolean[] marks = {};
+
+    Balance(State state, Groups groups) {
+        this.state = state;
+        this.groups = groups;
+    }
+
+    /** Begins a step, of which the groups are known. */
+    void open() {
+        int n = state.x().length / BLOCK;
+        if (marks.length < n) {
+            places = new double[BLOCK * n];
+            speeds = new double[BLOCK * n];
+            before = new double[n];
+            after = new double[n];
+            most = new double[n];
+            debt = Arrays.copyOf(debt, n);
+            marks = new boolean[n];
+        }
+    }
+
+    /** Notes where the bodies are, and their velocities. */
+    void note() {
+        double[] x = state.x();
+        double[] v = state.v();
+        for (int k = 0; k < groups.bodies; k++) {
+            int b = groups.blocks[k];
+            places[b] = x[b];
+            places[b + 1] = x[b + 1];
+            places[b + 2] = x[b + 2];
+            speeds[b] = v[b];
+            speeds[b + 1] = v[b + 1];
+            speeds[b + 2] = v[b + 2];
+        }
+    }
+
+    /** Measures energies: those that were noted, and those of now. */
+    private void measure(double[] v) {
+        int[] blocks = groups.blocks;
+        double[] masses = groups.masses;
+        for (int g = 0, k = 0; g < groups.count; g++) {
+            double then = 0;
+            double now = 0;
+            for (int end = groups.begins[g + 1]; k < end; k++) {
+                int b = blocks[k];
+                double m = masses[2 * k];
+                double i = masses[2 * k + 1];
+                then += m * (speeds[b] * speeds[b] + speeds[b + 1] * speeds[b + 1]) + i * speeds[b + 2] * speeds[b + 2];
+                now += m * (v[b] * v[b] + v[b + 1] * v[b + 1]) + i * v[b + 2] * v[b + 2];
+            }
+            before[g] = then;
+            after[g] = now;
+        }
+    }
+
+    /** The product u M v of a group: twice the energy if the two are the same velocities. */
+    private double product(double[] u, double[] v, int g) {
+        int[] blocks = groups.blocks;
+        double[] masses = groups.masses;
+        double sum = 0;
+        for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
+            int b = blocks[k];
+            sum += masses[2 * k] * (u[b] * v[b] + u[b + 1] * v[b + 1]) + masses[2 * k + 1] * u[b + 2] * v[b + 2];
+        }
+        return sum;
+    }
+
+    /** Bounds energies by those at the start of a step, or what forces alone would have made of them. */
+    void bound(double[] a, double h) {
+        double[] v = state.v();
+        for (int g = 0; g < groups.count; g++) {
+            most[g] = product(v, v, g) + Math.max(0, h * (2 * product(v, a, g) + h * product(a, a, g)));
+        }
+    }
+
+    /** Notes the velocities with which bounces begin: they may keep their energy. */
+    void begin() {
+        note();
+        measure(speeds);
+        for (int g = 0; g < groups.count; g++) {
+            most[g] = (1 + ROUNDING) * Math.max(most[g], before[g]);
+        }
+        for (int k = 0; k < groups.bodies; k++) {
+            marks[groups.blocks[k] / BLOCK] = true;
+        }
+    }
+
+    /**
+     * Whether some group has more energy than was noted and than motors and springs have given it; its bodies are marked then.
+     *
+     * @param a accelerations by forces
+     * @param h substep
+     */
+    boolean isBroken(TieRows ties, SpringRows springs, double[] a, double h) {
+        measure(state.v());
+        boolean isMore = false;
+        for (int g = 0; g < groups.count; g++) {
+            int first = groups.firsts[g];
+            debt[first] = Math.max(0, debt[first] + after[g] - before[g]);
+            isMore |= debt[first] > PATIENCE * before[g];
+        }
+        return isMore && mark(ties, springs, a, h);
+    }
+
+    private boolean mark(TieRows ties, SpringRows springs, double[] a, double h) {
+        Arrays.fill(most, 0, groups.count, 0);
+        ties.give(groups.slots, most);
+        springs.give(groups.slots, most, h);
+        for (int g = 0; g < groups.count; g++) {
+            int first = groups.firsts[g];
+            boolean isSlow = after[g] < SLOW * h * h * product(a, a, g);
+            debt[first] = isSlow ? 0 : Math.max(0, debt[first] - most[g]);
+            most[g] += before[g];
+        }
+        boolean any = false;
+        for (int k = 0; k < groups.bodies; k++) {
+            int body = groups.blocks[k] / BLOCK;
+            int g = groups.slots[body];
+            marks[body] = debt[groups.firsts[g]] > PATIENCE * before[g] && after[g] > most[g];
+            any |= marks[body];
+        }
+        return any;
+    }
+
+    /** The bodies of groups that have too much energy. */
+    boolean[] marks() {
+        return marks;
+    }
+
+    /** Puts the marked bodies where they were, at rest. */
+    void takeBack() {
+        for (int k = 0; k < groups.bodies; k++) {
+            int b = groups.blocks[k];
+            if (marks[b / BLOCK]) {
+                System.arraycopy(places, b, state.x(), b, BLOCK);
+                Arrays.fill(state.v(), b, b + BLOCK, 0);
+            }
+        }
+    }
+
+    /** Gives the marked bodies their velocities back. */
+    void bringBack() {
+        for (int k = 0; k < groups.bodies; k++) {
+            int b = groups.blocks[k];
+            if (marks[b / BLOCK]) {
+                System.arraycopy(speeds, b, state.v(), b, BLOCK);
+            }
+        }
+    }
+
+    /** Moves the marked bodies on. */
+    void move(double h) {
+        double[] x = state.x();
+        double[] v = state.v();
+        for (int k = 0; k < groups.bodies; k++) {
+            int b = groups.blocks[k];
+            for (int m = b; marks[b / BLOCK] && m < b + BLOCK; m++) {
+                x[m] += h * v[m];
+            }
+        }
+    }
+
+    /**
+     * Takes so much of what marked groups have got off them that they have no more energy than they may, each of their impulses by the
+     * same part: that keeps momentum.
+     */
+    void limit() {
+        double[] v = state.v();
+        for (int g = 0; g < groups.count; g++) {
+            double now = product(v, v, g);
+            if (marks[groups.firsts[g]] && now > most[g]) {
+                scale(v, g, part(before[g], product(v, speeds, g), now, most[g]));
+            }
+        }
+    }
+
+    private void scale(double[] v, int g, double part) {
+        for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
+            int b = groups.blocks[k];
+            for (int m = b; m < b + BLOCK; m++) {
+                v[m] = speeds[m] + part * (v[m] - speeds[m]);
+            }
+        }
+    }
+
+    /**
+     * The largest s from 0 to 1 with |u + s (v − u)|² at most a bound; the one with the least, if there is none.
+     *
+     * @param uu product of u with itself
+     * @param uv of u with v
+     * @param vv of v with itself
+     */
+    static double part(double uu, double uv, double vv, double most) {
+        double along = uu - uv; // −u (v − u)
+        double square = vv - 2 * uv + uu;
+        double root = along * along - square * (uu - most);
+        double s = square > 0 ? (along + Math.sqrt(Math.max(0, root))) / square : 0;
+        return Math.max(0, Math.min(1, s));
+    }
+
+    /** Forgets which groups were marked. */
+    void forget() {
+        for (int k = 0; k < groups.bodies; k++) {
+            marks[groups.blocks[k] / BLOCK] = false;
+        }
+    }
+}

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.constraint.TieRows;
+import sim.physics.internal.DisjointSets;
+import sim.physics.internal.Growth;
+import sim.physics.internal.IntList;
+import sim.physics.motion.SpringRows;
+import sim.physics.motion.State;
+
+/** Groups of movable bodies that joints, stiff springs and contacts connect, and in which there is one of the first two, or what may bounce. */
+final class Groups implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private static final int BLOCK = State.BLOCK;
+
+    private final State state;
+
+    /** Number of groups, and the first body of each. */
+    int count;
+
+    int[] firsts = {};
+
+    /** Where the bodies of a group begin, and where the last one's end. */
+    int[] begins = {};
+
+    private int[] ends = {};
+
+    /** Number of bodies in them; of each, group by group, its block, its mass and its moment, 0 for what cannot turn. */
+    int bodies;
+
+    int[] blocks = {};
+    double[] masses = {};
+
+    /** The group of a body, by its index. */
+    int[] slots = {};
+
+    /** By body: parents of the sets of joints and springs, and of those of this step. */
+    private int[] tiedParents = {};
+
+    private int[] parents = {};
+
+    /** The movable bodies with joints and springs, in ascending order. */
+    private final IntList tied = new IntList();
+
+    private boolean[] marks = {};
+    private final IntList found = new IntList();
+
+    /** The bodies of the rows for which these groups were found; those of one that may bounce as their complements. */
+    private int[] known = {};
+
+    private int knownRows = -1;
+
+    Groups(State state) {
+        this.state = state;
+    }
+
+    /**
+     * Finds them.
+     *
+     * @param isNew whether joints, springs or bodies are others than the last time
+     */
+    void find(ContactRows rows, TieRows ties, SpringRows springs, boolean isNew) {
+        if (isNew || parents.length < state.size()) {
+            tie(ties, springs);
+        } else if (areKnown(rows)) {
+            return;
+        }
+        note(rows);
+        System.arraycopy(tiedParents, 0, parents, 0, state.size());
+        for (int k = 0; k < found.size; k++) {
+            marks[found.values[k]] = false;
+        }
+        found.clear();
+        count = 0;
+        join(rows);
+        for (int k = 0; k < tied.size; k++) {
+            watch(tied.values[k]);
+        }
+        for (int k = 0; k < rows.count; k++) {
+            if (rows.mayBounce(k)) {
+                watch(rows.first(k));
+                watch(rows.second(k));
+            }
+        }
+        for (int k = 0; found.size > 0 && k < rows.count; k++) {
+            follow(rows.first(k));
+            follow(rows.second(k));
+        }
+        sort();
+    }
+
+    /** Whether a pair is of a group. */
+    boolean has(int row, ContactRows rows) {
+        return marks[rows.first(row)] || marks[rows.second(row)];
+    }
+
+    /** Marks the groups with joints and springs. */
+    void markTied(boolean[] those) {
+        for (int k = 0; k < tied.size; k++) {
+            those[slots[tied.values[k]]] = true;
+        }
+    }
+
+    /** Finds them anew in the next step: masses may be others. */
+    void forget() {
+        knownRows = -1;
+    }
+
+    private boolean areKnown(ContactRows rows) {
+        boolean yes = rows.count == knownRows;
+        for (int k = 0; yes && k < rows.count; k++) {
+            yes = known[2 * k] == code(rows, k) && known[2 * k + 1] == rows.second(k);
+        }
+        return yes;
+    }
+
+    private void note(ContactRows rows) {
+        knownRows = rows.count;
+        if (known.length < 2 * knownRows) {
+            known = new int[2 * Growth.length(known.length / 2, knownRows)];
+        }
+        for (int k = 0; k < knownRows; k++) {
+            known[2 * k] = code(rows, k);
+            known[2 * k + 1] = rows.second(k);
+        }
+    }
+
+    private static int code(ContactRows rows, int k) {
+        return rows.mayBounce(k) ? ~rows.first(k) : rows.first(k);
+    }
+
+    /** Puts the bodies in the order of their groups. */
+    private void sort() {
+        double[] w = state.w().values();
+        Arrays.fill(begins, 0, count + 1, 0);
+        for (int k = 0; k < found.size; k++) {
+            begins[slots[found.values[k]] + 1]++;
+        }
+        for (int g = 0; g < count; g++) {
+            begins[g + 1] += begins[g];
+        }
+        System.arraycopy(begins, 1, ends, 0, count);
+        bodies = found.size;
+        for (int k = bodies - 1; k >= 0; k--) {
+            int body = found.values[k];
+            int o = --ends[slots[body]];
+            blocks[o] = BLOCK * body;
+            masses[2 * o] = 1 / w[BLOCK * body];
+            masses[2 * o + 1] = w[BLOCK * body + 2] > 0 ? 1 / w[BLOCK * body + 2] : 0;
+        }
+    }
+
+    private void tie(TieRows ties, SpringRows springs) {
+        int n = state.x().length / BLOCK;
+        tiedParents = new int[n];
+        parents = new int[n];
+        firsts = new int[n];
+        blocks = new int[n];
+        begins = new int[n + 1];
+        ends = new int[n];
+        slots = new int[n];
+        masses = new double[2 * n];
+        marks = new boolean[n];
+        Arrays.setAll(tiedParents, k -> k);
+        ties.mark(marks);
+        springs.mark(marks);
+        ties.join(tiedParents);
+        springs.join(tiedParents);
+        tied.clear();
+        found.clear();
+        for (int k = 0; k < state.size(); k++) {
+            if (marks[k] && isMovable(k)) {
+                tied.add(k);
+            }
+        }
+        Arrays.fill(marks, false);
+    }
+
+    private boolean isMovable(int body) {
+        return state.w().values()[BLOCK * body] > 0;
+    }
+
+    private void join(ContactRows rows) {
+        for (int k = 0; k < rows.count; k++) {
+            if (isMovable(rows.first(k)) && isMovable(rows.second(k))) {
+                DisjointSets.join(parents, rows.first(k), rows.second(k));
+            }
+        }
+    }
+
+    /** Takes a body in, and the group that it is of. */
+    private void watch(int body) {
+        if (marks[body] || !isMovable(body)) {
+            return;
+        }
+        int root = DisjointSets.find(parents, body);
+        if (!marks[root]) {
+            firsts[count] = root;
+            slots[root] = count++;
+            take(root, slots[root]);
+        }
+        if (body != root) {
+            take(body, slots[root]);
+        }
+    }
+
+    /** Takes in a body that touches those of a group. */
+    private void follow(int body) {
+        int root = DisjointSets.find(parents, body);
+        if (!marks[body] && marks[root]) {
+            take(body, slots[root]);
+        }
+    }
+
+    private void take(int body, int group) {
+        marks[body] = true;
+        slots[body] = group;
+        found.add(body);
+    }
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import java.io.Serializable;
+import sim.physics.constraint.TieRows;
+import sim.physics.internal.Softness;
+import sim.physics.motion.SpringRows;
+import sim.physics.motion.State;
+import sim.physics.motion.SteppedForces;
+import sim.physics.motion.SurfaceRows;
+
+/**
+ * Takes a substep back for groups of tied bodies that would have got energy from what holds them, and makes it again in a way that
+ * cannot give any: what is missing is regained by velocities of its own, which are forgotten, and impulses start from nothing, so that each
+ * solution takes energy.
+ */
+final class Retake implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Solutions of such a substep. */
+    private static final int TURNS = 4;
+
+    /** How often what bounces is solved in turn at most. */
+    private static final int BOUNCES = 32;
+
+    private final SurfaceRows surface;
+    private final SpringRows springs;
+    private final TieRows ties;
+    private final ContactSolver contacts;
+    private final Groups groups;
+    private final Balance balance;
+
+    /** What bodies that bounce may have. */
+    private final Balance bounced;
+
+    private final Reflections reflections;
+
+    /** Whether joints, springs or bodies are others than when the groups were found. */
+    private boolean isStale;
+
+    Retake(State state, SteppedForces forces, TieRows ties, ContactRows rows, ContactSolver contacts) {
+        surface = forces.surface();
+        springs = forces.springs();
+        this.ties = ties;
+        this.contacts = contacts;
+        groups = new Groups(state);
+        balance = new Balance(state, groups);
+        bounced = new Balance(state, groups);
+        reflections = new Reflections(state, rows, contacts, groups);
+    }
+
+    /** A body was written: its mass may be another. */
+    void written() {
+        groups.forget();
+    }
+
+    /**
+     * Begins a step.
+     *
+     * @param isNew whether joints, springs or bodies are others than in the step before
+     * @param isNeeded whether the books are kept in this step
+     */
+    void begin(ContactRows rows, boolean isNew, boolean isNeeded) {
+        isStale |= isNew;
+        if (isNeeded) {
+            groups.find(rows, ties, springs, isStale);
+            balance.open();
+            isStale = false;
+        }
+    }
+
+    /** Begins a substep, in which nothing but forces has acted yet. */
+    void open() {
+        balance.note();
+    }
+
+    /**
+     * Ends a substep.
+     *
+     * @param a accelerations by forces
+     */
+    void close(double[] a, Softness contact, Softness joint, double h) {
+        if (!balance.isBroken(ties, springs, a, h)) {
+            return;
+        }
+        boolean[] marks = balance.marks();
+        balance.takeBack();
+        regain(marks, contact, joint, h);
+        balance.bringBack();
+        for (int k = 0; k < TURNS; k++) {
+            surface.solve(marks, h);
+            springs.solve(marks);
+            ties.solve(marks, Softness.RIGID, h);
+            contacts.solve(marks, Softness.RIGID, false, h);
+        }
+        balance.limit();
+        balance.move(h);
+        contacts.follow();
+        ties.evaluate();
+        balance.forget();
+    }
+
+    /** Says that there may be bounces in this step, which begins: they may give back what bodies have now. */
+    void bound(double[] a, double h) {
+        bounced.open();
+        bounced.bound(a, h);
+    }
+
+    /**
+     * Lets bodies that have met bounce, by Poisson's hypothesis: what compression has taken, restitution gives once more, in part. Of what
+     * meets at the same time, joints included, that keeps the energy of elastic bodies, as v⁺ = 2 v − v⁻ is the mirror image of v⁻
+     * in the projection v.
+     */
+    void bounce(boolean isTied, double h) {
+        boolean goesOn = contacts.findImpacts(h);
+        if (!goesOn && !isTied) {
+            return;
+        }
+        ties.keep();
+        for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
+            if (isTied) {
+                ties.settle();
+            }
+            goesOn = contacts.compress();
+        }
+        bounced.begin();
+        reflections.reflect();
+        contacts.restore(h);
+        for (int turn = 0; isTied && turn < BOUNCES; turn++) {
+            ties.settle();
+        }
+        ties.putBack();
+        if (isTied) {
+            ties.bounce();
+        }
+        bounced.limit();
+        bounced.forget();
+    }
+
+    private void regain(boolean[] marks, Softness contact, Softness joint, double h) {
+        clear(marks);
+        ties.evaluate();
+        ties.solve(marks, joint, h);
+        contacts.solve(marks, contact, true, h);
+        balance.move(h);
+        clear(marks);
+        ties.evaluate();
+    }
+
+    private void clear(boolean[] marks) {
+        surface.clear(marks);
+        springs.clear(marks);
+        ties.clear(marks);
+        contacts.clear(marks);
+    }
+}
