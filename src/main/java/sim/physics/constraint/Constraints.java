@@ -163,13 +163,11 @@ public final class Constraints implements Ties, Serializable {
      */
     public void touched(Body body) {
         version++;
-        if (!body.isFixed()) {
-            if (isTied(body.index())) {
-                of[body.index()].forget();
-            }
-            return;
+        if (body.isFixed()) {
+            constraints.stream().filter(c -> c.getBodyA() == body || c.getBodyB() == body).forEach(changed::add);
+        } else if (isTied(body.index())) {
+            of[body.index()].forget();
         }
-        constraints.stream().filter(c -> c.getBodyA() == body || c.getBodyB() == body).forEach(changed::add);
     }
 
     /**
@@ -232,6 +230,11 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public boolean pass(IntList bodies, double[] change) {
         return !stabilization.isFeedback() && solver.pass(of(bodies), state.w().values(), change);
+    }
+
+    @Override
+    public double bend(IntList bodies) {
+        return Grouping.bend(of(bodies));
     }
 
     @Override

@@ -87,6 +87,18 @@ final class Grouping {
         return yes;
     }
 
+    /** The least length in which a joint bends the way of a body. */
+    static double bend(List<Island> islands) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < islands.size(); k++) {
+            List<Constraint> joints = islands.get(k).inOrder;
+            for (int m = 0; m < joints.size(); m++) {
+                least = joints.get(m) instanceof Joint joint ? Math.min(least, joint.bend()) : least;
+            }
+        }
+        return least;
+    }
+
     /** Whether some of the joints can break. */
     static boolean isBreakable(List<Constraint> constraints) {
         return constraints.stream().anyMatch(k -> k instanceof Joint joint && joint.isBreakable());

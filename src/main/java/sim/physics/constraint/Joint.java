@@ -132,6 +132,11 @@ public abstract class Joint implements Constraint {
         return false;
     }
 
+    /** The length in which the joint bends the way of a body, beside what bodies turn; infinite if there is none. */
+    double bend() {
+        return Double.POSITIVE_INFINITY;
+    }
+
     /** Whether a constraint is all our own code, so that different ones may be evaluated by different threads. */
     static boolean isOwn(Constraint constraint) {
         Constraint one = constraint instanceof Switched s ? s.coordinate() : constraint;

@@ -98,6 +98,11 @@ public final class RodJoint extends Joint implements Link {
     }
 
     @Override
+    double bend() {
+        return length > 0 ? length : super.bend();
+    }
+
+    @Override
     public void evaluate(Equations e) {
         first.evaluate();
         second.evaluate();

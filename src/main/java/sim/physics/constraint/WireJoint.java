@@ -78,6 +78,15 @@ public final class WireJoint extends Joint {
         return wire instanceof Line || wire instanceof Ring;
     }
 
+    /** The radius of curvature where the bead is, or less. */
+    @Override
+    double bend() {
+        bead.evaluate();
+        wire.evaluate(bead.x, bead.y, f);
+        double bends = Math.abs(f[3]) + 2 * Math.abs(f[4]) + Math.abs(f[5]);
+        return bends > 0 ? Math.sqrt(f[1] * f[1] + f[2] * f[2]) / bends : super.bend();
+    }
+
     @Override
     public int getRows() {
         return 1;

@@ -7,7 +7,7 @@ import sim.physics.internal.IntList;
 
 /**
  * A method that takes a tolerance in place of a step. It chooses its steps so that the error of a position is about the
- * tolerance in each of them, in units of length; of an angle, about that of the body's rim. The engine's time step then
+ * tolerance in each of them, in units of length; of an angle, about that of the body's rim, but never more than 2 · 10⁻³. The engine's time step then
  * only says when the state is published, and when agents act. Where forces and joints depend on the state alone, steps that
  * want to be much longer go on beyond it, and the state is read from their dense output; elsewhere they end there, so that
  * the engine's step had better be long.
@@ -45,7 +45,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
     /** Part of the step that a method wants, and of the last one, below which one is cut short by where the engine's ends. */
     private static final double CUT = 0.5;
 
-    /** Rounding of a coordinate, below which no step is made smaller. */
+    /** Rounding of a coordinate, or of a body's size, below which no step is made smaller. */
     private static final double ROUNDING = 2 * 0x1p-52;
 
     private final double tolerance;
@@ -105,7 +105,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
             Path path) {
         path.ensure(State.BLOCK * state.size());
         Stages stages = path.stages;
-        stages.load(coordinates, state, bodies, tolerance, ROUNDING);
+        stages.load(coordinates, state, bodies, tolerance, equations.bend(bodies), ROUNDING);
         stages.isOpen = isOpen;
         stages.begin(t, path);
         int first = bodies.values[0];

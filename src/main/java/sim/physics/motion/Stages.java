@@ -13,6 +13,13 @@ final class Stages implements Serializable {
     /** Part of what is free of an error that counts at least, however small that was in the steps before. */
     private static final double PLAIN = 0.5;
 
+    /**
+     * The largest error of an angle, however coarse the tolerance; and of a place, over the lengths in which ties bend its way.
+     * An error of a velocity counts for a step, so what is wrong by an angle α in each gains or loses some α of its energy, and
+     * takes shorter steps the more it has: after some α⁻² steps it may have any energy and make any number of steps.
+     */
+    private static final double COARSEST = 2e-3;
+
     /** Positions and velocities at the start of the step. */
     double[] x0 = {};
 
@@ -111,8 +118,13 @@ final class Stages implements Serializable {
         // grows with the groups
     }
 
-    /** Takes the state of a group, in some coordinates. */
-    void load(Coordinates c, State state, IntList bodies, double tolerance, double rounding) {
+    /**
+     * Takes the state of a group, in some coordinates.
+     *
+     * @param bend the length in which ties bend the bodies' ways
+     * @param rounding of a coordinate; of the size of a body, if that is larger
+     */
+    void load(Coordinates c, State state, IntList bodies, double tolerance, double bend, double rounding) {
         coordinates = c;
         size = c.size();
         ensure(bodies);
@@ -120,10 +132,11 @@ final class Stages implements Serializable {
         for (int k = 0, m = 0; k < bodies.size; k++, m += State.BLOCK) {
             int b = State.BLOCK * bodies.values[k];
             double radius = state.body(bodies.values[k]).getShape().boundingRadius();
-            double place = Math.max(Math.abs(state.x()[b]), Math.abs(state.x()[b + 1]));
-            weight[m] = 1 / Math.max(tolerance, rounding * place);
+            double place = Math.max(radius, Math.max(Math.abs(state.x()[b]), Math.abs(state.x()[b + 1])));
+            weight[m] = 1 / Math.max(Math.min(tolerance, COARSEST * bend), rounding * place);
             weight[m + 1] = weight[m];
-            weight[m + 2] = 1 / Math.max(tolerance / radius, rounding * Math.abs(state.x()[b + 2]));
+            double angle = Math.max(1, Math.abs(state.x()[b + 2]));
+            weight[m + 2] = 1 / Math.max(Math.min(tolerance / radius, COARSEST), rounding * angle);
         }
     }
 

@@ -67,6 +67,14 @@ public interface Ties extends Serializable {
     boolean pass(IntList bodies, double[] change);
 
     /**
+     * How far a body goes until a tie has turned its way by about a radian, beside what the bodies turn themselves.
+     *
+     * @param bodies all bodies of an island, or of several and others, where the state vectors have them
+     * @return the least length of those that can be told; infinite if there is none
+     */
+    double bend(IntList bodies);
+
+    /**
      * Adds what the ties' forces do to the accelerations of some bodies, at the positions and velocities of the state
      * vectors.
      *
