@@ -78,7 +78,12 @@ final class Sliding implements Serializable {
             }
             double left = length - done;
             double part = Math.min(left, Math.max(share * rest, least));
-            DrivenMotion.cover(motion, state, group, t + done, part, path);
+            path.stages.isToRest = true;
+            try {
+                DrivenMotion.cover(motion, state, group, t + done, part, path);
+            } finally {
+                path.stages.isToRest = false;
+            }
             done = part == left ? length : done + part;
             if (!isPressed && rest < Double.POSITIVE_INFINITY && motion.getIntegrator() instanceof AdaptiveIntegrator chosen) {
                 // what is left is the same motion on a smaller scale: what was allowed of the rest is allowed again

@@ -20,6 +20,9 @@ final class Stages implements Serializable {
      */
     private static final double COARSEST = 2e-3;
 
+    /** The same of an angle where friction takes the energy. */
+    private static final double COARSEST_TO_REST = 0.125;
+
     /** Positions and velocities at the start of the step. */
     double[] x0 = {};
 
@@ -72,6 +75,9 @@ final class Stages implements Serializable {
 
     /** Whether the step was tried before, longer. */
     boolean isRetry;
+
+    /** Whether friction brings the bodies to rest, so that errors cannot wind them up. */
+    boolean isToRest;
 
     /** Whether it is much shorter than the method wants and than the one before: what is left of the engine's step. */
     boolean isCut;
@@ -129,6 +135,7 @@ final class Stages implements Serializable {
         size = c.size();
         ensure(bodies);
         c.read(x0, v0);
+        double coarsest = isToRest ? COARSEST_TO_REST : COARSEST;
         for (int k = 0, m = 0; k < bodies.size; k++, m += State.BLOCK) {
             int b = State.BLOCK * bodies.values[k];
             double radius = state.body(bodies.values[k]).getShape().boundingRadius();
@@ -136,7 +143,7 @@ final class Stages implements Serializable {
             weight[m] = 1 / Math.max(Math.min(tolerance, COARSEST * bend), rounding * place);
             weight[m + 1] = weight[m];
             double angle = Math.max(1, Math.abs(state.x()[b + 2]));
-            weight[m + 2] = 1 / Math.max(Math.min(tolerance / radius, COARSEST), rounding * angle);
+            weight[m + 2] = 1 / Math.max(Math.min(tolerance / radius, coarsest), rounding * angle);
         }
     }
 
