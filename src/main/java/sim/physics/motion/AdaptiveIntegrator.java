@@ -105,7 +105,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
             Path path) {
         path.ensure(State.BLOCK * state.size());
         Stages stages = path.stages;
-        stages.load(coordinates, state, bodies, tolerance, equations.bend(bodies), ROUNDING);
+        stages.load(coordinates, state, bodies, tolerance, ROUNDING);
         stages.isOpen = isOpen;
         stages.begin(t, path);
         int first = bodies.values[0];

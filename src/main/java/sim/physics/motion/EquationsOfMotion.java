@@ -28,16 +28,6 @@ public interface EquationsOfMotion {
     }
 
     /**
-     * How far a body goes until a constraint has turned its way by about a radian.
-     *
-     * @param bodies the bodies, where the state vectors have them
-     * @return the least length of those that can be told; infinite if there is none
-     */
-    default double bend(IntList bodies) {
-        return Double.POSITIVE_INFINITY; // nothing ties the bodies
-    }
-
-    /**
      * Keeps the directions in which constraints act at the positions of the state vectors, for {@link #close}.
      *
      * @param bodies the bodies

@@ -485,11 +485,6 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     @Override
-    public double bend(IntList bodies) {
-        return isTiedGroup(bodies) ? ties.bend(bodies) : Double.POSITIVE_INFINITY;
-    }
-
-    @Override
     public void close(IntList bodies, double h) {
         if (isTiedGroup(bodies)) {
             ties.close(bodies, h);

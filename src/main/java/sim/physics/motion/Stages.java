@@ -76,6 +76,9 @@ final class Stages implements Serializable {
     /** Whether the step was tried before, longer. */
     boolean isRetry;
 
+    /** The length in which ties bend the bodies' ways, for the next step alone; else infinite. */
+    double bend = Double.POSITIVE_INFINITY;
+
     /** Whether friction brings the bodies to rest, so that errors cannot wind them up. */
     boolean isToRest;
 
@@ -127,20 +130,21 @@ final class Stages implements Serializable {
     /**
      * Takes the state of a group, in some coordinates.
      *
-     * @param bend the length in which ties bend the bodies' ways
      * @param rounding of a coordinate; of the size of a body, if that is larger
      */
-    void load(Coordinates c, State state, IntList bodies, double tolerance, double bend, double rounding) {
+    void load(Coordinates c, State state, IntList bodies, double tolerance, double rounding) {
         coordinates = c;
         size = c.size();
         ensure(bodies);
         c.read(x0, v0);
         double coarsest = isToRest ? COARSEST_TO_REST : COARSEST;
+        double coarse = Math.min(tolerance, COARSEST * bend);
+        bend = Double.POSITIVE_INFINITY;
         for (int k = 0, m = 0; k < bodies.size; k++, m += State.BLOCK) {
             int b = State.BLOCK * bodies.values[k];
             double radius = state.body(bodies.values[k]).getShape().boundingRadius();
             double place = Math.max(radius, Math.max(Math.abs(state.x()[b]), Math.abs(state.x()[b + 1])));
-            weight[m] = 1 / Math.max(Math.min(tolerance, COARSEST * bend), rounding * place);
+            weight[m] = 1 / Math.max(coarse, rounding * place);
             weight[m + 1] = weight[m];
             double angle = Math.max(1, Math.abs(state.x()[b + 2]));
             weight[m + 2] = 1 / Math.max(Math.min(tolerance / radius, coarsest), rounding * angle);

@@ -205,6 +205,7 @@ final class TiedMotion implements Serializable {
         double limit = length;
         for (int halvings = 0; ; halvings++) {
             ties.begin(group, !motion.hasForces());
+            path.stages.bend = ties.bend(group);
             double done = motion.getIntegrator().advance(motion, state, group, t, limit, path);
             if (ties.project(group)) {
                 return done;
@@ -241,6 +242,7 @@ final class TiedMotion implements Serializable {
         double limit = 0;
         for (int halvings = 0; halvings <= FEW_HALVINGS; halvings++) {
             ties.begin(group, !motion.hasForces());
+            path.stages.bend = ties.bend(group);
             double done = halvings == 0
                     ? method.goOn(motion, state, group, t, wanted, path)
                     : method.advance(motion, state, group, t, limit, path);
