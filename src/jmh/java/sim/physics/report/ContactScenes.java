@@ -204,6 +204,28 @@ final class ContactScenes {
         ReportScene scene = touching("W25-push", "disc that is pushed and rolls, 2 s", model, 2, 2, 15);
         scene.point(disc, 0, 0).point(disc, 0.5, 0);
         scene.reference = "a = 2 F / 3 m";
+        scene.note = "By events, what a force other than gravity drives stays 10⁻⁷ of its size off the ground: an error of 5e-8 m.";
+        scene.expected = () -> JointScenes.rows(scene, t -> {
+            double x = t * t * 2 * model.push / 6;
+            return new double[] {x, 0.5, x + StrictMath.cos(-2 * x) / 2, 0.5 + StrictMath.sin(-2 * x) / 2};
+        });
+        return scene;
+    }
+
+    /** W25: SimBenchmark's rolling, cut to the plane. */
+    static ReportScene rollers() {
+        int n = 5;
+        double mass = 10;
+        Model model = new Model(G);
+        model.friction = 0.8;
+        model.push = 25;
+        int box = box(model, 12, 0.2, mass, 0, 1.1);
+        for (int k = 0; k < n; k++) {
+            disc(model, 1, 2 * k - n + 1, 0.5);
+        }
+        model.wall(0, -1, 60, 2);
+        ReportScene scene = touching("W25-rollers", "plate that is pushed over five rollers, 1 s", model, 1, 2, 120);
+        scene.note = "By events, what a force other than gravity drives stays 10⁻⁷ of its size off what it rests on: an error of 1e-7 m.";
         scene.point(box, 0, 0).point(box, 6, 0);
         for (int k = 0; k < n; k++) {
             scene.point(k + 1, 0, 0);
