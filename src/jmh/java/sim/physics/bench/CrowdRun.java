@@ -122,6 +122,7 @@ public final class CrowdRun {
         PhysicsEngine engine = new PhysicsEngine();
         engine.setTimeStep(STEP);
         engine.setTimeStepping(substeps);
+        engine.setSleepAllowed(false); // nor do the peers
         engine.add(new SurfaceFriction(G));
         for (int end = 0; end < 2; end++) {
             engine.add(Body.fixed(new Rectangle(1, SIDE + 2)).at(end * (SIDE + 1) - 0.5, SIDE / 2));

@@ -36,6 +36,7 @@ final class OwnMachine implements MachineWorld {
     OwnMachine(int substeps) {
         engine.setTimeStep(STEP);
         engine.setTimeStepping(substeps);
+        engine.setSleepAllowed(false); // nor do the peers
         engine.add(new Gravity(0, -GRAVITY));
     }
 

@@ -20,6 +20,7 @@ final class OwnRunner implements Runner {
     OwnRunner(SceneData scene, boolean euler, int substeps) {
         engine.setTimeStep(scene.dt());
         engine.setTimeStepping(substeps);
+        engine.setSleepAllowed(false); // nor do the peers
         if (euler) {
             engine.setIntegrator(new Euler());
         }

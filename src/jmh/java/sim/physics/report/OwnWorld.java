@@ -38,6 +38,7 @@ final class OwnWorld implements World {
     OwnWorld(Model model, Integrator integrator, double dt, boolean count, int substeps) {
         engine.setTimeStep(dt);
         engine.setTimeStepping(substeps);
+        engine.setSleepAllowed(false); // nor do the peers
         engine.setIntegrator(integrator);
         bodies = new Body[model.parts.size()];
         for (int k = 0; k < bodies.length; k++) {

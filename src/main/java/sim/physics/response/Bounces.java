@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.Tolerances;
 import sim.physics.motion.Motion;
+import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
 /**
@@ -28,6 +29,9 @@ final class Bounces implements Serializable {
 
     /** Bounces of a rattling pair after which they may be faster, the more there are: or a method beyond its stability made them endless. */
     private static final double PATIENCE = 256;
+
+    /** How many times faster these may hop in the end that only forces press, which then are known: up to a sixteenth of their size. */
+    private static final double MOST_PATIENCE = 4;
 
     /** Time, relative to the step, in which no force brings bodies back together that have parted. */
     private static final double INSTANT = 1e-9;
@@ -59,6 +63,8 @@ final class Bounces implements Serializable {
     private double[] lastSpeed = {};
 
     private double[] lastTau = {};
+
+    private double[] accelerations = {};
 
     /** Energy that the pair has lost to restitution, at impacts of one point. */
     private double[] lost = {};
@@ -103,7 +109,7 @@ final class Bounces implements Serializable {
             double size = Math.min(trajectories.radius(a), trajectories.radius(b));
             double longest = Math.sqrt(2 * Tolerances.RATTLE_SIZE * size / acceleration);
             double length = Math.min(Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h, longest);
-            double hop = Math.min(0.5 * length * acceleration, mostHop(a, b, Tolerances.RATTLE_SIZE * size) * Math.max(1, count / PATIENCE));
+            double hop = Math.min(0.5 * length * acceleration, mostHop(a, b, Tolerances.RATTLE_SIZE * size, Math.max(1, count / PATIENCE)));
             boolean isForce = trajectories.offset(a) - lastTau[pair] > INSTANT * h; // else an impact somewhere else has driven them together
             hop = isForce ? hop : Math.min(hop, regained(pair, approach, c));
             c.restitution = Math.max(Tolerances.RATTLE, Math.min(HUGE, hop / approach));
@@ -130,11 +136,28 @@ final class Bounces implements Serializable {
     }
 
     /**
-     * The greatest speed of a rattling pair's bounces, of which the force may have been misjudged: with it they go by so much in a step, or
-     * as high by the forces that there are.
+     * The greatest speed of a rattling pair's bounces, of which the force may have been misjudged: with it they go as high as a way by the
+     * forces that there are, or where joints give forces, too, by so much in a step.
+     *
+     * @param patience how often that much: more where they rattle on and on
      */
-    private double mostHop(int a, int b, double way) {
-        return Math.max(way / h, Math.sqrt(2 * way * (pull(a) + pull(b))));
+    private double mostHop(int a, int b, double way, double patience) {
+        if (motion.isTied(a) || motion.isTied(b)) {
+            return patience * Math.max(way / h, Math.sqrt(2 * way * (pull(a) + pull(b))));
+        }
+        return Math.min(MOST_PATIENCE, patience) * Math.sqrt(2 * way * (drive(a) + drive(b)));
+    }
+
+    /** The acceleration of a body by all forces. */
+    private double drive(int body) {
+        if (!trajectories.isDriven(body)) {
+            return pull(body);
+        }
+        int n = trajectories.data().length / Trajectories.STRIDE * State.BLOCK;
+        accelerations = accelerations.length < n ? new double[n] : accelerations;
+        motion.restore(motion.companions(body));
+        motion.load(motion.companions(body), motion.time(trajectories.offset(body)), accelerations);
+        return Math.abs(accelerations[State.BLOCK * body]) + Math.abs(accelerations[State.BLOCK * body + 1]);
     }
 
     /** Counts that a pair has come to rest. */
