@@ -371,13 +371,8 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         drivenMotion.restore(group);
     }
 
-    /**
-     * The simulated time of an offset in the present step.
-     *
-     * @param tau offset
-     * @return time
-     */
-    public double time(double tau) {
+    /** The simulated time of an offset in the present step. */
+    double time(double tau) {
         return time + tau;
     }
 

@@ -5,8 +5,8 @@ package sim.physics.response;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.Tolerances;
+import sim.physics.motion.Drive;
 import sim.physics.motion.Motion;
-import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
 /**
@@ -38,6 +38,7 @@ final class Bounces implements Serializable {
 
     private final Trajectories trajectories;
     private final Motion motion;
+    private final Drive drive;
 
     /** The length of the step of the impact that is attended to, and its offset in the engine's. */
     private double h;
@@ -64,14 +65,13 @@ final class Bounces implements Serializable {
 
     private double[] lastTau = {};
 
-    private double[] accelerations = {};
-
     /** Energy that the pair has lost to restitution, at impacts of one point. */
     private double[] lost = {};
 
     Bounces(Trajectories trajectories, Motion motion) {
         this.trajectories = trajectories;
         this.motion = motion;
+        this.drive = new Drive(motion, trajectories);
     }
 
     /**
@@ -153,11 +153,8 @@ final class Bounces implements Serializable {
         if (!trajectories.isDriven(body)) {
             return pull(body);
         }
-        int n = trajectories.data().length / Trajectories.STRIDE * State.BLOCK;
-        accelerations = accelerations.length < n ? new double[n] : accelerations;
-        motion.restore(motion.companions(body));
-        motion.load(motion.companions(body), motion.time(trajectories.offset(body)), accelerations);
-        return Math.abs(accelerations[State.BLOCK * body]) + Math.abs(accelerations[State.BLOCK * body + 1]);
+        drive.find(body);
+        return drive.acceleration();
     }
 
     /** Counts that a pair has come to rest. */

@@ -7,6 +7,7 @@ import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Tolerances;
+import sim.physics.motion.Drive;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
@@ -35,6 +36,7 @@ final class Collapse implements Serializable {
     private final ContactPoints points;
     private final HeapBodies by;
     private final Heap heap;
+    private final Drive drive;
     private final HeapSystem system = new HeapSystem();
     private final IntList bodies = new IntList();
     private final ContactPoint point = new ContactPoint();
@@ -47,7 +49,6 @@ final class Collapse implements Serializable {
     private double lost;
 
     private double step;
-    private double[] accelerations = {};
 
     Collapse(
             State state,
@@ -64,6 +65,7 @@ final class Collapse implements Serializable {
         this.points = points;
         this.by = by;
         this.heap = heap;
+        this.drive = new Drive(motion, trajectories);
     }
 
     /** Does what {@link Heaps#stop} says. */
@@ -108,20 +110,16 @@ final class Collapse implements Serializable {
 
     /** The greatest acceleration that forces give to one of the bodies, in parts of its size. */
     private double pull(double tau) {
-        accelerations = accelerations.length < state.x().length ? new double[state.x().length] : accelerations;
         double most = 0;
         for (int k = 0; k < bodies.size; k++) {
             int body = bodies.values[k];
-            int o = State.BLOCK * body;
             if (trajectories.isDriven(body)) {
                 motion.bring(body, tau);
-                motion.restore(motion.companions(body));
-                motion.load(motion.companions(body), motion.time(tau), accelerations);
+                drive.find(body);
+                most = Math.max(most, drive.acceleration() / heap.scales().radius(body) + drive.turning());
             } else {
-                motion.fall(body, accelerations, o);
+                most = Math.max(most, heap.pull(body) / heap.scales().radius(body));
             }
-            double push = Math.sqrt(accelerations[o] * accelerations[o] + accelerations[o + 1] * accelerations[o + 1]);
-            most = Math.max(most, push / heap.scales().radius(body) + Math.abs(accelerations[o + 2]));
         }
         return most;
     }

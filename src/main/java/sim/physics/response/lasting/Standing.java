@@ -12,8 +12,9 @@ import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
 /**
- * What a body stood on until just now, when it was struck from aside: a heap that gives the body all of its weight for the rest
- * of the step, and nothing that bears it, would throw it against the ground.
+ * What a body of a heap stands on, and what stands on it, all the same whether these have met in this step. A heap that gives a body all
+ * of its weight for the rest of the step, and nothing that bears it, would throw it against the ground; and of several supports those
+ * that were met first would bear it alone.
  */
 final class Standing implements Serializable {
     private static final long serialVersionUID = 1L;
