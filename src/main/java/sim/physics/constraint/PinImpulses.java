@@ -96,7 +96,7 @@ final class PinImpulses implements Serializable {
 
     /** Marks the bodies that are pinned. */
     void mark(boolean[] marks) {
-        TieEquations.mark(marks, blocks, awake);
+        TieEquations.mark(marks, blocks, 0, awake);
     }
 
     /** Joins the sets of movable bodies that are pinned to one another. */
@@ -104,14 +104,10 @@ final class PinImpulses implements Serializable {
         TieEquations.join(parent, blocks, awake, state.w().values());
     }
 
-    private boolean isMarked(int k, boolean[] marks) {
-        return marks[blocks[2 * k] / BLOCK] || blocks[2 * k + 1] >= 0 && marks[blocks[2 * k + 1] / BLOCK];
-    }
-
     /** Takes the impulses of marked bodies away, without a change of velocities. */
     void clear(boolean[] marks) {
         for (int k = 0; k < awake; k++) {
-            if (isMarked(k, marks)) {
+            if (TieEquations.isMarked(blocks, k, marks)) {
                 data[STRIDE * k + IMPULSE] = 0;
                 data[STRIDE * k + IMPULSE + 1] = 0;
             }
@@ -274,7 +270,7 @@ final class PinImpulses implements Serializable {
     /** Solves the pins of marked bodies once. */
     void solve(boolean[] marks, Softness softness) {
         for (int k = 0; k < awake; k++) {
-            if (isMarked(k, marks)) {
+            if (TieEquations.isMarked(blocks, k, marks)) {
                 solve(state.v(), state.w().values(), k, STRIDE * k, softness.rate(), softness.mass(), softness.impulse());
             }
         }

@@ -101,12 +101,12 @@ final class TieEquations implements Serializable {
 
     /** Marks the bodies that are tied. */
     void mark(boolean[] marks) {
-        mark(marks, blocks, awake);
+        mark(marks, blocks, 0, awake);
     }
 
-    /** Marks the bodies of the first constraints. */
-    static void mark(boolean[] marks, int[] blocks, int count) {
-        for (int k = 0; k < 2 * count; k++) {
+    /** Marks the bodies of the constraints from one to another. */
+    static void mark(boolean[] marks, int[] blocks, int from, int to) {
+        for (int k = 2 * from; k < 2 * to; k++) {
             if (blocks[k] >= 0) {
                 marks[blocks[k] / BLOCK] = true;
             }
@@ -115,14 +115,16 @@ final class TieEquations implements Serializable {
 
     /** Marks the bodies of a constraint. */
     void mark(int k, boolean[] marks) {
-        marks[blocks[2 * k] / BLOCK] = true;
-        if (blocks[2 * k + 1] >= 0) {
-            marks[blocks[2 * k + 1] / BLOCK] = true;
-        }
+        mark(marks, blocks, k, k + 1);
     }
 
     /** Whether one of the bodies of a constraint is marked. */
     boolean isMarked(int k, boolean[] marks) {
+        return isMarked(blocks, k, marks);
+    }
+
+    /** The same of constraints whose bodies have these blocks. */
+    static boolean isMarked(int[] blocks, int k, boolean[] marks) {
         return marks[blocks[2 * k] / BLOCK] || blocks[2 * k + 1] >= 0 && marks[blocks[2 * k + 1] / BLOCK];
     }
 

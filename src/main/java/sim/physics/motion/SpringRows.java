@@ -59,7 +59,7 @@ public final class SpringRows implements Serializable {
                 entry.isRow = isThere(spring) && isStiff(spring, h);
                 if (entry.isRow) {
                     add(entry, before.indexOf(entry), old);
-                    isIdle[stiff.size() - 1] = isAsleep(spring.getBodyA(), asleep) || isAsleep(spring.getBodyB(), asleep);
+                    isIdle[stiff.size() - 1] = isMarked(spring, asleep);
                 }
             }
         }
@@ -72,10 +72,6 @@ public final class SpringRows implements Serializable {
     /** {@return whether they are others than in the step before} */
     public boolean areNew() {
         return areNew;
-    }
-
-    private static boolean isAsleep(Body body, boolean[] asleep) {
-        return body != null && asleep[body.index()];
     }
 
     /** Lets all springs be forces again. */
@@ -224,6 +220,7 @@ public final class SpringRows implements Serializable {
         push(k, by);
     }
 
+    /** Whether one of the bodies of a spring is marked. */
     private static boolean isMarked(Spring spring, boolean[] marks) {
         return marks[spring.getBodyA().index()] || spring.getBodyB() != null && marks[spring.getBodyB().index()];
     }

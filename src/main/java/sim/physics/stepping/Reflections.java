@@ -57,8 +57,9 @@ final class Reflections implements Serializable {
         boolean goesOn = true;
         for (int round = 0; goesOn && round < ROUNDS; round++) {
             goesOn = choose();
-            for (int turn = 0, more = 1; goesOn && more > 0 && turn < TURNS; turn++) {
-                more = compress() ? 1 : 0;
+            boolean isOpen = goesOn;
+            for (int turn = 0; isOpen && turn < TURNS; turn++) {
+                isOpen = compress();
             }
             restore();
         }
