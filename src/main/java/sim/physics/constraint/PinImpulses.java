@@ -22,15 +22,15 @@ final class PinImpulses implements Serializable {
     /** What is less of a determinant than this, relative to the diagonal, says that the rows are one. */
     private static final double SINGULAR = 1e-14;
 
-    /** Values of a pin: arms in the bodies' frames, arms in the world, C, the inverse of J W Jᵀ, impulse, its sum in the step, largest C. */
-    private static final int STRIDE = 18;
+    /** Values of a pin: arms in the bodies' frames, arms in the world, C, the inverse of J W Jᵀ, impulse, the sum of it and of what it turns in the step, largest C. */
+    private static final int STRIDE = 19;
 
     private static final int ARM = 4;
     private static final int C = 8;
     private static final int INVERSE = 10;
     private static final int IMPULSE = 13;
     private static final int SUM = 15;
-    private static final int MOST = 17;
+    private static final int MOST = 18;
 
     private final State state;
 
@@ -38,7 +38,10 @@ final class PinImpulses implements Serializable {
     private int[] blocks = {};
 
     private double[] data = {};
+    /** Impulses that are to be put back, and those of which the sums know. */
     private double[] kept = {};
+
+    private double[] noted = {};
 
     /** How many of them, from the first one on, are of bodies that are awake. */
     private int awake;
@@ -64,6 +67,8 @@ final class PinImpulses implements Serializable {
         awake = number;
         blocks = new int[2 * pins.size()];
         data = new double[STRIDE * pins.size()];
+        kept = new double[2 * pins.size()];
+        noted = new double[2 * pins.size()];
         turning.clear();
         boolean[] turns = new boolean[state.size()];
         for (int k = 0; k < pins.size(); k++) {
@@ -128,19 +133,13 @@ final class PinImpulses implements Serializable {
         return data[STRIDE * k + SUM + row];
     }
 
-    /** An arm in the world where it was evaluated last: x, y of the first body's, and of the second one's. */
-    double arm(int k, int which) {
-        return data[STRIDE * k + ARM + which];
-    }
-
     /** Begins a step, with substeps so many times longer than those of the last one: impulses grow with them. */
     void begin(double growth) {
         Arrays.fill(angles, Double.NaN);
         for (int o = 0; o < STRIDE * awake; o += STRIDE) {
             data[o + IMPULSE] *= growth;
             data[o + IMPULSE + 1] *= growth;
-            data[o + SUM] = 0;
-            data[o + SUM + 1] = 0;
+            Arrays.fill(data, o + SUM, o + MOST, 0);
         }
         evaluate();
     }
@@ -148,8 +147,22 @@ final class PinImpulses implements Serializable {
     /** Adds the impulses of a substep to those of the step. */
     void add() {
         for (int o = 0; o < STRIDE * awake; o += STRIDE) {
-            data[o + SUM] += data[o + IMPULSE];
-            data[o + SUM + 1] += data[o + IMPULSE + 1];
+            add(o, data[o + IMPULSE], data[o + IMPULSE + 1]);
+        }
+    }
+
+    private void add(int o, double jx, double jy) {
+        data[o + SUM] += jx;
+        data[o + SUM + 1] += jy;
+        data[o + SUM + 2] += data[o + ARM] * jy - data[o + ARM + 1] * jx;
+    }
+
+    /** Takes a part of the impulses of the substep back. */
+    void limit(double[] shares) {
+        for (int k = 0; k < awake; k++) {
+            double share = TieEquations.share(blocks, k, shares);
+            data[STRIDE * k + IMPULSE] *= share;
+            data[STRIDE * k + IMPULSE + 1] *= share;
         }
     }
 
@@ -227,12 +240,29 @@ final class PinImpulses implements Serializable {
         }
     }
 
-    /** Keeps the impulses of now, or puts back those that were kept. */
-    void exchange(boolean back) {
-        if (kept.length < data.length) {
-            kept = new double[data.length];
+    /** Keeps the impulses of now, which are in the sums. */
+    void keep() {
+        for (int k = 0; k < awake; k++) {
+            System.arraycopy(data, STRIDE * k + IMPULSE, kept, 2 * k, 2);
         }
-        System.arraycopy(back ? kept : data, 0, back ? data : kept, 0, data.length);
+        System.arraycopy(kept, 0, noted, 0, 2 * awake);
+    }
+
+    /** Adds what has been given since to the sums; of that the part that bodies keep, all of it for null. */
+    void note(double[] shares) {
+        for (int k = 0; k < awake; k++) {
+            int o = STRIDE * k;
+            double share = shares == null ? 1 : TieEquations.share(blocks, k, shares);
+            add(o, share * (data[o + IMPULSE] - noted[2 * k]), share * (data[o + IMPULSE + 1] - noted[2 * k + 1]));
+            System.arraycopy(data, o + IMPULSE, noted, 2 * k, 2);
+        }
+    }
+
+    /** Puts back the impulses that were kept. */
+    void putBack() {
+        for (int k = 0; k < awake; k++) {
+            System.arraycopy(kept, 2 * k, data, STRIDE * k + IMPULSE, 2);
+        }
     }
 
     /** Gives the bodies the impulses of the substep before. */

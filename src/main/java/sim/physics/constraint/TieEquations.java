@@ -43,6 +43,8 @@ final class TieEquations implements Serializable {
     double[] c = {};
     /** The inverse of J W Jᵀ, 3 × 3. */
     double[] inverse = {};
+    /** What was given to the first body of each since somebody took note: impulse, and turning impulse about its centre. */
+    double[] given = {};
 
     TieEquations(State state) {
         this.state = state;
@@ -92,6 +94,7 @@ final class TieEquations implements Serializable {
         j = new double[J * n];
         c = new double[ROWS * n];
         inverse = new double[ROWS * ROWS * n];
+        given = new double[BLOCK * n];
     }
 
     /** How many there are of bodies that are awake. */
@@ -165,6 +168,12 @@ final class TieEquations implements Serializable {
         }
     }
 
+    /** The part that the bodies of a constraint keep of what they got: the world keeps all. */
+    static double share(int[] blocks, int k, double[] shares) {
+        double second = blocks[2 * k + 1] < 0 ? 1 : shares[blocks[2 * k + 1] / BLOCK];
+        return Math.min(shares[blocks[2 * k] / BLOCK], second);
+    }
+
     /** The speed of a row. */
     double speed(int k, int row, double[] v) {
         int o = J * k + BLOCK * row;
@@ -188,6 +197,9 @@ final class TieEquations implements Serializable {
         v[a] += w[a] * j[o] * by;
         v[a + 1] += w[a + 1] * j[o + 1] * by;
         v[a + 2] += w[a + 2] * j[o + 2] * by;
+        given[BLOCK * k] += j[o] * by;
+        given[BLOCK * k + 1] += j[o + 1] * by;
+        given[BLOCK * k + 2] += j[o + 2] * by;
         if (b >= 0) {
             o += BLOCK * ROWS;
             v[b] += w[b] * j[o] * by;

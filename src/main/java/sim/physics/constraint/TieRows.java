@@ -33,7 +33,7 @@ public final class TieRows implements Serializable {
     private double[] impulse = {};
     /** The same, to be put back. */
     private double[] kept = {};
-    /** Their sums over the substeps, along J. */
+    /** What the first bodies got in the step: impulse, and turning impulse about the centre. */
     private double[] sum = {};
     /** Speeds of stops, and bounds of motors, at the start of the step. */
     private double[] approach = {};
@@ -96,7 +96,7 @@ public final class TieRows implements Serializable {
         int n = others.size();
         impulse = new double[ROWS * n];
         kept = new double[ROWS * n];
-        sum = new double[ROWS * n];
+        sum = new double[BLOCK * n];
         approach = new double[n];
         hit = new boolean[2 * n];
         bounces = others.stream().anyMatch(tie -> tie instanceof Limit stop && stop.getRestitution() > 0);
@@ -104,20 +104,18 @@ public final class TieRows implements Serializable {
             double[] old = before.get(others.get(k));
             if (old != null) {
                 System.arraycopy(old, 0, impulse, ROWS * k, ROWS);
-                System.arraycopy(old, ROWS, sum, ROWS * k, ROWS);
-                System.arraycopy(old, 2 * ROWS, equations.j, TieEquations.J * k, TieEquations.J);
-                approach[k] = old[2 * ROWS + TieEquations.J];
+                System.arraycopy(old, ROWS, sum, BLOCK * k, BLOCK);
+                approach[k] = old[ROWS + BLOCK];
             }
         }
     }
 
-    /** Impulses, their sums, J and the bound of a constraint. */
+    /** Impulses, what they did in the step, and the bound of a constraint. */
     private double[] record(int k) {
-        double[] record = new double[2 * ROWS + TieEquations.J + 1];
+        double[] record = new double[ROWS + BLOCK + 1];
         System.arraycopy(impulse, ROWS * k, record, 0, ROWS);
-        System.arraycopy(sum, ROWS * k, record, ROWS, ROWS);
-        System.arraycopy(equations.j, TieEquations.J * k, record, 2 * ROWS, TieEquations.J);
-        record[2 * ROWS + TieEquations.J] = approach[k];
+        System.arraycopy(sum, BLOCK * k, record, ROWS, BLOCK);
+        record[ROWS + BLOCK] = approach[k];
         return record;
     }
 
@@ -185,7 +183,7 @@ public final class TieRows implements Serializable {
             impulse[k] *= growth;
         }
         equations.evaluate(true);
-        Arrays.fill(sum, 0, ROWS * equations.count(), 0);
+        Arrays.fill(sum, 0, BLOCK * equations.count(), 0);
         Arrays.fill(hit, false);
         for (int k = 0; k < equations.count(); k++) {
             boolean isStop = equations.kinds[k] == TieEquations.Kind.STOP;
@@ -202,6 +200,7 @@ public final class TieRows implements Serializable {
     /** Gives the bodies the impulses of the substep before. */
     public void start() {
         pinImpulses.start();
+        Arrays.fill(equations.given, 0);
         for (int k = 0; k < equations.count(); k++) {
             if (equations.kinds[k] == TieEquations.Kind.STOP) {
                 equations.push(k, 0, impulse[ROWS * k] - impulse[ROWS * k + 1]);
@@ -233,6 +232,23 @@ public final class TieRows implements Serializable {
         for (int k = 0; k < equations.count(); k++) {
             if (equations.isMarked(k, marks)) {
                 Arrays.fill(impulse, ROWS * k, ROWS * k + ROWS, 0);
+                Arrays.fill(equations.given, BLOCK * k, BLOCK * k + BLOCK, 0);
+            }
+        }
+    }
+
+    /**
+     * Takes a part of the impulses of the substep back, of whose velocities that was taken.
+     *
+     * @param shares what each body keeps
+     */
+    public void limit(double[] shares) {
+        pinImpulses.limit(shares);
+        for (int k = 0; k < equations.count(); k++) {
+            double share = TieEquations.share(equations.blocks, k, shares);
+            for (int r = 0; share < 1 && r < ROWS; r++) {
+                impulse[ROWS * k + r] *= share;
+                equations.given[BLOCK * k + r] *= share;
             }
         }
     }
@@ -355,12 +371,8 @@ public final class TieRows implements Serializable {
     /** Adds the impulses of a substep to those of the step. */
     public void add() {
         pinImpulses.add();
-        for (int k = 0; k < equations.count(); k++) {
-            int o = ROWS * k;
-            boolean isStop = equations.kinds[k] == TieEquations.Kind.STOP;
-            sum[o] += isStop ? impulse[o] - impulse[o + 1] : impulse[o];
-            sum[o + 1] += isStop ? 0 : impulse[o + 1];
-            sum[o + 2] += isStop ? 0 : impulse[o + 2];
+        for (int k = 0; k < BLOCK * equations.count(); k++) {
+            sum[k] += equations.given[k];
         }
     }
 
@@ -380,9 +392,7 @@ public final class TieRows implements Serializable {
             boolean isLower = hit[2 * k] && aim > speed && approach[k] < 0;
             boolean isUpper = hit[2 * k + 1] && aim < speed && approach[k] > 0;
             if (isLower || isUpper) {
-                double by = equations.inverse[ROWS * ROWS * k] * (aim - speed);
-                equations.push(k, 0, by);
-                sum[ROWS * k] += by;
+                equations.push(k, 0, equations.inverse[ROWS * ROWS * k] * (aim - speed));
             }
         }
     }
@@ -390,13 +400,36 @@ public final class TieRows implements Serializable {
     /** Keeps the impulses of now, since what bounces take is no guess for the step to come. */
     public void keep() {
         System.arraycopy(impulse, 0, kept, 0, impulse.length);
-        pinImpulses.exchange(false);
+        Arrays.fill(equations.given, 0);
+        pinImpulses.keep();
     }
 
-    /** Puts back the impulses that were kept. */
-    public void putBack() {
+    /** Adds what was given since the impulses were kept to what was done in the step: none of it will be taken back. */
+    public void note() {
+        add(null);
+        pinImpulses.note(null);
+    }
+
+    /**
+     * Adds what was given since then, and puts back the impulses that were kept.
+     *
+     * @param shares what each body keeps of what it was given
+     */
+    public void putBack(double[] shares) {
+        add(shares);
         System.arraycopy(kept, 0, impulse, 0, impulse.length);
-        pinImpulses.exchange(true);
+        pinImpulses.note(shares);
+        pinImpulses.putBack();
+    }
+
+    private void add(double[] shares) {
+        for (int k = 0; k < equations.count(); k++) {
+            double share = shares == null ? 1 : TieEquations.share(equations.blocks, k, shares);
+            for (int o = BLOCK * k; o < BLOCK * k + BLOCK; o++) {
+                sum[o] += share * equations.given[o];
+            }
+        }
+        Arrays.fill(equations.given, 0);
     }
 
     /** Solves joints for velocities once more. */
@@ -426,23 +459,11 @@ public final class TieRows implements Serializable {
     }
 
     private Reaction pinReaction(int k, double time) {
-        double x = pinImpulses.sum(k, 0) / time;
-        double y = pinImpulses.sum(k, 1) / time;
-        return new Reaction(x, y, pinImpulses.arm(k, 0) * y - pinImpulses.arm(k, 1) * x);
+        return new Reaction(pinImpulses.sum(k, 0) / time, pinImpulses.sum(k, 1) / time, pinImpulses.sum(k, 2) / time);
     }
 
     private Reaction reaction(int k, double time) {
-        double x = 0;
-        double y = 0;
-        double turn = 0;
-        for (int r = 0; r < equations.rows[k]; r++) {
-            int o = TieEquations.J * k + BLOCK * r;
-            double force = sum[ROWS * k + r] / time;
-            x += equations.j[o] * force;
-            y += equations.j[o + 1] * force;
-            turn += equations.j[o + 2] * force;
-        }
-        return new Reaction(x, y, turn);
+        return new Reaction(sum[BLOCK * k] / time, sum[BLOCK * k + 1] / time, sum[BLOCK * k + 2] / time);
     }
 
     /**

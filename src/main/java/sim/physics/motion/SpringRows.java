@@ -239,6 +239,19 @@ public final class SpringRows implements Serializable {
     }
 
     /**
+     * Takes a part of the impulses of the substep back, of whose velocities that was taken.
+     *
+     * @param shares what each body keeps
+     */
+    public void limit(double[] shares) {
+        for (int k = 0; k < stiff.size(); k++) {
+            Spring spring = (Spring) stiff.get(k).generator;
+            double second = spring.getBodyB() == null ? 1 : shares[spring.getBodyB().index()];
+            rows[STRIDE * k + IMPULSE] *= Math.min(shares[spring.getBodyA().index()], second);
+        }
+    }
+
+    /**
      * Solves the springs of some bodies once.
      *
      * @param marks by body
@@ -296,10 +309,10 @@ public final class SpringRows implements Serializable {
      */
     public void give(int[] group, double[] given, double h) {
         for (int k = 0; k < stiff.size(); k++) {
-            if (isIdle[k]) {
-                continue;
-            }
             Spring spring = (Spring) stiff.get(k).generator;
+            if (isIdle[k] || spring.getStiffness() == 0) {
+                continue; // a damper has no energy
+            }
             int o = STRIDE * k;
             double stretch = rows[o + BIAS] / (rows[o + SOFTNESS] * h * spring.getStiffness());
             double now = distance(spring) - spring.getLength();

@@ -47,6 +47,9 @@ final class Balance implements Serializable {
 
     private boolean[] marks = {};
 
+    /** By body: the part that it keeps of what it has got, 1 for those of which nothing was taken. */
+    private double[] shares = {};
+
     Balance(State state, Groups groups) {
         this.state = state;
         this.groups = groups;
@@ -63,6 +66,8 @@ final class Balance implements Serializable {
             most = new double[n];
             debt = Arrays.copyOf(debt, n);
             marks = new boolean[n];
+            shares = new double[n];
+            Arrays.fill(shares, 1);
         }
     }
 
@@ -210,20 +215,31 @@ final class Balance implements Serializable {
     /**
      * Takes so much of what marked groups have got off them that they have no more energy than they may, each of their impulses by the
      * same part: that keeps momentum.
+     *
+     * @return whether there was such a group
      */
-    void limit() {
+    boolean limit() {
+        boolean any = false;
         double[] v = state.v();
         for (int g = 0; g < groups.count; g++) {
             double now = product(v, v, g);
             if (marks[groups.firsts[g]] && now > most[g]) {
                 scale(v, g, part(before[g], product(v, speeds, g), now, most[g]));
+                any = true;
             }
         }
+        return any;
+    }
+
+    /** What each body keeps of what it has got. */
+    double[] shares() {
+        return shares;
     }
 
     private void scale(double[] v, int g, double part) {
         for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
             int b = groups.blocks[k];
+            shares[b / BLOCK] = part;
             for (int m = b; m < b + BLOCK; m++) {
                 v[m] = speeds[m] + part * (v[m] - speeds[m]);
             }
@@ -245,10 +261,11 @@ final class Balance implements Serializable {
         return Math.max(0, Math.min(1, s));
     }
 
-    /** Forgets which groups were marked. */
+    /** Forgets which groups were marked, and what was taken. */
     void forget() {
         for (int k = 0; k < groups.bodies; k++) {
             marks[groups.blocks[k] / BLOCK] = false;
+            shares[groups.blocks[k] / BLOCK] = 1;
         }
     }
 }

@@ -12,7 +12,7 @@ final class ContactRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values of a point. */
-    static final int STRIDE = 19;
+    static final int STRIDE = 20;
 
     static final int AX = 0;
     static final int AY = 1;
@@ -42,6 +42,9 @@ final class ContactRows implements Serializable {
     static final int LEVER_B = 16;
     static final int ARM_A = 17;
     static final int ARM_B = 18;
+
+    /** The impulse along the normal that will not be taken back. */
+    static final int NOTED = 19;
 
     /** Values of a pair: normal, friction, restitution, largest speed at which depth is regained. */
     static final int PAIR = 5;

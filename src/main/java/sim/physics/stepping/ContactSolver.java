@@ -22,6 +22,7 @@ import static sim.physics.stepping.ContactRows.LEVER_B;
 import static sim.physics.stepping.ContactRows.NORMAL;
 import static sim.physics.stepping.ContactRows.NORMAL_MASS;
 import static sim.physics.stepping.ContactRows.NORMAL_SUM;
+import static sim.physics.stepping.ContactRows.NOTED;
 import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.PRESSED;
 import static sim.physics.stepping.ContactRows.REGAIN;
@@ -124,6 +125,39 @@ final class ContactSolver implements Serializable {
             for (int m = pairs[INTS * k + 3]; isMarked(k, marks) && m < pairs[INTS * k + 4]; m++) {
                 points[STRIDE * m + NORMAL] = 0;
                 points[STRIDE * m + TANGENT] = 0;
+            }
+        }
+    }
+
+    /** Takes a part of the impulses of the substep back, of whose velocities that was taken: what each body keeps. */
+    void limit(double[] shares) {
+        for (int k = 0; k < rows.count; k++) {
+            double share = share(k, shares);
+            for (int m = pairs[INTS * k + 3]; share < 1 && m < pairs[INTS * k + 4]; m++) {
+                points[STRIDE * m + NORMAL] *= share;
+                points[STRIDE * m + TANGENT] *= share;
+            }
+        }
+    }
+
+    private double share(int k, double[] shares) {
+        return Math.min(shares[rows.first(k)], shares[rows.second(k)]);
+    }
+
+    /** Notes what will not be taken back of the impulses of the step. */
+    void note() {
+        for (int p = 0; p < STRIDE * rows.used; p += STRIDE) {
+            points[p + NOTED] = points[p + NORMAL_SUM];
+        }
+    }
+
+    /** Takes a part back of what has been given since. */
+    void limitSums(double[] shares) {
+        for (int k = 0; k < rows.count; k++) {
+            double share = share(k, shares);
+            for (int m = pairs[INTS * k + 3]; share < 1 && m < pairs[INTS * k + 4]; m++) {
+                double noted = points[STRIDE * m + NOTED];
+                points[STRIDE * m + NORMAL_SUM] = noted + share * (points[STRIDE * m + NORMAL_SUM] - noted);
             }
         }
     }

@@ -94,7 +94,11 @@ final class Retake implements Serializable {
             ties.solve(marks, Softness.RIGID, h);
             contacts.solve(marks, Softness.RIGID, false, h);
         }
-        balance.limit();
+        if (balance.limit()) {
+            ties.limit(balance.shares());
+            springs.limit(balance.shares());
+            contacts.limit(balance.shares());
+        }
         balance.move(h);
         contacts.follow();
         ties.evaluate();
@@ -125,16 +129,20 @@ final class Retake implements Serializable {
             goesOn = contacts.compress();
         }
         bounced.begin();
+        contacts.note();
+        ties.note();
         reflections.reflect();
         contacts.restore(h);
         for (int turn = 0; isTied && turn < BOUNCES; turn++) {
             ties.settle();
         }
-        ties.putBack();
         if (isTied) {
             ties.bounce();
         }
-        bounced.limit();
+        if (bounced.limit()) {
+            contacts.limitSums(bounced.shares());
+        }
+        ties.putBack(bounced.shares());
         bounced.forget();
     }
 

@@ -20,6 +20,7 @@ import sim.physics.constraint.SliderJoint;
 import sim.physics.constraint.WeldJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
+import sim.physics.motion.Spring;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
@@ -111,6 +112,24 @@ class SteppedEnergyTest {
             SplittableRandom random = new SplittableRandom(seed);
             PhysicsEngine engine = Stepped.engine(StrictMath.pow(24, random.nextDouble()) / 240, 1 + random.nextInt(8));
             List<Body> bodies = jam(engine, random);
+            double before = energy(bodies, 0);
+            for (int k = 0; k < 150; k++) {
+                engine.step();
+                assertThat(energy(bodies, 0)).as("seed %d, step %d", seed, k).isLessThan(1.02 * before);
+            }
+        }
+    }
+
+    /** Dampers without a spring, too strong for a substep, between bodies that are tied and jammed: they take some. */
+    @Test
+    void whatIsDampedNeverGetsFaster() {
+        for (int seed = 500; seed < 600; seed++) {
+            SplittableRandom random = new SplittableRandom(seed);
+            PhysicsEngine engine = Stepped.engine(StrictMath.pow(24, random.nextDouble()) / 240, 1 + random.nextInt(8));
+            List<Body> bodies = jam(engine, random);
+            for (int k = 0; k + 1 < bodies.size(); k += 2) {
+                engine.add(new Spring(bodies.get(k), 0, 0, bodies.get(k + 1), 0, 0, 1, 0, 1e5 * random.nextDouble()));
+            }
             double before = energy(bodies, 0);
             for (int k = 0; k < 150; k++) {
                 engine.step();
