@@ -545,6 +545,12 @@ public final class PhysicsEngine implements Steppable {
     }
 
     private void finish() {
+        if (!response.heaps().isEmpty()) {
+            IntList completed = response.heaps().finish();
+            for (int k = 0; k < completed.size; k++) {
+                note(completed.values[k], timeStep);
+            }
+        }
         if (trajectories.areStraight()) {
             state.lag(trajectories);
         } else if (motion.driven().size < state.bodyCount()) {

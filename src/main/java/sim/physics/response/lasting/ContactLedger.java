@@ -110,6 +110,11 @@ public final class ContactLedger implements Serializable {
         data[p + FORCE + 1] = tangential;
     }
 
+    /** The force of a point along the normal, or the tangent. */
+    double force(int pair, int point, boolean tangential) {
+        return data[places[pair] - 1 + POINTS + WIDTH * point + FORCE + (tangential ? 1 : 0)];
+    }
+
     /** Adds impulses of a point. */
     void strike(int pair, int point, double normal, double tangential) {
         int p = places[pair] - 1 + POINTS + WIDTH * point;

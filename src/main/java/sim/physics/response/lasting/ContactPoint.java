@@ -53,6 +53,11 @@ public final class ContactPoint implements Serializable {
         // filled again for each point
     }
 
+    /** The tangential acceleration of B's point relative to A's that comes from the turning of their bodies. */
+    double drifting() {
+        return omegaB * omegaB * leverB - omegaA * omegaA * leverA;
+    }
+
     /** The normal acceleration of the points that comes from the turning of their bodies. */
     double turning(Manifold manifold, int k) {
         double arm = manifold.roundA ? 0 : manifold.rAx[k] * manifold.nx + manifold.rAy[k] * manifold.ny;

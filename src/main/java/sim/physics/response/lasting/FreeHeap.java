@@ -19,6 +19,9 @@ final class FreeHeap implements Serializable {
     /** Solutions for which points that are hardly open count as closed, once without that there was none. */
     private static final int RELENTS = 1000;
 
+    /** Speed at which open points may be taken for closed, relative to the error that is good enough: 1e-5 of a size a step. */
+    private static final double HOVER = 1e7;
+
     /** Times that a heap may not be solved in a step, before little work is spent on it. */
     private static final int FAILURES = 3;
 
@@ -50,16 +53,16 @@ final class FreeHeap implements Serializable {
         }
     }
 
-    /** Takes note of a point that has been taken in; it may start from its last forces. */
-    void take(int p, double size, double time, boolean isKnown) {
+    /** Takes note of a point that has been taken in; it may start from what its last forces give in a part of the time. */
+    void take(int p, double size, double time, double given, boolean isKnown) {
         if (isKnown) {
-            notes.start(p, time);
+            notes.start(p, given);
         }
         system.tolerance().bear(system.tolerance().isRough() ? HeapGaps.fairSpeedOfMany(size, time) : HeapGaps.fairSpeed(size, time));
     }
 
     /** Finds what holds a heap that stands still from now on, when it has been stopped; nothing else depends on that. */
-    void bear(IntList heap, Motion motion, double scale, double time, double none) {
+    void bear(IntList heap, Motion motion, double scale, double time, double none, boolean isHalf) {
         double[] fall = new double[State.BLOCK];
         for (int k = 0; k < heap.size; k++) {
             motion.fall(heap.values[k], fall, 0);
@@ -73,7 +76,7 @@ final class FreeHeap implements Serializable {
         }
         system.solve(scale, true);
         notes.press(time);
-        notes.strike(-1); // what has stopped it was more than what holds it
+        notes.strike(isHalf ? -0.5 : -1); // what has stopped it was more than what holds it
     }
 
     /** Solves a heap whose points have been taken in; false if the impulses are not nearly right. */
@@ -83,13 +86,13 @@ final class FreeHeap implements Serializable {
             relents = Math.max(relents, by.relents[heap.values[k]] - 1);
         }
         if (relents > 0) {
-            system.relent();
+            relent();
         }
         boolean done = system.solve(scale, true);
         if (!done && relents <= 0 && !system.isSpared()) {
             relents = RELENTS;
             system.again();
-            system.relent();
+            relent();
             done = system.solve(scale, true);
         }
         for (int k = 0; k < heap.size; k++) {
@@ -98,6 +101,17 @@ final class FreeHeap implements Serializable {
         }
         soften(time);
         return done;
+    }
+
+    /**
+     * Takes points that are open by next to nothing for closed. Where more points touch than the bodies have freedoms, in a
+     * pile of discs, not all of them can close at once, and which do would take long to find.
+     */
+    private void relent() {
+        for (int p = 0; p < system.contacts(); p++) {
+            double least = system.bound(p);
+            system.bound(p, least < 0 && least > -HOVER * system.tolerance().enough() ? 0 : least);
+        }
     }
 
     /** Solves a large heap again, roughly, since what was found is not right. */

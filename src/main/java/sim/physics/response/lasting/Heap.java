@@ -23,7 +23,7 @@ final class Heap implements Serializable {
     private static final double PARTED = 1e-2;
 
     /** Height of an edge's other end from which it is no contact, relative to the smaller body. */
-    private static final double FLAT = 2e-2;
+    static final double FLAT = 2e-2;
 
     /** Change of velocity that is none, relative to the speeds. */
     private static final double SAME = 1e-13;
@@ -58,13 +58,15 @@ final class Heap implements Serializable {
     private final HeapPull pulls;
     private final HeapEffort effort;
     private final FlushGround flush;
-    private final IntList heap = new IntList();
+    private final HeapMembers members;
+    private final IntList heap;
     private final Regain regain = new Regain();
     private final HeapNotes notes;
     private final DrivenHeap driving;
     private final RubbedHeap rubbing;
     private final FreeHeap free;
     private final HeapCourses courses;
+    private final HeapEnd ending;
     private final LargeHeaps large;
     private final LastingPairs lasting;
     private final double[] fall = new double[State.BLOCK];
@@ -102,6 +104,9 @@ final class Heap implements Serializable {
     /** Points of tied bodies that are deeper than they may be, by the error of an instant. */
     private final IntList deep = new IntList();
 
+    /** Whether bodies get half of what forces give them in the time, and the second half when it is over. */
+    private boolean isHalf;
+
     private boolean halts;
     private double scale;
 
@@ -129,6 +134,9 @@ final class Heap implements Serializable {
         this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
         this.lasting = new LastingPairs(trajectories, detection, scales, ledger);
+        this.members = new HeapMembers(state, trajectories, motion, detection, by, lasting, scales);
+        this.heap = members.bodies();
+        this.ending = new HeapEnd(state, trajectories, motion, detection, points, by, system, lasting, scales, ledger);
         this.large = new LargeHeaps(trajectories, by, new Foresight(state, trajectories, pulls, detection, points, scales));
         this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
     }
@@ -169,6 +177,7 @@ final class Heap implements Serializable {
 
     /** Solves the heap of a body; notes those whose courses change. */
     void settle(int seed, double tau, IntList changed) {
+        complete(seed, tau, changed);
         find(seed, tau);
         if (!isEven() && large.isAnyDone(heap)) {
             large.leave(heap);
@@ -193,6 +202,19 @@ final class Heap implements Serializable {
         publish(tau, changed);
     }
 
+    /** Gives the heap of a body the second half of what it is given, if the time of its solution is over. */
+    void complete(int seed, double tau, IntList changed) {
+        if (!ending.isDue(seed, tau)) {
+            return;
+        }
+        find(seed, tau);
+        ending.complete(heap, tau);
+        for (int k = 0; k < heap.size; k++) {
+            by.place[heap.values[k]] = 0;
+            changed.add(heap.values[k]);
+        }
+    }
+
     /** Takes in the heap, ends what closes too fast in it, and finds what drives it. */
     private void press(double tau) {
         gather(tau);
@@ -213,65 +235,27 @@ final class Heap implements Serializable {
         return isDriven || isRubbed;
     }
 
-    /** Finds the bodies that lie on one another with a body, and until when their velocities are to hold. */
+    /** Finds the heap of a body, and until when the velocities of its bodies are to hold. */
     private void find(int seed, double tau) {
-        heap.clear();
-        isDriven = false;
-        isRubbed = false;
-        isTied = false;
-        include(seed);
-        double spin = 0;
-        boolean struck = false;
-        double paid = trajectories.h();
-        for (int k = 0; k < heap.size; k++) {
-            int body = heap.values[k];
-            motion.bring(body, tau);
-            detection.unplan(body);
-            struck |= by.paidUntil[body] > tau;
-            paid = by.paidUntil[body] > tau ? Math.min(paid, by.paidUntil[body]) : paid;
-            for (int m = 0; m < detection.pairs().countOf(body); m++) {
-                int other = detection.pairs().other(detection.pairs().of(body, m), body);
-                if (lasting.has(detection.pairs().of(body, m))) {
-                    spin = Math.max(spin, scales.bending(body, other));
-                    if (!state.body(other).isFixed() && by.place[other] == 0) {
-                        include(other);
-                    }
-                }
-            }
-        }
-        isRubbed = !isTied && (isRubbed || isDriven && by.mostTurns(heap) > MOST); // only such heaps can be stopped
+        members.find(seed, tau);
+        isDriven = members.isDriven();
+        isTied = members.isTied();
+        isRubbed = !isTied && (members.isRubbed() || isDriven && by.mostTurns(heap) > MOST); // only such heaps can be stopped
         isDriven &= !isRubbed;
         isRough = !isEven() && !isTied && large.isRough(heap);
+        isFresh = !members.isStruck();
+        isHalf = isFresh && !isEven() && !isTied && !isRough && !LargeHeaps.isLarge(heap.size) && !large.wasRough(heap);
         double h = trajectories.h();
-        double length = spin * h > TURN && !isRough ? TURN / spin : h;
+        double length = members.bending() * h > TURN && !isRough ? TURN / members.bending() : h;
         length = Math.max(isDriven ? Math.min(length, by.pace(heap, h, h / SOLUTIONS)) : length, h / SOLUTIONS);
         sag = isDriven ? by.sag[seed] : 0;
-        isFresh = !struck;
-        until = Math.min(isEven() ? h : paid, tau + length);
+        until = Math.min(isEven() ? h : members.paidUntil(), tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
     }
 
-    /** Includes a body, and those that move with it. */
-    private void include(int body) {
-        boolean byOthers = motion.ground().isDrivenByOthers(body);
-        isRubbed |= motion.ground().rubs(body) || byOthers && motion.ground().isRough();
-        isDriven |= byOthers;
-        isTied |= motion.isTied(body);
-        if (!motion.isTied(body)) {
-            includeOne(body);
-            return;
-        }
-        IntList group = motion.companions(body);
-        for (int k = 0; k < group.size; k++) {
-            by.ensure(group.values[k]);
-            includeOne(group.values[k]);
-        }
-    }
-
-    private void includeOne(int body) {
-        heap.add(body);
-        by.place[body] = heap.size;
-        by.isDirty[body] = false;
+    /** For how much of a time bodies are given what forces and contacts give them when it begins. */
+    private double given(double time) {
+        return isHalf ? 0.5 * time : time;
     }
 
     /** Changes the velocities at once where points close too fast, before forces act. */
@@ -334,7 +318,7 @@ final class Heap implements Serializable {
         scale = Math.max(scale, pull * (until - tau));
         courses.enter(k, body, tau, system.v, isPaid);
         for (int c = 0; c < State.BLOCK && !isEven(); c++) {
-            system.v[3 * k + c] += fall[c] * (until - tau);
+            system.v[3 * k + c] += fall[c] * given(until - tau);
         }
     }
 
@@ -377,8 +361,11 @@ final class Heap implements Serializable {
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
+            if (isHalf) {
+                system.drift(p, 0.5 * left * point.drifting());
+            }
             if (!isEven()) {
-                free.take(p, size, left, isFresh || scale > 0);
+                free.take(p, size, left, given(left), isFresh || scale > 0);
             }
         }
     }
@@ -408,9 +395,9 @@ final class Heap implements Serializable {
         if (isDriven && driving.isReleased()) {
             notes.letBe(detection);
         }
-        notes.press(until - tau);
+        notes.press(given(until - tau));
         if (isFresh) {
-            notes.note(until - tau, done || !system.isTied());
+            notes.note(given(until - tau), done || !system.isTied());
         }
         if (isRubbed) {
             rubbing.end();
@@ -441,7 +428,7 @@ final class Heap implements Serializable {
             detection.plan(heap.values[0], until);
         }
         if (still) {
-            free.bear(heap, motion, scale, until - tau, STILL * pull * (until - tau));
+            free.bear(heap, motion, scale, until - tau, STILL * pull * (until - tau), isHalf);
         }
         double[] d = trajectories.data();
         if (isDriven && !(system.contacts() == 0 && isFresh)) {
@@ -473,15 +460,16 @@ final class Heap implements Serializable {
                 changed.add(body);
                 continue;
             }
+            by.isHalf[body] = false;
             if (isDriven) {
                 by.paidUntil[body] = trajectories.isDriven(body) && !stands ? until : 0;
                 changed.add(body);
                 continue;
             }
             int o = body * Trajectories.STRIDE + Trajectories.VX;
-            if (!(isResumed && courses.isKept(k, body, tau, system.v, SAME * scale))) {
+            if (!(isResumed && !members.areTurned() && courses.isKept(k, body, tau, system.v, SAME * scale))) {
                 by.paidUntil[body] = still ? 0 : until;
-                courses.set(k, body, tau, system.v);
+                courses.set(k, body, tau, system.v, isHalf && !still);
                 coast(body);
                 changed.add(body);
             }

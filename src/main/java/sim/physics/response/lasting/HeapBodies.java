@@ -19,6 +19,22 @@ final class HeapBodies implements Serializable {
     /** The same of bodies that are tied to others, whose bounces cost more. */
     private static final int LONGEST_TIED = 1;
 
+    /**
+     * Times that something may happen in a step to a driven body that moves alone before its pairs do not last any more:
+     * in a crowd bounces then cost less. What is tied to others may be given more of them.
+     */
+    private static final int MOST = 10;
+
+    private static final int MOST_TIED = 40;
+
+    /** The same for bodies that are not driven. */
+    private static final int MOST_OF_ALL = 2000;
+
+    /** Times that forces on it may be found in a step before that. */
+    private static final int MOST_ENDS = 40;
+
+    private static final int MOST_ENDS_TIED = 300;
+
     /** By how much longer forces are to hold on driven bodies than last time, if no point has closed. */
     private static final double LONGER = 1.2;
 
@@ -45,6 +61,9 @@ final class HeapBodies implements Serializable {
     double[] paidFrom = {};
 
     double[] paid = {};
+
+    /** Whether that is for half of the time: what they have in the middle of it, and is not complete at its end yet. */
+    boolean[] isHalf = {};
 
     /** Of driven bodies: for how long forces hold, 0 for the step; and whether a point has closed before that. */
     double[] pace = {};
@@ -112,6 +131,7 @@ final class HeapBodies implements Serializable {
             expected = Arrays.copyOf(expected, 3 * n);
             paidFrom = Arrays.copyOf(paidFrom, n);
             paid = Arrays.copyOf(paid, 3 * n);
+            isHalf = Arrays.copyOf(isHalf, n);
             pace = Arrays.copyOf(pace, n);
             hasClosed = Arrays.copyOf(hasClosed, n);
             sag = Arrays.copyOf(sag, n);
@@ -147,6 +167,14 @@ final class HeapBodies implements Serializable {
         }
     }
 
+    /** Whether so much has happened to a body in this step that it is to lie on nothing. */
+    boolean hasTooMany(int body, boolean isDriven, boolean isTied) {
+        if (!isDriven) {
+            return turns[body] > MOST_OF_ALL; // on driven ones that cannot be stopped, as free heaps are
+        }
+        return turns[body] > (isTied ? MOST_TIED : MOST) || ends[body] > (isTied ? MOST_ENDS_TIED : MOST_ENDS);
+    }
+
     /** Takes note of a change of velocity. */
     void pay(int body, double tau, double[] from, double[] to, int at) {
         paidFrom[body] = tau;
@@ -155,12 +183,28 @@ final class HeapBodies implements Serializable {
         }
     }
 
+    /** Gives a body what it is to have at the end of the time already now; false if it has that. */
+    boolean complete(int body, double[] v, int o) {
+        for (int c = 0; c < 3 && isHalf[body]; c++) {
+            v[o + c] += paid[3 * body + c];
+            paid[3 * body + c] *= 2;
+        }
+        boolean yes = isHalf[body];
+        isHalf[body] = false;
+        return yes;
+    }
+
     /** Takes back what was paid for the time that is left. */
     void unpay(int body, double tau, double[] v, int o) {
-        double part = (paidUntil[body] - tau) / (paidUntil[body] - paidFrom[body]);
+        double part = left(body, tau);
         for (int c = 0; c < 3 && paidUntil[body] > tau; c++) {
             v[o + c] -= part * paid[3 * body + c];
         }
+    }
+
+    private double left(int body, double tau) {
+        double part = (paidUntil[body] - tau) / (paidUntil[body] - paidFrom[body]);
+        return isHalf[body] ? 2 * part - 1 : part;
     }
 
     /** The velocity of a point along a normal that a body which is not driven has been given for the time that is left. */
@@ -169,7 +213,7 @@ final class HeapBodies implements Serializable {
         if (!has(body) || !(paidUntil[body] > tau) || trajectories.isDriven(body)) {
             return 0;
         }
-        double part = (paidUntil[body] - tau) / (paidUntil[body] - paidFrom[body]);
+        double part = left(body, tau);
         int o = 3 * body;
         return part * (paid[o] * nx + paid[o + 1] * ny + paid[o + 2] * lever);
     }
@@ -232,6 +276,7 @@ final class HeapBodies implements Serializable {
     /** Begins a step, or a body's time in a heap. */
     void begin(int body) {
         paidUntil[body] = 0;
+        isHalf[body] = false;
         givenUpTimes[body] = turns[body] + ends[body] < QUIET ? 0 : givenUpTimes[body];
         turns[body] = 0;
         isHurried[body] = false;

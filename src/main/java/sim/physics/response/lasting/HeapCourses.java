@@ -58,8 +58,9 @@ final class HeapCourses implements Serializable {
     }
 
     /** Gives a body the velocity that has been found. */
-    void set(int k, int body, double tau, double[] v) {
+    void set(int k, int body, double tau, double[] v, boolean isHalf) {
         by.pay(body, tau, without, v, 3 * k);
+        by.isHalf[body] = isHalf;
         System.arraycopy(v, 3 * k, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX, State.BLOCK);
     }
 }

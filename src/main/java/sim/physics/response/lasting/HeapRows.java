@@ -132,7 +132,7 @@ abstract class HeapRows implements Serializable {
                 int i = tangent[p];
                 bound[i] = 0;
                 impulse[i] = s.tangentImpulse(p);
-                velocity[i] = s.tangent(p, s.v);
+                velocity[i] = s.tangent(p);
             }
         }
         System.arraycopy(velocity, 0, without, 0, rows);

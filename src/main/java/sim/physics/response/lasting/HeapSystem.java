@@ -20,7 +20,7 @@ final class HeapSystem implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values per point. */
-    static final int STRIDE = 9;
+    static final int STRIDE = 10;
 
     static final int BOUND = 0;
     static final int FRICTION = 1;
@@ -37,8 +37,8 @@ final class HeapSystem implements Serializable {
 
     static final int MOST = 8;
 
-    /** Speed at which open points may be taken for closed, relative to the error that is good enough: 1e-5 of a size a step. */
-    private static final double HOVER = 1e7;
+    /** What is added to the velocity along the tangent. */
+    static final int DRIFT = 9;
 
     /** Mobility of a tied body's point that is none, relative to that of the body alone. */
     private static final double IMMOBILE = 1e-7;
@@ -94,17 +94,6 @@ final class HeapSystem implements Serializable {
     /** Which errors of velocities are good enough, and that of the last solution. */
     HeapTolerance tolerance() {
         return tolerance;
-    }
-
-    /**
-     * Takes points that are open by next to nothing for closed. Where more points touch than the bodies have freedoms, in a
-     * pile of discs, not all of them can close at once, and which do would take long to find.
-     */
-    void relent() {
-        for (int p = 0; p < contacts; p++) {
-            double least = data[STRIDE * p + BOUND];
-            data[STRIDE * p + BOUND] = least < 0 && least > -HOVER * tolerance.enough() ? 0 : least;
-        }
     }
 
     /** Puts back the velocities without impulses. */
@@ -205,6 +194,7 @@ final class HeapSystem implements Serializable {
         data[o + IMPULSE_N] = 0;
         data[o + IMPULSE_T] = 0;
         data[o + LEAST] = least;
+        data[o + DRIFT] = 0;
         data[o + MOST] = most;
         if (replies != null) {
             replies.clear(points);
@@ -307,6 +297,11 @@ final class HeapSystem implements Serializable {
         data[STRIDE * p + BOUND] = least;
     }
 
+    /** Sets what turning takes of the way along a point's tangent, as a speed that its velocity is to make up for. */
+    void drift(int p, double speed) {
+        data[STRIDE * p + DRIFT] = speed;
+    }
+
     double bound(int p) {
         return data[STRIDE * p + BOUND];
     }
@@ -347,8 +342,9 @@ final class HeapSystem implements Serializable {
         return normal(p, v);
     }
 
+    /** The velocity along the tangent that friction is to take, where its impulses are enough. */
     double tangent(int p) {
-        return tangent(p, v);
+        return tangent(p, v) + data[STRIDE * p + DRIFT];
     }
 
     /** Normal velocity of a point. */
@@ -475,6 +471,7 @@ final class HeapSystem implements Serializable {
             int o = STRIDE * p;
             if (!regains && !isMotor(p)) {
                 data[o + BOUND] = Math.min(0, data[o + BOUND]);
+                data[o + DRIFT] = 0;
             }
         }
     }

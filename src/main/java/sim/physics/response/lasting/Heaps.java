@@ -15,29 +15,14 @@ import sim.physics.motion.Trajectories;
  * and too short in a step are <i>lasting</i>, until they part. At the start of each step the bodies that lasting pairs
  * connect get the velocities with which none of these pairs is deeper than closed at its end (Moreau 1988, <i>Unilateral
  * contact and dry friction in finite freedom dynamics</i>), and keep them for the step, unless something strikes them; so a
- * heap costs some sweeps over its points in place of thousands of bounces. It is of first order in the step, where all else
- * is exact. The search for impacts watches the bodies all the while, so that they do not penetrate here either.
+ * heap costs some sweeps over its points in place of thousands of bounces. What nothing drives or ties gets half of what acts
+ * on it then, and half at the end of the step ({@link HeapEnd}): that is of second order in the step, and all else of first, where
+ * flight is exact. The search for impacts watches the bodies all the while, so that they do not penetrate here either.
  *
  * <p>What stands still is let be, exactly where it is.
  */
 public final class Heaps implements Serializable {
     private static final long serialVersionUID = 1L;
-
-    /**
-     * Times that something may happen in a step to a driven body that moves alone before its pairs do not last any more:
-     * in a crowd bounces then cost less. What is tied to others may be given more of them.
-     */
-    private static final int MOST = 10;
-
-    private static final int MOST_TIED = 40;
-
-    /** The same for bodies that are not driven. */
-    private static final int MOST_OF_ALL = 2000;
-
-    /** Times that forces on it may be found in a step before that. */
-    private static final int MOST_ENDS = 40;
-
-    private static final int MOST_ENDS_TIED = 300;
 
     /** How many times deeper than it is a pair may be from then on. */
     private static final double DEEPER = 2;
@@ -163,11 +148,7 @@ public final class Heaps implements Serializable {
 
     /** Whether so much has happened to a body in this step that it is to lie on nothing. */
     private boolean isTooOften(int body) {
-        if (!isDriven(body)) {
-            return by.turns[body] > MOST_OF_ALL; // on driven ones that cannot be stopped, as free heaps are
-        }
-        boolean tied = motion.isTied(body);
-        return by.turns[body] > (tied ? MOST_TIED : MOST) || by.ends[body] > (tied ? MOST_ENDS_TIED : MOST_ENDS);
+        return by.hasTooMany(body, isDriven(body), motion.isTied(body));
     }
 
     /** Whether the integrator moves a body also when it lies on others. */
@@ -490,6 +471,22 @@ public final class Heaps implements Serializable {
             by.isDirty[body] = false;
         }
         dirty.clear();
+        return changed;
+    }
+
+    /**
+     * Ends a step: bodies get the second half of what forces and contacts give them in it.
+     *
+     * @return the bodies whose velocities have changed; valid until the next step begins
+     */
+    public IntList finish() {
+        changed.clear();
+        for (int k = 0; k < members.size; k++) {
+            int body = members.values[k];
+            if (state.body(body) != null && by.has(body)) {
+                heap.complete(body, trajectories.h(), changed);
+            }
+        }
         return changed;
     }
 

@@ -50,7 +50,7 @@ final class LargeHeaps implements Serializable {
     }
 
     /** Whether a heap of so many bodies is so large that its exact solution may take too long. */
-    private static boolean isLarge(int bodies) {
+    static boolean isLarge(int bodies) {
         return bodies >= MANY;
     }
 

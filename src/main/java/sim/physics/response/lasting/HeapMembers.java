@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import sim.physics.collision.CollisionDetection;
+import sim.physics.internal.IntList;
+import sim.physics.motion.Motion;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+
+/** The bodies of a heap: those that lie on one another with a body, and those that are tied to them; and what moves them. */
+final class HeapMembers implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final Motion motion;
+    private final CollisionDetection detection;
+    private final HeapBodies by;
+    private final LastingPairs lasting;
+    private final BodyScale scales;
+    private final IntList heap = new IntList();
+    private boolean driven;
+    private boolean rubbed;
+    private boolean tied;
+    private boolean struck;
+    private boolean turned;
+    private double bending;
+    private double paidUntil;
+
+    HeapMembers(
+            State state,
+            Trajectories trajectories,
+            Motion motion,
+            CollisionDetection detection,
+            HeapBodies by,
+            LastingPairs lasting,
+            BodyScale scales) {
+        this.state = state;
+        this.trajectories = trajectories;
+        this.motion = motion;
+        this.detection = detection;
+        this.by = by;
+        this.lasting = lasting;
+        this.scales = scales;
+    }
+
+    /** Those that were found last; live. */
+    IntList bodies() {
+        return heap;
+    }
+
+    /** Finds the heap of a body, brings its bodies to an instant and gives them their places in it. */
+    void find(int seed, double tau) {
+        heap.clear();
+        driven = false;
+        rubbed = false;
+        tied = false;
+        struck = false;
+        turned = false;
+        bending = 0;
+        paidUntil = trajectories.h();
+        include(seed);
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            motion.bring(body, tau);
+            detection.unplan(body);
+            if (by.paidUntil[body] > tau) {
+                struck = true;
+                paidUntil = Math.min(paidUntil, by.paidUntil[body]);
+                turned |= by.complete(body, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX);
+            }
+            for (int m = 0; m < detection.pairs().countOf(body); m++) {
+                int pair = detection.pairs().of(body, m);
+                int other = detection.pairs().other(pair, body);
+                if (lasting.has(pair)) {
+                    bending = Math.max(bending, scales.bending(body, other));
+                    if (!state.body(other).isFixed() && by.place[other] == 0) {
+                        include(other);
+                    }
+                }
+            }
+        }
+    }
+
+    /** Includes a body, and those that move with it. */
+    private void include(int body) {
+        boolean byOthers = motion.ground().isDrivenByOthers(body);
+        rubbed |= motion.ground().rubs(body) || byOthers && motion.ground().isRough();
+        driven |= byOthers;
+        tied |= motion.isTied(body);
+        if (!motion.isTied(body)) {
+            includeOne(body);
+            return;
+        }
+        IntList group = motion.companions(body);
+        for (int k = 0; k < group.size; k++) {
+            by.ensure(group.values[k]);
+            includeOne(group.values[k]);
+        }
+    }
+
+    private void includeOne(int body) {
+        heap.add(body);
+        by.place[body] = heap.size;
+        by.isDirty[body] = false;
+    }
+
+    /** Whether authors' forces or ties drive a body of the heap. */
+    boolean isDriven() {
+        return driven;
+    }
+
+    /** Whether one rubs on the plane, or is driven over one on which others rub. */
+    boolean isRubbed() {
+        return rubbed;
+    }
+
+    /** Whether one is tied to others. */
+    boolean isTied() {
+        return tied;
+    }
+
+    /** Whether the velocity of one was to hold for longer. */
+    boolean isStruck() {
+        return struck;
+    }
+
+    /** Whether some of these have just been given what they were to have at the end of that time. */
+    boolean areTurned() {
+        return turned;
+    }
+
+    /** Until when all of these were to hold, at most to the end of the step. */
+    double paidUntil() {
+        return paidUntil;
+    }
+
+    /** How fast they turn and slide on one another at most, as a rate at which a contact bends out of its tangent. */
+    double bending() {
+        return bending;
+    }
+}
