@@ -483,7 +483,7 @@ public final class Heaps implements Serializable {
         changed.clear();
         for (int k = 0; k < members.size; k++) {
             int body = members.values[k];
-            if (state.body(body) != null && by.has(body)) {
+            if (state.body(body) != null && by.has(body) && !trajectories.isDriven(body)) { // a listener may have it driven from now on
                 heap.complete(body, trajectories.h(), changed);
             }
         }
