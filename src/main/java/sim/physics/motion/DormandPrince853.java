@@ -115,7 +115,15 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
     private static final double CALIBRATION = 0.16;
 
     /** The same in the angles of a tree of pins. */
-    private static final double TIED_CALIBRATION = 0.17;
+    private static final double TIED_CALIBRATION = 0.1;
+
+    /** And with dense output there. */
+    private static final double TIED_OPEN_CALIBRATION = 0.16;
+
+    /** What errors of angles count there, and for how many steps those of velocities do at most. */
+    private static final double TIED_PLACES = 2;
+
+    private static final double TIED_LONGEST = 4;
 
     /** The same where dense output is read, whose error is of an order less. */
     private static final double OPEN_CALIBRATION = 0.27;
@@ -238,7 +246,11 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
 
     /** The estimate of the error, in units of what is allowed: of positions, and of velocities times the step. */
     private static double error(Stages s, double h) {
-        double time = Math.max(s.haste, Math.min(LONGEST, s.time / Math.abs(h)));
+        boolean inAngles = s.isTied(); // of a tree of pins: what an angle's error does to velocities is not what its rate's does
+        double unit = inAngles ? Math.abs(h) : 1;
+        double longest = inAngles ? TIED_LONGEST : LONGEST;
+        double time = Math.max(s.haste, Math.min(longest, s.time / Math.abs(h))) * unit;
+        double places = unit * unit * (inAngles ? TIED_PLACES : 1);
         double[] work = s.work;
         double[] x3 = s.x; // has been used
         double[] v3 = s.v;
@@ -254,17 +266,23 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
                 sumX3 += THIRD_X[j] * a;
                 sumV3 += THIRD[j] * a;
             }
-            s.offX[m] = sumX5;
-            s.offV[m] = sumV5;
-            x3[m] = sumX3;
-            v3[m] = sumV3;
+            s.offX[m] = places * sumX5;
+            s.offV[m] = unit * sumV5;
+            x3[m] = places * sumX3;
+            v3[m] = unit * sumV3;
         }
         double third = s.norm(x3, v3, time);
         double fifth = s.norm(s.offX, s.offV, time);
         double left = s.left(s.offX, s.offV, time);
         double both = fifth * fifth + 0.01 * third * third;
-        double calibration = s.isOpen ? OPEN_CALIBRATION : s.isTied() ? TIED_CALIBRATION : CALIBRATION;
-        return both == 0 ? 0 : calibration * h * h * left * fifth / Math.sqrt(both);
+        return both == 0 ? 0 : calibration(s) * (inAngles ? 1 : h * h) * left * fifth / Math.sqrt(both);
+    }
+
+    private static double calibration(Stages s) {
+        if (s.isTied()) {
+            return s.isOpen ? TIED_OPEN_CALIBRATION : TIED_CALIBRATION;
+        }
+        return s.isOpen ? OPEN_CALIBRATION : CALIBRATION;
     }
 
     @Override
