@@ -474,13 +474,14 @@ public final class TieRows implements Serializable {
      */
     public List<Constraint> overloaded(double time) {
         List<Constraint> those = List.of();
-        for (int k = 0; k < order.awakePins; k++) {
+        boolean areAll = state.touchedCount() > 0; // else sleepers bear what they bore when they were judged
+        for (int k = 0; k < (areAll ? order.pins.size() : order.awakePins); k++) {
             if (order.pins.get(k).isBreakable() && order.pins.get(k).breaksUnder(pinReaction(k, time))) {
                 those = those.isEmpty() ? new ArrayList<>() : those;
                 those.add(order.pins.get(k));
             }
         }
-        for (int k = 0; k < equations.count(); k++) {
+        for (int k = 0; k < (areAll ? equations.ties.length : equations.count()); k++) {
             if (equations.ties[k] instanceof Joint joint && joint.isBreakable() && joint.breaksUnder(reaction(k, time))) {
                 those = those.isEmpty() ? new ArrayList<>() : those;
                 those.add(joint);

@@ -14,7 +14,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
+import sim.physics.constraint.Joint;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.RodJoint;
@@ -186,6 +188,26 @@ class SleepWakeTest {
         scene.engine.add(Body.fixed(new Circle(1)).at(0, 4));
         scene.engine.step();
         assertThat(scene.awake()).hasSize(1);
+    }
+
+    /** A breaking load holds from the next step on, for what sleeps, too: what bears more than that now is cut when that step begins. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aJointThatSleepsBreaksWhenItIsMadeTooWeak(boolean isPin) {
+        PhysicsEngine engine = Stepped.engine(SleepScenes.STEP, 4);
+        engine.add(new Gravity(0, -G));
+        Body bob = engine.add(new Body(new Circle(0.5)).at(0, -2));
+        bob.setMass(3);
+        Joint tie = engine.add(isPin ? new PinJoint(bob, 0, 0) : new RodJoint(bob, 0, -2, null, 0, 0));
+        assertThat(SleepScenes.fallAsleep(engine)).isTrue();
+        tie.setBreakingLoad(1.01 * 3 * G, Double.POSITIVE_INFINITY);
+        engine.step();
+        assertThat(engine.contains(tie)).isTrue();
+        assertThat(SleepScenes.fallAsleep(engine)).isTrue();
+        tie.setBreakingLoad(0.99 * 3 * G, Double.POSITIVE_INFINITY);
+        engine.step();
+        assertThat(engine.contains(tie)).isFalse();
+        assertThat(bob.getVelocityY()).isCloseTo(-G * SleepScenes.STEP, within(1e-12));
     }
 
     /** Free fall from the instant at which the support goes: s = g t²/2, of all that it bore. */

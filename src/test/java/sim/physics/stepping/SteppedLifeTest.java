@@ -117,6 +117,35 @@ class SteppedLifeTest {
         }
     }
 
+    /** What bears nothing has a force of 0, not of a rounding below it, whoever finds it and whoever did so before. */
+    @Test
+    void noContactPulls() {
+        for (int seed = 24; seed < 28; seed++) {
+            SplittableRandom random = new SplittableRandom(seed);
+            PhysicsEngine engine = Stepped.engine(STEP, 4);
+            engine.add(new Gravity(0, -Stepped.G));
+            double restitution = 0.3 * random.nextInt(3);
+            double friction = 0.3 * random.nextInt(3);
+            Body[] walls = {null, Body.fixed(new Rectangle(22, 1)).at(0, -0.5),
+                Body.fixed(new Rectangle(1, 22)).at(-4.5, 10), Body.fixed(new Rectangle(1, 22)).at(4.5, 10)};
+            for (int k = 1; k < 24; k++) {
+                Body body = k < 4 ? walls[k]
+                        : new Body(k % 2 == 0 ? new Circle(0.2 + 0.4 * random.nextDouble()) : new Rectangle(0.3 + random.nextDouble(), 0.5))
+                                .at(1.3 * (k % 5) - 2.6, 1 + 1.3 * (k / 5), 6 * random.nextDouble());
+                body.setRestitution(restitution);
+                body.setFriction(friction);
+                engine.add(body);
+            }
+            for (int k = 1; k < 240; k++) {
+                if (k % 40 == 0) {
+                    engine.setTimeStepping(4 - engine.getTimeStepping());
+                }
+                engine.step();
+                assertThat(engine.contacts()).as("seed %d, step %d", seed, k).allMatch(contact -> contact.normalForce() >= 0);
+            }
+        }
+    }
+
     @Test
     void nothingOfAnEarlierTimeIsRemembered() {
         PhysicsEngine engine = Stepped.engine(STEP, 4);

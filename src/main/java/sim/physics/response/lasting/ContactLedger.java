@@ -172,6 +172,7 @@ public final class ContactLedger implements Serializable {
             return data[p + FORCE];
         }
         double h = trajectories.h();
-        return (data[p + IMPULSE] + data[p + FORCE] * (h - data[o + FROM])) / h;
+        double mean = (data[p + IMPULSE] + data[p + FORCE] * (h - data[o + FROM])) / h;
+        return tangential ? mean : Math.max(0, mean); // impulses that were taken back leave a rounding
     }
 }
