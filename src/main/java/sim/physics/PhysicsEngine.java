@@ -5,8 +5,11 @@ package sim.physics;
 import java.io.IOException;
 import java.io.ObjectOutputStream;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import sim.engine.Schedule;
 import sim.engine.SimState;
 import sim.engine.Steppable;
@@ -736,7 +739,7 @@ public final class PhysicsEngine implements Steppable {
     public <C extends Constraint> C add(C constraint) {
         checkBodies(constraint);
         state.requireOpen();
-        constraints().check(constraint, true);
+        check(constraint, true);
         constraints().add(constraint);
         return constraint;
     }
@@ -767,16 +770,26 @@ public final class PhysicsEngine implements Steppable {
      * mass-weighted least way.
      *
      * @param those constraints between bodies of this engine
-     * @throws IllegalStateException if one was added already, if there is no such place, or within a step
+     * @throws IllegalStateException if one was added already or is named twice, if there is no such place, or within a step
      */
     public void assemble(Constraint... those) {
         Objects.requireNonNull(those, "those");
         requireBetweenSteps("constraints were to be assembled");
+        Set<Constraint> named = Collections.newSetFromMap(new IdentityHashMap<>());
         for (Constraint constraint : those) {
             checkBodies(constraint);
-            constraints().check(constraint, false);
+            check(constraint, false);
+            if (!named.add(constraint)) {
+                throw new IllegalStateException("constraint is " + constraint + ": it is named twice");
+            }
         }
+        constraints();
         admission.assemble(those);
+    }
+
+    /** What is refused leaves the engine as it was, so without constraints if it has none. */
+    private void check(Constraint constraint, boolean closed) {
+        (constraints == null ? new Constraints(state) : constraints).check(constraint, closed);
     }
 
     /**

@@ -118,6 +118,7 @@ public class Body implements Serializable {
      */
     public final Body moving(double vx, double vy, double omega) {
         speed("angular velocity", omega);
+        requireMovable("angular velocity", omega != 0); // before anything is written
         setVelocity(vx, vy);
         setAngularVelocity(omega);
         return this;

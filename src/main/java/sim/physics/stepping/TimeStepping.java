@@ -319,6 +319,7 @@ public final class TimeStepping implements Serializable {
         if (isTied) {
             isCold |= ties.gather(constraints, sleep.asleep(), areOthersAsleep);
             ties.begin(growth);
+            isJudged = false; // also if a force of an author throws in one of the substeps: that far is what is reported
         }
         areOthersAsleep = false;
         if (isRubbed) {
@@ -367,7 +368,6 @@ public final class TimeStepping implements Serializable {
         sleep.watch(h, a);
         keptOf = d;
         isCold = false;
-        isJudged = false;
         forces.end();
     }
 

@@ -3,6 +3,7 @@
 package sim.physics.stepping;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.function.ToDoubleFunction;
@@ -22,6 +23,7 @@ import sim.physics.constraint.SliderJoint;
 import sim.physics.constraint.WeldJoint;
 import sim.physics.constraint.WireJoint;
 import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Gravity;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
@@ -220,5 +222,29 @@ class SteppedJointTest {
         Stepped.run(engine, 60);
         assertThat(body.getY()).isCloseTo(-2, within(1e-3));
         assertThat(Stepped.fastest(engine)).isLessThan(1e-6);
+    }
+
+    /** A step that ends with an exception has loaded joints, too: what is reported of it is what they break under. */
+    @Test
+    void aJointBreaksUnderWhatIsReportedOfAStepThatFailed() {
+        PhysicsEngine engine = Stepped.engine(STEP, 4);
+        Body body = engine.add(new Body(new Circle(0.5)).at(0, -1));
+        PinJoint pin = engine.add(new PinJoint(body, 0, 0));
+        int[] calls = {0};
+        engine.add((ForceGenerator) (b, time, forces) -> {
+            if (++calls[0] == 20) {
+                throw new UnsupportedOperationException("in the last substep");
+            }
+            forces.add(b, 0, calls[0] > 16 ? -1000 : -1);
+        });
+        pin.setBreakingLoad(100, Double.POSITIVE_INFINITY);
+        for (int k = 0; k < 4; k++) {
+            engine.step();
+        }
+        assertThatThrownBy(engine::step).isInstanceOf(UnsupportedOperationException.class);
+        assertThat(engine.getReaction(pin).force()).isGreaterThan(100);
+        assertThat(engine.contains(pin)).isTrue();
+        engine.step();
+        assertThat(engine.contains(pin)).isFalse();
     }
 }
