@@ -297,6 +297,38 @@ final class PinImpulses implements Serializable {
         }
     }
 
+    /** Solves velocities once more; whether some were off that count for something, compared with those of the bodies. */
+    boolean settle() {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        boolean goesOn = false;
+        for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
+            double off = part(v, blocks[2 * k], o + ARM, 0) - part(v, blocks[2 * k + 1], o + ARM + 2, 0);
+            double offY = part(v, blocks[2 * k], o + ARM, 1) - part(v, blocks[2 * k + 1], o + ARM + 2, 1);
+            double all = square(v, blocks[2 * k], o + ARM) + square(v, blocks[2 * k + 1], o + ARM + 2);
+            goesOn |= off * off + offY * offY > TieEquations.SETTLED * TieEquations.SETTLED * all;
+            solve(v, w, k, o, 0, Softness.EAGER.mass(), 0);
+        }
+        return goesOn;
+    }
+
+    /** A component of the velocity of the end of an arm. */
+    private double part(double[] v, int block, int arm, int which) {
+        if (block < 0) {
+            return 0;
+        }
+        return which == 0 ? v[block] - data[arm + 1] * v[block + 2] : v[block + 1] + data[arm] * v[block + 2];
+    }
+
+    /** The squares of the velocities that it is made of. */
+    private double square(double[] v, int block, int arm) {
+        if (block < 0) {
+            return 0;
+        }
+        double turning = v[block + 2] * v[block + 2] * (data[arm] * data[arm] + data[arm + 1] * data[arm + 1]);
+        return v[block] * v[block] + v[block + 1] * v[block + 1] + turning;
+    }
+
     /** Solves the pins of marked bodies once. */
     void solve(boolean[] marks, Softness softness) {
         for (int k = 0; k < awake; k++) {

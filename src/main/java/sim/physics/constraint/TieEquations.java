@@ -25,6 +25,9 @@ final class TieEquations implements Serializable {
     /** Values of J of a constraint: for its first body, and for its second one. */
     static final int J = 2 * BLOCK * ROWS;
 
+    /** Speed of a row at which it is right, relative to the speeds of the bodies. */
+    static final double SETTLED = 1e-4;
+
     private final State state;
     private int awake;
     private final Equations one = new Equations();
@@ -185,6 +188,23 @@ final class TieEquations implements Serializable {
             speed += j[o] * v[b] + j[o + 1] * v[b + 1] + j[o + 2] * v[b + 2];
         }
         return speed;
+    }
+
+    /** Whether the speeds of the rows count for something, compared with those of the bodies. */
+    boolean areOff(int k) {
+        double[] v = state.v();
+        double off = 0;
+        double all = 0;
+        for (int r = 0; r < rows[k]; r++) {
+            double speed = speed(k, r, v);
+            off += speed * speed;
+            for (int m = 0; m < BLOCK; m++) {
+                double first = j[J * k + BLOCK * r + m] * v[blocks[2 * k] + m];
+                double second = blocks[2 * k + 1] < 0 ? 0 : j[J * k + BLOCK * (ROWS + r) + m] * v[blocks[2 * k + 1] + m];
+                all += first * first + second * second;
+            }
+        }
+        return off > SETTLED * SETTLED * all;
     }
 
     /** Gives the bodies an impulse along a row. */

@@ -432,14 +432,16 @@ public final class TieRows implements Serializable {
         Arrays.fill(equations.given, 0);
     }
 
-    /** Solves joints for velocities once more. */
-    public void settle() {
+    /** {@return whether joints were off when they were solved for velocities once more} */
+    public boolean settle() {
+        boolean goesOn = false;
         for (int k = 0; k < equations.count(); k++) {
             if (equations.kinds[k] == TieEquations.Kind.JOINT) {
-                join(k, Softness.RIGID);
+                goesOn |= equations.areOff(k);
+                join(k, Softness.EAGER);
             }
         }
-        pinImpulses.solve(Softness.RIGID);
+        return goesOn | pinImpulses.settle();
     }
 
     /**

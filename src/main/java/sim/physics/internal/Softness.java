@@ -17,6 +17,12 @@ public record Softness(double rate, double mass, double impulse) implements Seri
     public static final Softness RIGID = new Softness(0, 1, 0);
 
     /**
+     * The same, solved beyond what one row asks for (successive over-relaxation; of unknowns that are bounded, Cryer, <i>The solution of a quadratic
+     * programming problem using systematic overrelaxation</i>, 1971): where rows all but depend on one another, many times less turns are needed.
+     */
+    public static final Softness EAGER = new Softness(0, 1.7, 0);
+
+    /**
      * That of a spring.
      *
      * @param frequency in oscillations a substep

@@ -299,11 +299,11 @@ final class ContactSolver implements Serializable {
     }
 
     /** Compresses what will bounce once more in turn, as its gaps are of no more use; whether something has changed. */
-    boolean compress() {
+    boolean compress(double part) {
         boolean goesOn = false;
         for (int k = 0; k < rows.count; k++) {
             for (int m = pairs[INTS * k + 3]; rows.hasBounced(k) && m < pairs[INTS * k + 4]; m++) {
-                goesOn |= points[STRIDE * m + RESTORED] > 0 && compress(k, STRIDE * m, NORMAL_SUM);
+                goesOn |= points[STRIDE * m + RESTORED] > 0 && compress(k, STRIDE * m, NORMAL_SUM, part);
             }
         }
         return goesOn;
@@ -351,10 +351,10 @@ final class ContactSolver implements Serializable {
         push(state.v(), state.w().values(), State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), p, jx, jy);
     }
 
-    /** Takes what is left of a point's approach, with an impulse that is kept among its values; whether there was anything. */
-    boolean compress(int k, int p, int impulse) {
+    /** Takes a part of what is left of a point's approach, with an impulse that is kept among its values; whether there was anything. */
+    boolean compress(int k, int p, int impulse, double part) {
         double old = points[p + impulse];
-        double now = Math.max(0, old - points[p + NORMAL_MASS] * opening(k, p));
+        double now = Math.max(0, old - part * points[p + NORMAL_MASS] * opening(k, p));
         points[p + impulse] = now;
         give(k, p, now - old);
         return Math.abs(now - old) > SETTLED * (now + old);

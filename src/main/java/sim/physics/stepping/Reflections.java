@@ -114,7 +114,7 @@ final class Reflections implements Serializable {
         boolean goesOn = false;
         for (int row = 0; row < rows.count; row++) {
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                goesOn |= rows.points[p + NORMAL] >= 0 && contacts.compress(row, p, NORMAL);
+                goesOn |= rows.points[p + NORMAL] >= 0 && contacts.compress(row, p, NORMAL, 1);
             }
         }
         return goesOn;

@@ -126,15 +126,16 @@ final class Retake implements Serializable {
             if (isTied) {
                 ties.settle();
             }
-            goesOn = contacts.compress();
+            goesOn = contacts.compress(isTied ? Softness.EAGER.mass() : 1);
         }
         bounced.begin();
         contacts.note();
         ties.note();
         reflections.reflect();
         contacts.restore(h);
-        for (int turn = 0; isTied && turn < BOUNCES; turn++) {
-            ties.settle();
+        goesOn = isTied;
+        for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
+            goesOn = ties.settle();
         }
         if (isTied) {
             ties.bounce();
