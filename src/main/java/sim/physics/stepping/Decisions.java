@@ -127,13 +127,14 @@ public final class Decisions implements Serializable {
         tellLasting();
     }
 
-    /** Takes note of what presses; what has begun to do so, null if nobody wants to know. */
+    /** Takes note of what presses; what has begun to do so or has bounced, null if nobody wants to know. */
     private List<Contact> begun() {
         List<Contact> begun = laws.areHeard() ? new ArrayList<>() : null;
         for (int row = 0; row < rows.count; row++) {
             int pair = rows.pair(row);
             double impulse = rows.impulse(row);
-            if (impulse > 0 && !near.is(pair, NearPairs.TOUCHED)) {
+            boolean isImpact = !near.is(pair, NearPairs.TOUCHED) || rows.hasBounced(row); // what lay and bounces off lasts no more
+            if (impulse > 0 && isImpact) {
                 impacts++;
                 if (begun != null) {
                     begun.add(contact(row, impulse));
