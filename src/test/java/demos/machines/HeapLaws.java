@@ -21,8 +21,8 @@ final class HeapLaws {
 
     private HeapLaws() {}
 
-    /** Runs the demo, and fails where a law is broken. */
-    static void run(long seed, int ragdolls, int rows, int steps) {
+    /** Runs the demo, and fails where a law is broken; returns how many looks the search for impacts took in a step at most. */
+    static long run(long seed, int ragdolls, int rows, int steps) {
         Machines model = new Machines(seed);
         model.setRagdolls(ragdolls);
         model.setRows(rows);
@@ -30,19 +30,23 @@ final class HeapLaws {
         PhysicsEngine engine = model.physics;
         List<Body> bodies = engine.bodies();
         List<Body> car = bodies.subList(bodies.indexOf(model.car.chassis), bodies.size()); // the chassis, and two hubs with their wheels
+        long most = 0;
         for (int k = 0; k < steps; k++) {
             String when = "seed " + seed + ", " + ragdolls + " ragdolls, " + rows + " rows, step " + k;
             double energy = energy(engine) + springs(car);
             double rear = turn(car, 1);
             double front = turn(car, 3);
             long impacts = engine.getImpacts();
+            long looks = engine.getNarrowPhaseEvaluations();
             model.schedule.step(model);
             double work = TORQUE * (Math.abs(turn(car, 1) - rear) + Math.abs(turn(car, 3) - front));
             assertThat(engine.getImpacts() - impacts).as(when + ", impacts").isLessThan(MOST_IMPACTS);
             assertThat(engine.getDeepestPenetration()).as(when).isLessThan(1e-4); // sizes are 2 to 40
             double gain = energy(engine) + springs(car) - energy;
             assertThat(gain).as(when + ", gain of energy").isLessThan(work + NOISE);
+            most = Math.max(most, engine.getNarrowPhaseEvaluations() - looks);
         }
+        return most;
     }
 
     /** Kinetic energy, and that of the height. */

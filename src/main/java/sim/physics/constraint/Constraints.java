@@ -331,8 +331,8 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public boolean isCreeping(IntList bodies) {
-        return !stabilization.isFeedback() && Creep.isOn(of(bodies));
+    public int halvings(IntList bodies, int most) {
+        return stabilization.isFeedback() ? most : Creep.halvings(of(bodies), most);
     }
 
     @Override

@@ -30,6 +30,12 @@ final class Creep implements Serializable {
     /** Steps after which it is tried again to move as ever: 2 to the number of times that failed, and no more than this. */
     private static final int MOST_PATIENCE = 10;
 
+    /**
+     * How often steps may be halved when it is tried again. A bridge of planks in a line, with traffic on it, can be followed in
+     * thousands of parts for a while, when contacts bend it by next to nothing; that is worth nothing, and takes seconds.
+     */
+    private static final int FEW_HALVINGS = 6;
+
     private final Island island;
     private double[] x = {};
     private double[] v = {};
@@ -62,13 +68,14 @@ final class Creep implements Serializable {
         stoodFor = 0;
     }
 
-    /** Whether some of the islands of a group go on so. */
-    static boolean isOn(List<Island> those) {
-        boolean yes = false;
+    /** How often a step of a group may be halved, which is so many times if none has gone on so before; −1 if some of its islands do. */
+    static int halvings(List<Island> those, int most) {
+        int least = most;
         for (int k = 0; k < those.size(); k++) {
-            yes |= those.get(k).passage.creep.isOn();
+            Creep one = those.get(k).passage.creep;
+            least = one.isOn() ? -1 : one.failures > 0 ? Math.min(least, FEW_HALVINGS) : least;
         }
-        return yes;
+        return least;
     }
 
     /**
@@ -79,7 +86,7 @@ final class Creep implements Serializable {
      * @throws ConstraintException if it has just begun, and no pose is within sight of a singular one
      */
     static void advance(List<Island> those, State state, ConstraintSolver solver, Projection projection, double h) {
-        boolean isWeak = isOn(those);
+        boolean isWeak = halvings(those, 0) < 0;
         for (int k = 0; k < those.size() && !isWeak; k++) {
             isWeak = those.get(k).passage.sight.isWeak(state.w().values());
         }

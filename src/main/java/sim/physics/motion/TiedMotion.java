@@ -128,19 +128,25 @@ final class TiedMotion implements Serializable {
                 double stride = chosenStride(motion, group, t + done, left, path);
                 done = stride == left ? length : done + stride;
             }
-        } else if (ties.isCreeping(group)) {
-            creep(motion, group, t, length, path);
-        } else {
-            int parts = 1;
-            while (!advance(motion, group, t, length, parts, path)) {
-                again(group);
-                parts *= 2;
-            }
-            if (parts == 1 && Math.abs(length) < SHORT * trajectories.h()) {
-                return; // the integrator's own path: the ends are too near for a difference
-            }
+        } else if (advanceInParts(motion, group, t, length, path) == 1 && Math.abs(length) < SHORT * trajectories.h()) {
+            return; // the integrator's own path: the ends are too near for a difference
         }
         join(motion, group, length, path);
+    }
+
+    /** Advances a group in as many parts as it takes; returns how many, or 0 if it has crept. */
+    private int advanceInParts(Motion motion, IntList group, double t, double length, Path path) {
+        int halvings = ties.halvings(group, MOST_HALVINGS);
+        if (halvings < 0) {
+            creep(motion, group, t, length, path);
+            return 0;
+        }
+        int parts = 1;
+        while (!advance(motion, group, t, length, parts, 1 << halvings, path)) {
+            again(group);
+            parts *= 2;
+        }
+        return parts;
     }
 
     private void begin(IntList group) {
@@ -192,7 +198,8 @@ final class TiedMotion implements Serializable {
     private double chosenStride(Motion motion, IntList group, double t, double length, Path path) {
         copy(group, state.x(), strideX);
         copy(group, state.v(), strideV);
-        if (ties.isCreeping(group)) {
+        int most = ties.halvings(group, MOST_HALVINGS);
+        if (most < 0) {
             creep(motion, group, t, length, path);
             return length;
         }
@@ -211,7 +218,7 @@ final class TiedMotion implements Serializable {
                 return done;
             }
             boolean isTiny = halvings >= FEW_HALVINGS && Math.abs(done) <= trajectories.h() / MOST_PARTS; // or it went on for ever
-            boolean isLast = halvings == MOST_HALVINGS || isTiny;
+            boolean isLast = halvings == most || isTiny;
             if (isLast && ties.force(group)) {
                 return done;
             }
@@ -312,7 +319,7 @@ final class TiedMotion implements Serializable {
         return yes;
     }
 
-    private boolean advance(Motion motion, IntList group, double t, double length, int parts, Path path) {
+    private boolean advance(Motion motion, IntList group, double t, double length, int parts, int most, Path path) {
         if (parts == 1 && !isRefused && Math.abs(length) >= SHORT * trajectories.h()) {
             if (leap(motion, group, t, length, path)) {
                 return true;
@@ -327,7 +334,7 @@ final class TiedMotion implements Serializable {
             path.isAtStart = isStartKnown && k == 0;
             integrate(motion, group, t + from, to - from, path);
             if (!ties.project(group)) {
-                if (parts < MOST_PARTS) {
+                if (parts < most) {
                     return false;
                 }
                 forced++;

@@ -143,12 +143,13 @@ public interface Ties extends Serializable {
     boolean force(IntList bodies);
 
     /**
-     * Whether the last steps of an island were too long however short, so that the next one is left to {@link #creep}.
+     * How often a step of an island may be halved before it is left to {@link #creep}.
      *
      * @param bodies all bodies of an island, or of several and others
-     * @return false as long as {@link #project} goes well
+     * @param most times as long as {@link #project} has always gone well
+     * @return −1 if the last steps were too long however short, so that the next one is left to it at once
      */
-    boolean isCreeping(IntList bodies);
+    int halvings(IntList bodies, int most);
 
     /**
      * Advances islands for which steps are too long however short they are: to the nearest place to where they would be

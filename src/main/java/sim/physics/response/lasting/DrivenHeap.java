@@ -155,8 +155,8 @@ final class DrivenHeap implements Serializable {
         return motion.isTied(body) && isFirst(body);
     }
 
-    /** Solves for the forces of driven bodies, which change with the way that they make under them; returns the largest speed. */
-    double drive(IntList heap, double length, double scale) {
+    /** Solves for the forces of driven bodies, which change with their way under them, with gaps regained or not; returns the largest speed. */
+    double drive(IntList heap, double length, double scale, boolean regains) {
         double most = scale;
         for (int p = 0; p < system.contacts(); p++) {
             notes.start(p, length);
@@ -165,7 +165,7 @@ final class DrivenHeap implements Serializable {
         forecast(heap, length);
         Extrapolation extrapolation = extrapolation(heap.values[0]);
         extrapolation.begin(heap, length);
-        isReleased = false;
+        isReleased = !regains;
         isSoft = false;
         boolean isSame = false;
         double before = Double.POSITIVE_INFINITY;

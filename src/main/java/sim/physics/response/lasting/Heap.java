@@ -192,7 +192,7 @@ final class Heap implements Serializable {
         isFresh |= isEven();
         isResumed = !isFresh;
         press(tau);
-        while (isDriven && effort.isTooMuch(system, courses.before(), pulls, heap, until - tau, trajectories.h())) {
+        while (isDriven && giveTooMuch(tau)) {
             until = tau + Math.max(effort.shorter(), trajectories.h() / SOLUTIONS);
             by.hold(heap, until - tau);
             driving.unpay(heap, tau, ties);
@@ -215,6 +215,18 @@ final class Heap implements Serializable {
         }
     }
 
+    /** Whether contacts give too much in their time even if gaps are not regained: levers make as large work of these in any shorter time. */
+    private boolean giveTooMuch(double tau) {
+        double time = until - tau;
+        boolean yes = effort.isTooMuch(system, courses.before(), pulls, heap, time, trajectories.h());
+        if (yes && !driving.isReleased()) {
+            system.regainNothing();
+            scale = driving.drive(heap, time, scale, false);
+            yes = effort.isTooMuch(system, courses.before(), pulls, heap, time, trajectories.h());
+        }
+        return yes;
+    }
+
     /** Takes in the heap, ends what closes too fast in it, and finds what drives it. */
     private void press(double tau) {
         gather(tau);
@@ -226,7 +238,7 @@ final class Heap implements Serializable {
         }
         if (isDriven) {
             regain.raise(system);
-            scale = driving.drive(heap, until - tau, scale);
+            scale = driving.drive(heap, until - tau, scale, true);
         }
     }
 
@@ -453,10 +465,7 @@ final class Heap implements Serializable {
                 continue;
             }
             if (isRubbed) {
-                if (halts) {
-                    rubbing.halt(k);
-                }
-                rubbing.publish(k, body, until - tau, fall);
+                rubbing.publish(k, body, until - tau, halts, fall);
                 changed.add(body);
                 continue;
             }

@@ -9,8 +9,14 @@ import java.util.Arrays;
 abstract class HeapRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Rows for which this is worth it. */
-    private static final int MOST = 240;
+    /**
+     * Rows for which this is worth it. A path over n rows takes some n³ operations; but sweeps, which are left beyond, find no solution of
+     * that many: stops and friction contradict one another through the ties, and bodies sink in.
+     */
+    private static final int MOST = 600;
+
+    /** Room for more rows than there are, as a part of them: matrices have its square. */
+    private static final double MORE = 0.25;
 
     private boolean isAssembled;
 
@@ -80,7 +86,7 @@ abstract class HeapRows implements Serializable {
         normal = numbers.normal;
         tangent = numbers.tangent;
         if (bearer.length < rows) {
-            int n = 2 * rows;
+            int n = (int) ((1 + MORE) * rows) + 1;
             bearer = new int[n];
             friction = new double[n];
             against = new int[n];

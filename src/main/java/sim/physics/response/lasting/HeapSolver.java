@@ -49,11 +49,11 @@ final class HeapSolver implements Serializable {
     private final HeapRelaxation relaxation = new HeapRelaxation();
     private final HeapFace face = new HeapFace();
     private final HeapCorner corner = new HeapCorner();
-    private final HeapMatrix matrix = new HeapMatrix();
-
     private boolean isEasy;
 
-    /** Null until there is work for it; it keeps nothing from one solution to the next. */
+    /** Null until there is work for them; they keep nothing from one heap to the next, and are too large for checkpoints. */
+    private transient HeapMatrix matrix;
+
     private transient HeapPile pile;
 
     HeapSolver() {
@@ -67,12 +67,16 @@ final class HeapSolver implements Serializable {
 
     /** Takes note that the points have changed. */
     void forget() {
-        matrix.forget();
+        if (matrix != null) {
+            matrix.forget();
+        }
     }
 
     /** Takes note that the last solution is none to begin the next one with. */
     void restart() {
-        matrix.restart();
+        if (matrix != null) {
+            matrix.restart();
+        }
     }
 
     /**
@@ -84,7 +88,7 @@ final class HeapSolver implements Serializable {
      * @return whether the impulses are right or nearly so
      */
     boolean solve(HeapSystem s, double scale, double lax, double enough) {
-        if (s.isTied() && matrix.assemble(s)) {
+        if (hasMatrix(s)) {
             return matrix.solve(s, RIGHT * scale, lax, enough, scale);
         }
         s.applyAll();
@@ -109,14 +113,23 @@ final class HeapSolver implements Serializable {
         return relax(s, scale, enough, WORK);
     }
 
+    /** Whether ties reply, and all rows fit into a matrix, which is assembled then. */
+    private boolean hasMatrix(HeapSystem s) {
+        if (!s.isTied()) {
+            return false;
+        }
+        matrix = matrix == null ? new HeapMatrix() : matrix;
+        return matrix.assemble(s);
+    }
+
     /** Error of velocities with the impulses that the last solution was started from; infinite if that is not known. */
     double missed(HeapSystem s) {
-        return s.isTied() && matrix.assemble(s) ? matrix.missed() : Double.POSITIVE_INFINITY;
+        return hasMatrix(s) ? matrix.missed() : Double.POSITIVE_INFINITY;
     }
 
     /** The same of points that are a little soft, where there are no bounded impulses, or none are found, that make them right. */
     boolean solveSoftly(HeapSystem s, double scale, double enough) {
-        if (s.isTied() && matrix.assemble(s)) {
+        if (hasMatrix(s)) {
             return matrix.solveSoftly(s, RIGHT * scale, scale);
         }
         return solve(s, scale, 0, enough);
@@ -124,7 +137,7 @@ final class HeapSolver implements Serializable {
 
     /** The same with little work. */
     boolean solveInTurn(HeapSystem s, double scale, double enough) {
-        if (s.isTied() && matrix.assemble(s)) {
+        if (hasMatrix(s)) {
             return matrix.solve(s, RIGHT * scale, 0, enough, scale);
         }
         s.applyAll();

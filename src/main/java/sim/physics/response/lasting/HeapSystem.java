@@ -466,10 +466,15 @@ final class HeapSystem implements Serializable {
             renew();
         } else {
             again();
+            regainNothing();
         }
+    }
+
+    /** Lets no point have to part from now on. */
+    void regainNothing() {
         for (int p = 0; p < points; p++) {
             int o = STRIDE * p;
-            if (!regains && !isMotor(p)) {
+            if (!isMotor(p)) {
                 data[o + BOUND] = Math.min(0, data[o + BOUND]);
                 data[o + DRIFT] = 0;
             }

@@ -138,11 +138,12 @@ final class MatrixPath implements Serializable {
     private boolean begin() {
         n = at.rows;
         if (side.length < n) {
-            tableau = new double[4 * n * n];
-            value = new double[2 * n];
-            rate = new double[2 * n];
-            unit = new double[2 * n];
-            side = new int[2 * n];
+            int room = at.bearer.length;
+            tableau = new double[room * room];
+            value = new double[room];
+            rate = new double[room];
+            unit = new double[room];
+            side = new int[room];
         }
         for (int i = 0; i < n; i++) {
             if (!(at.own(i) > 0 && at.own(i) < Double.POSITIVE_INFINITY)) {

@@ -131,11 +131,6 @@ final class RubbedHeap implements Serializable {
         ground.end(system);
     }
 
-    /** Lets a body stop at once. */
-    void halt(int k) {
-        System.arraycopy(system.v, 3 * k, before, 3 * k, State.BLOCK);
-    }
-
     /**
      * Whether no body of the heap has moved, or does so now, or is pushed. Where generators of authors act this is not known
      * beyond the solution: their forces may change with time, and nobody else would ask for them again.
@@ -154,9 +149,12 @@ final class RubbedHeap implements Serializable {
         return true;
     }
 
-    /** Lets a body get its new velocity evenly over a time. */
-    void publish(int k, int body, double length, double[] fall) {
+    /** Lets a body get its new velocity evenly over a time, or at once if the heap stops. */
+    void publish(int k, int body, double length, boolean halts, double[] fall) {
         double[] d = trajectories.data();
+        if (halts) {
+            System.arraycopy(system.v, 3 * k, before, 3 * k, State.BLOCK);
+        }
         System.arraycopy(before, 3 * k, d, body * Trajectories.STRIDE + Trajectories.VX, State.BLOCK);
         motion.ground().carry(body);
         motion.fall(body, fall, 0);
