@@ -42,6 +42,9 @@ final class Heap implements Serializable {
 
     private static final int SOLUTIONS = 1000;
 
+    /** Part of the work of contacts in a time which it is at least in a shorter one where that is of no use. */
+    private static final double HARDLY_LESS = 0.25;
+
     /** Times that something may happen to a body in a step before its heap stands still for the rest of it. */
     private static final int MOST = 50;
 
@@ -191,13 +194,8 @@ final class Heap implements Serializable {
         }
         isFresh |= isEven();
         isResumed = !isFresh;
-        press(tau);
-        while (isDriven && giveTooMuch(tau)) {
-            until = tau + Math.max(effort.shorter(), trajectories.h() / SOLUTIONS);
-            by.hold(heap, until - tau);
-            driving.unpay(heap, tau, ties);
-            press(tau);
-        }
+        press(tau, true);
+        moderate(tau);
         solve(tau);
         publish(tau, changed);
     }
@@ -215,20 +213,27 @@ final class Heap implements Serializable {
         }
     }
 
-    /** Whether contacts give too much in their time even if gaps are not regained: levers make as large work of these in any shorter time. */
-    private boolean giveTooMuch(double tau) {
-        double time = until - tau;
-        boolean yes = effort.isTooMuch(system, courses.before(), pulls, heap, time, trajectories.h());
-        if (yes && !driving.isReleased()) {
-            system.regainNothing();
-            scale = driving.drive(heap, time, scale, false);
-            yes = effort.isTooMuch(system, courses.before(), pulls, heap, time, trajectories.h());
+    /**
+     * Lets forces hold for a shorter time if contacts give too much in theirs. Where normals turn away that falls with the square of it; where
+     * levers make work of gaps that are regained it is as large in any, and these are let be, once, before the time is made shorter still.
+     */
+    private void moderate(double tau) {
+        double first = until - tau;
+        double work = Double.POSITIVE_INFINITY;
+        boolean regains = true;
+        while (isDriven && effort.isTooMuch(system, courses.before(), pulls, heap, until - tau, trajectories.h())) {
+            boolean isStiff = regains && effort.work() > HARDLY_LESS * work;
+            regains &= !isStiff;
+            work = effort.work();
+            until = tau + (isStiff ? first : Math.max(effort.shorter(), trajectories.h() / SOLUTIONS));
+            by.hold(heap, until - tau);
+            driving.unpay(heap, tau, ties);
+            press(tau, !isStiff);
         }
-        return yes;
     }
 
-    /** Takes in the heap, ends what closes too fast in it, and finds what drives it. */
-    private void press(double tau) {
+    /** Takes in the heap, ends what closes too fast in it, and finds what drives it; gaps are regained or not. */
+    private void press(double tau, boolean regains) {
         gather(tau);
         if (isDriven) {
             driving.gather(heap, ties, regain, scale);
@@ -238,7 +243,10 @@ final class Heap implements Serializable {
         }
         if (isDriven) {
             regain.raise(system);
-            scale = driving.drive(heap, until - tau, scale, true);
+            if (!regains) {
+                system.regainNothing();
+            }
+            scale = driving.drive(heap, until - tau, scale, regains);
         }
     }
 

@@ -29,6 +29,7 @@ final class HeapEffort implements Serializable {
 
     private final BodyScale scales;
     private double shorter;
+    private double work;
     private boolean isOver;
 
     HeapEffort(BodyScale scales) {
@@ -44,7 +45,7 @@ final class HeapEffort implements Serializable {
      * @param step of the engine
      */
     boolean isTooMuch(HeapSystem s, double[] before, HeapPull pulls, IntList heap, double time, double step) {
-        double work = HeapEnergy.work(s, before);
+        work = HeapEnergy.work(s, before);
         isOver = false;
         if (!(work > 0)) {
             return false;
@@ -61,6 +62,11 @@ final class HeapEffort implements Serializable {
     /** Whether contacts give too much, be the time as short as it is. */
     boolean isOver() {
         return isOver;
+    }
+
+    /** What they give. */
+    double work() {
+        return work;
     }
 
     /** A time in which it may be little enough. */
