@@ -4,6 +4,7 @@ package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -13,6 +14,7 @@ import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
+import sim.physics.motion.Gravity;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -23,9 +25,11 @@ import sim.physics.shape.Rectangle;
 class StraightBridgeTest {
     private static final double G = 9.81;
     private static final int PLANKS = 12;
+    private static final double TORQUE = 25;
 
     private final PhysicsEngine engine = new PhysicsEngine();
     private final Weight weight = new Weight();
+    private final Body[] wheels = new Body[2];
 
     /** Gravity that counts how often it is asked for. */
     private static final class Weight implements ForceGenerator {
@@ -45,9 +49,9 @@ class StraightBridgeTest {
         return engine.add(body);
     }
 
-    private Body build(double height) {
+    private Body build(long seed, ForceGenerator gravity) {
         engine.setTimeStep(1 / 60.0);
-        engine.add(weight);
+        engine.add(gravity);
         double end = 0.5 * PLANKS;
         add(Body.fixed(new Rectangle(10, 4)).at(-end - 5, 2.1), 0.8, 0);
         add(Body.fixed(new Rectangle(10, 4)).at(end + 5, 2.1), 0.8, 0);
@@ -63,40 +67,65 @@ class StraightBridgeTest {
         truck.setMass(6);
         for (int k = 0; k < 2; k++) {
             double x = 1.6 * k - end - 2.8;
-            Body wheel = add(new Body(new Circle(0.35)).at(x, 4.46), 0.9, 0);
-            engine.add(new PinJoint(truck, wheel, x, 4.46));
-            engine.add(Motor.turning(wheel, truck, -6, 25));
+            wheels[k] = add(new Body(new Circle(0.35)).at(x, 4.46), 0.9, 0);
+            engine.add(new PinJoint(truck, wheels[k], x, 4.46));
+            engine.add(Motor.turning(wheels[k], truck, -6, TORQUE));
         }
+        Random random = new Random(seed);
         for (int k = 0; k < 6; k++) {
-            Body box = new Body(k % 2 == 0 ? new Rectangle(0.6, 0.6) : new Circle(0.3)).at(0.9 * k - 2, height + 0.1 * k);
+            Body box = new Body(k % 2 == 0 ? new Rectangle(0.6, 0.6) : new Circle(0.3));
+            box.setPosition(0.9 * k - 2, k % 2 == 0 ? 5.5 + random.nextDouble() : 6);
             add(box, 0.7, 0.1);
         }
         return truck;
     }
 
+    private double energy() {
+        double sum = engine.kineticEnergy();
+        for (Body body : engine.bodies()) {
+            sum += body.isFixed() ? 0 : G * body.getMass() * body.getY();
+        }
+        return sum;
+    }
+
+    /** Boxes that the bridge stopped were thrown up at 300 m/s (3): what its planks lose at once looked like what presses them together. */
     @ParameterizedTest
-    @ValueSource(doubles = {5.5, 5.7, 6, 6.3})
-    void noStepOfTrafficOnItTakesMuchMoreThanOthers(double height) {
-        Body truck = build(height);
+    @ValueSource(longs = {1, 2, 3, 4})
+    void trafficGainsNoEnergyButThatOfMotors(long seed) {
+        Body truck = build(seed, new Gravity(0, -G));
+        for (int k = 0; k < 60; k++) {
+            double energy = energy();
+            double turn = -turn(truck);
+            engine.step();
+            turn += turn(truck);
+            assertThat(energy() - energy).as("step %s", k).isLessThan(TORQUE * (Math.abs(turn) + 0.1));
+        }
+    }
+
+    private double turn(Body truck) {
+        return wheels[0].getAngle() + wheels[1].getAngle() - 2 * truck.getAngle();
+    }
+
+    @Test
+    void noStepOfTrafficCostsMuchMoreThanOthers() {
+        build(1, weight);
         engine.step(); // in which it is found that it cannot sag
         long most = 0;
-        for (int k = 0; k < 300; k++) {
+        for (int k = 0; k < 100; k++) {
             long before = weight.asked;
             engine.step();
             most = Math.max(most, weight.asked - before);
-            assertThat(truck.getY()).isLessThan(8);
             for (int m = 2; m < 2 + PLANKS; m++) {
                 assertThat(Math.abs(engine.bodies().get(m).getY() - 4)).isLessThan(1e-3);
             }
         }
         assertThat(most).isLessThan(200_000);
-        assertThat(engine.getDeepestPenetration()).isLessThan(2e-3);
     }
 
     /** When a shore lets go it falls as it must: what was found is forgotten. */
     @Test
     void itFallsWhenAShoreLetsGo() {
-        build(5.5);
+        build(1, weight);
         for (int k = 0; k < 60; k++) {
             engine.step();
         }
