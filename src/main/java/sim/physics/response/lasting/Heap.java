@@ -238,8 +238,9 @@ final class Heap implements Serializable {
         if (isDriven) {
             driving.gather(heap, ties, regain, scale);
         }
-        if (isEven()) {
-            strike();
+        if (isEven() && strike() && isDriven) {
+            gather(tau);
+            driving.gather(heap, ties, regain, scale); // which stops are within reach is another question now
         }
         if (isDriven) {
             regain.raise(system);
@@ -278,11 +279,11 @@ final class Heap implements Serializable {
         return isHalf ? 0.5 * time : time;
     }
 
-    /** Changes the velocities at once where points close too fast, before forces act. */
-    private void strike() {
+    /** Changes the velocities at once where points close too fast, before forces act; false if none do. */
+    private boolean strike() {
         double speed = scales.fastest(heap, system.v);
         if (!striking.isDue(system, deep, speed, scale)) {
-            return;
+            return false;
         }
         striking.strike(system, Math.max(speed, scale), driving.rebounds());
         notes.strike(1);
@@ -291,6 +292,7 @@ final class Heap implements Serializable {
             System.arraycopy(system.v, 3 * k, trajectories.data(), o, State.BLOCK);
             System.arraycopy(system.v, 3 * k, courses.before(), 3 * k, State.BLOCK);
         }
+        return true;
     }
 
     /** Takes in the bodies of the heap and their points. */
