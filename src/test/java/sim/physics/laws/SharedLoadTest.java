@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -111,6 +112,46 @@ class SharedLoadTest {
         assertThat(engine.contacts(plate)).allSatisfy(contact -> assertThat(contact.normalForce()).isGreaterThan(1));
         double mean = rollers.stream().mapToDouble(Body::getAngularVelocity).average().orElseThrow();
         assertThat(rollers).allSatisfy(roller -> assertThat(roller.getAngularVelocity()).isCloseTo(mean, within(1e-2)));
+    }
+
+    /**
+     * Plates of any mass on two to seven rollers on the ground or on ice, put on them or let fall, which bounce or not, in any step: f / (M + 3 n m / 8),
+     * or of n m / 3.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {30, 60, 100, 120, 240, 500})
+    void anyPlateRollsOnAllItsRollers(int steps) {
+        Random random = new Random(steps);
+        for (int k = 0; k < 12; k++) {
+            SharedLoadTest other = new SharedLoadTest();
+            int count = 2 + random.nextInt(6);
+            double drop = random.nextInt(3) == 0 ? 0 : Math.pow(10, -1 - 11 * random.nextDouble());
+            double friction = random.nextInt(4) == 0 ? 0 : 0.8;
+            double mass = Math.pow(10, 2 * random.nextDouble() - 0.5);
+            double speed = other.speed(count, drop, friction, mass, random.nextInt(3) == 0 ? 0.3 : 0, steps);
+            double expected = 2.5 * mass / (mass + (friction > 0 ? 3 / 8.0 : 1 / 3.0) * count);
+            assertThat(speed).as("%d rollers, %g m, %g kg", count, drop, mass).isCloseTo(expected, within(1e-5 * expected));
+        }
+    }
+
+    /** After 1 s under a force of 2.5 N a kg, when it has not left a roller yet. */
+    private double speed(int count, double drop, double friction, double mass, double restitution, int steps) {
+        engine.setTimeStep(1.0 / steps);
+        engine.add(new Gravity(0, -G));
+        double width = 2 * count + 4;
+        plate = put(new Body(new Rectangle(width, 0.2)).at(0, 1.1 + drop), mass, mass * (width * width + 0.04) / 12);
+        for (int k = 0; k < count; k++) {
+            put(new Body(new Circle(0.5)).at(2 * k - count + 1, 0.5), 1, 0.125);
+        }
+        engine.bodies().forEach(body -> body.setRestitution(restitution));
+        Body ground = engine.add(Body.fixed(new Rectangle(100, 2)).at(0, -1));
+        ground.setFriction(friction);
+        ground.setRestitution(0);
+        for (int k = 0; k < steps; k++) {
+            plate.addForce(2.5 * mass, 0);
+            engine.step();
+        }
+        return plate.getVelocityX();
     }
 
     /** Short steps make no hops: what forces press together parts no faster than they bring it back. */

@@ -324,7 +324,7 @@ final class DrivenHeap implements Serializable {
         forecasts[first] = forecasts[first] == null ? new HeapForecast() : forecasts[first];
         forecasts[first].begin(names);
         forecasts[first].start(system, middle(first, length), length);
-        system.leaveNoneOut();
+        HeapStart.leaveNoneOut(system);
     }
 
     /** The middle of a time from the anchor of a body on, in steps. */

@@ -79,14 +79,18 @@ final class FreeHeap implements Serializable {
         notes.strike(isHalf ? -0.5 : -1); // what has stopped it was more than what holds it
     }
 
-    /** Solves a heap whose points have been taken in; false if the impulses are not nearly right. */
-    boolean solve(IntList heap, double scale, double time) {
+    /** Solves a heap whose points have been taken in, for half of a time or all of it; false if the impulses are not nearly right. */
+    boolean solve(IntList heap, double scale, double time, boolean isHalf) {
         int relents = 0;
         for (int k = 0; k < heap.size; k++) {
             relents = Math.max(relents, by.relents[heap.values[k]] - 1);
         }
         if (relents > 0) {
             relent();
+        }
+        if (isHalf) {
+            HeapStart.leaveNoneOut(system);
+            HeapStart.temper(system);
         }
         boolean done = system.solve(scale, true);
         if (!done && relents <= 0 && !system.isSpared()) {

@@ -404,7 +404,7 @@ final class Heap implements Serializable {
     private void solve(double tau) {
         scale = isDriven ? scale : Math.max(scale, scales.fastest(heap, system.v));
         boolean done = isDriven ? driving.isRight()
-                : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time());
+                : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time(), isHalf);
         double[] from = isResumed ? courses.before() : system.free();
         if (!isEven() && !isRough && !large.judge(heap, system, done, scales.fastest(heap, system.v))) {
             isRough = true;

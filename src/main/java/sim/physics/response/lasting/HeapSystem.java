@@ -312,17 +312,6 @@ final class HeapSystem implements Serializable {
         data[STRIDE * p + IMPULSE_T] = tangential;
     }
 
-    /** Starts from nothing if there are more rows than freedoms, but a closed point would start without impulse, and not come to bear. */
-    void leaveNoneOut() {
-        boolean yes = false;
-        for (int p = 0; p < contacts && !tied && 2 * contacts > 3 * count; p++) {
-            yes |= data[STRIDE * p + IMPULSE_N] == 0 && data[STRIDE * p + BOUND] > -tolerance.enough();
-        }
-        if (yes) {
-            startFromNothing();
-        }
-    }
-
     /** Starts all points from no impulses. */
     void startFromNothing() {
         for (int p = 0; p < points; p++) {
