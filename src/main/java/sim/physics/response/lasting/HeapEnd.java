@@ -87,7 +87,9 @@ final class HeapEnd implements Serializable {
                 }
             }
         }
-        HeapStart.temper(system);
+        if (heap.size <= FreeHeap.FEW) {
+            HeapStart.temper(system);
+        }
         system.solve(Math.max(scale, scales.fastest(heap, system.v)), true);
         for (int p = 0; p < system.size(); p++) {
             ledger.strike(origin.values[p] / 2, origin.values[p] % 2, system.normalImpulse(p), system.tangentImpulse(p));
