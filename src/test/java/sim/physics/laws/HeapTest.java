@@ -60,13 +60,14 @@ class HeapTest {
 
     /**
      * More points touch in a pile of discs than it has freedoms: which of them bear it is not clear, that it rests is. A disc may
-     * roll for ever, as nothing that rolls loses energy: of ten piles seven rest at least. What is at rest makes no impacts.
+     * roll for ever, as nothing that rolls loses energy: of thirty piles 21 rest at least (of ten it would be luck: four of five do). What is
+     * at rest makes no impacts.
      */
     @ParameterizedTest
-    @CsvSource({"0, 7", "0.5, 7"})
+    @CsvSource({"0, 21", "0.5, 21"})
     void pilesComeToRest(double boxes, int least) {
         int rest = 0;
-        for (int seed = 1; seed <= 10; seed++) {
+        for (int seed = 1; seed <= 30; seed++) {
             PhysicsEngine pile = pile(seed, boxes);
             for (int k = 0; k < 720; k++) {
                 pile.step();
