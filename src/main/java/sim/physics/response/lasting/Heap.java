@@ -139,7 +139,7 @@ final class Heap implements Serializable {
         this.lasting = new LastingPairs(trajectories, detection, scales, ledger);
         this.members = new HeapMembers(state, trajectories, motion, detection, by, lasting, scales);
         this.heap = members.bodies();
-        this.ending = new HeapEnd(state, trajectories, motion, detection, points, by, system, lasting, scales, ledger);
+        this.ending = new HeapEnd(state, trajectories, motion, detection, points, by, system, members, scales, ledger);
         this.large = new LargeHeaps(trajectories, by, new Foresight(state, trajectories, pulls, detection, points, scales));
         this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
     }
@@ -206,7 +206,7 @@ final class Heap implements Serializable {
             return;
         }
         find(seed, tau);
-        ending.complete(heap, tau);
+        ending.complete(tau);
         for (int k = 0; k < heap.size; k++) {
             by.place[heap.values[k]] = 0;
             changed.add(heap.values[k]);
@@ -316,18 +316,9 @@ final class Heap implements Serializable {
             enter(k, tau, isPaid);
         }
         regain.set(Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS), trajectories.h(), scale);
-        for (int k = 0; k < heap.size; k++) {
-            int body = heap.values[k];
-            for (int m = 0; m < detection.pairs().countOf(body); m++) {
-                int pair = detection.pairs().of(body, m);
-                int other = detection.pairs().other(pair, body);
-                if (lasting.has(pair) && (state.body(other).isFixed() || by.place[other] > k + 1)) {
-                    if (state.body(other).isFixed()) {
-                        trajectories.bring(other, tau);
-                    }
-                    collect(pair, tau);
-                }
-            }
+        IntList pairs = members.pairs(tau);
+        for (int k = 0; k < pairs.size; k++) {
+            collect(pairs.values[k], tau);
         }
     }
 

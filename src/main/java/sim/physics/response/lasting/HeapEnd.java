@@ -26,7 +26,7 @@ final class HeapEnd implements Serializable {
     private final ContactPoints points;
     private final HeapBodies by;
     private final HeapSystem system;
-    private final LastingPairs lasting;
+    private final HeapMembers members;
     private final BodyScale scales;
     private final ContactLedger ledger;
     private final ContactPoint point = new ContactPoint();
@@ -45,7 +45,7 @@ final class HeapEnd implements Serializable {
             ContactPoints points,
             HeapBodies by,
             HeapSystem system,
-            LastingPairs lasting,
+            HeapMembers members,
             BodyScale scales,
             ContactLedger ledger) {
         this.state = state;
@@ -55,7 +55,7 @@ final class HeapEnd implements Serializable {
         this.points = points;
         this.by = by;
         this.system = system;
-        this.lasting = lasting;
+        this.members = members;
         this.scales = scales;
         this.ledger = ledger;
     }
@@ -65,8 +65,9 @@ final class HeapEnd implements Serializable {
         return by.isHalf[body] && by.paidUntil[body] <= tau;
     }
 
-    /** Gives the second half to a heap whose bodies are where their ways have ended. */
-    void complete(IntList heap, double tau) {
+    /** Gives the second half to the heap that was found last, whose bodies are where their ways have ended. */
+    void complete(double tau) {
+        IntList heap = members.bodies();
         manifold = manifold == null ? new Manifold() : manifold;
         system.clear();
         origin.clear();
@@ -74,18 +75,9 @@ final class HeapEnd implements Serializable {
         for (int k = 0; k < heap.size; k++) {
             scale = Math.max(scale, enter(k, heap.values[k], tau));
         }
-        for (int k = 0; k < heap.size; k++) {
-            int body = heap.values[k];
-            for (int m = 0; m < detection.pairs().countOf(body); m++) {
-                int pair = detection.pairs().of(body, m);
-                int other = detection.pairs().other(pair, body);
-                if (lasting.has(pair) && (state.body(other).isFixed() || by.place[other] > k + 1)) {
-                    if (state.body(other).isFixed()) {
-                        trajectories.bring(other, tau);
-                    }
-                    collect(pair, tau, half(body, tau));
-                }
-            }
+        IntList pairs = members.pairs(tau);
+        for (int k = 0; k < pairs.size; k++) {
+            collect(pairs.values[k], tau);
         }
         if (heap.size <= FreeHeap.FEW) {
             HeapStart.temper(system);
@@ -122,9 +114,11 @@ final class HeapEnd implements Serializable {
     }
 
     /** Takes in the points of a pair that are closed: what has pressed in the first half presses in the second. */
-    private void collect(int pair, double tau, double half) {
+    private void collect(int pair, double tau) {
         int a = detection.pairs().first(pair);
         int b = detection.pairs().second(pair);
+        boolean isOfB = by.place[a] == 0 || by.place[b] != 0 && by.place[b] < by.place[a]; // a place of 0 is that of a fixed one
+        double half = half(isOfB ? b : a, tau);
         double size = scales.size(a, b);
         detection.narrowPhase().contact(pair, tau, manifold, Heap.FLAT * size / (scales.radius(a) + scales.radius(b)));
         boolean presses = ledger.force(pair, 0, false) > 0 || ledger.force(pair, 1, false) > 0;

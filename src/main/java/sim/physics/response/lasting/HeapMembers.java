@@ -21,6 +21,7 @@ final class HeapMembers implements Serializable {
     private final LastingPairs lasting;
     private final BodyScale scales;
     private final IntList heap = new IntList();
+    private final IntList pairs = new IntList();
     private boolean driven;
     private boolean rubbed;
     private boolean tied;
@@ -105,6 +106,25 @@ final class HeapMembers implements Serializable {
         heap.add(body);
         by.place[body] = heap.size;
         by.isDirty[body] = false;
+    }
+
+    /** The pairs by which those that were found last lie on one another or on fixed bodies, each once; valid until the next call. */
+    IntList pairs(double tau) {
+        pairs.clear();
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            for (int m = 0; m < detection.pairs().countOf(body); m++) {
+                int pair = detection.pairs().of(body, m);
+                int other = detection.pairs().other(pair, body);
+                if (lasting.has(pair) && (state.body(other).isFixed() || by.place[other] > k + 1)) {
+                    if (state.body(other).isFixed()) {
+                        trajectories.bring(other, tau);
+                    }
+                    pairs.add(pair);
+                }
+            }
+        }
+        return pairs;
     }
 
     /** Whether authors' forces or ties drive a body of the heap. */
