@@ -8,7 +8,10 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
+import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
+import sim.physics.motion.Forces;
 import sim.physics.motion.Gravity;
 import sim.physics.references.Ladder;
 import sim.physics.references.TippingBox;
@@ -22,6 +25,16 @@ class ContactOrderTest {
 
     /** The error may shrink by a little less than that, twice in a row. */
     private static final double QUARTER_TWICE = 1 / 14.0;
+
+    /** Gravity, as an author might write it. */
+    private static final class Weight implements ForceGenerator {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            forces.add(body, 0, -G * body.getMass());
+        }
+    }
 
     private final PhysicsEngine engine = new PhysicsEngine();
 
@@ -39,11 +52,11 @@ class ContactOrderTest {
     }
 
     /** Slips between a smooth wall and a smooth floor; normals stand still, levers turn. */
-    private static double ladderError(int steps) {
+    private static double ladderError(int steps, boolean driven) {
         ContactOrderTest scene = new ContactOrderTest();
         double thick = 0.02;
         double angle = 1.1;
-        scene.engine.add(new Gravity(0, -G));
+        scene.engine.add(driven ? new Weight() : new Gravity(0, -G));
         scene.put(Body.fixed(new Rectangle(20, 2)).at(9, -1), 0);
         scene.put(Body.fixed(new Rectangle(2, 18)).at(-1, 9), 0);
         double x = Math.cos(angle) + thick * Math.sin(angle);
@@ -58,17 +71,52 @@ class ContactOrderTest {
     @ParameterizedTest
     @ValueSource(ints = {32, 64, 128, 256})
     void aLadderThatSlips(int steps) {
-        assertThat(ladderError(4 * steps)).isLessThan(QUARTER_TWICE * ladderError(steps));
-        assertThat(ladderError(steps)).isLessThan(1.0 / (steps * steps));
+        assertThat(ladderError(4 * steps, false)).isLessThan(QUARTER_TWICE * ladderError(steps, false));
+        assertThat(ladderError(steps, false)).isLessThan(1.0 / (steps * steps));
+    }
+
+    /** Moved by an integrator, as an author's force is its weight. */
+    @ParameterizedTest
+    @ValueSource(ints = {32, 64, 128, 256, 512, 1024})
+    void aLadderThatSlipsUnderAnAuthorsForce(int steps) {
+        assertThat(ladderError(steps, true)).isLessThan(1.0 / (steps * steps));
+    }
+
+    /** Two bars that a pin holds together at the top, and whose feet slip apart: each as on a smooth wall. */
+    private static double frameError(int steps) {
+        ContactOrderTest scene = new ContactOrderTest();
+        double thick = 0.02;
+        double angle = 1.1;
+        scene.engine.add(new Gravity(0, -G));
+        scene.put(Body.fixed(new Rectangle(20, 2)).at(0, -1), 0);
+        double x = Math.cos(angle) + thick * Math.sin(angle);
+        double y = Math.sin(angle) + thick * Math.cos(angle);
+        Body right = scene.put(new Body(new Rectangle(2, 2 * thick)).at(x, y, -angle), 0);
+        Body left = scene.put(new Body(new Rectangle(2, 2 * thick)).at(-x, y, angle), 0);
+        right.setMass(1, (1 + thick * thick) / 3);
+        left.setMass(1, (1 + thick * thick) / 3);
+        scene.engine.add(new PinJoint(right, left, 0, 2 * Math.sin(angle)));
+        scene.go(0.4, steps);
+        double[] exact = new Ladder(1, thick, (1 + thick * thick) / 3, G).place(angle, 0.4, 1e-13);
+        double place = Math.max(Math.abs(right.getX() - exact[0]), Math.abs(right.getY() - exact[1]));
+        place = Math.max(place, Math.max(Math.abs(left.getX() + exact[0]), Math.abs(left.getY() - exact[1])));
+        return Math.max(place, Math.max(Math.abs(-right.getAngle() - exact[2]), Math.abs(left.getAngle() - exact[2])));
+    }
+
+    /** What joints tie is moved by an integrator, too. */
+    @ParameterizedTest
+    @ValueSource(ints = {32, 64, 128, 256, 512, 1024})
+    void aFrameWhoseFeetSlipApart(int steps) {
+        assertThat(frameError(steps)).isLessThan(1.0 / (steps * steps));
     }
 
     /** A box that falls over one of its corners, which friction holds: a pendulum about that. */
-    private static double tipError(int steps, boolean ofVelocity) {
+    private static double tipError(int steps, boolean ofVelocity, boolean driven) {
         ContactOrderTest scene = new ContactOrderTest();
         TippingBox reference = new TippingBox(1, 2, G);
         double[] start = reference.at(0.7, 0);
         double[] end = reference.at(0.7, 0.25);
-        scene.engine.add(new Gravity(0, -G));
+        scene.engine.add(driven ? new Weight() : new Gravity(0, -G));
         scene.put(Body.fixed(new Rectangle(40, 2)).at(0, -1), 0.9);
         Body box = scene.put(new Body(new Rectangle(1, 2)).at(start[0], start[1], -0.7), 0.9);
         scene.go(0.25, steps);
@@ -79,9 +127,15 @@ class ContactOrderTest {
     @ParameterizedTest
     @ValueSource(ints = {16, 32, 64})
     void aBoxThatFallsOver(int steps) {
-        assertThat(tipError(4 * steps, false)).isLessThan(QUARTER_TWICE * tipError(steps, false));
-        assertThat(tipError(4 * steps, true)).isLessThan(QUARTER_TWICE * tipError(steps, true));
-        assertThat(tipError(steps, false)).isLessThan(1.0 / (steps * steps));
+        assertThat(tipError(4 * steps, false, false)).isLessThan(QUARTER_TWICE * tipError(steps, false, false));
+        assertThat(tipError(4 * steps, true, false)).isLessThan(QUARTER_TWICE * tipError(steps, true, false));
+        assertThat(tipError(steps, false, false)).isLessThan(1.0 / (steps * steps));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {16, 32, 64, 128, 256, 512})
+    void aBoxThatFallsOverUnderAnAuthorsForce(int steps) {
+        assertThat(tipError(steps, false, true)).isLessThan(1.0 / (steps * steps));
     }
 
     /** Neither normals nor levers turn: uniform accelerations, exact at any step. */

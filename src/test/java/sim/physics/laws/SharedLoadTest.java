@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -32,7 +33,7 @@ class SharedLoadTest {
     private static final double ACCELERATION = FORCE / (MASS + 3 * ROLLERS / 8.0);
 
     /** A force on one body, which nobody knows to be constant. */
-    private record Push(Body pushed) implements ForceGenerator {
+    private record Push(Body pushed, double force) implements ForceGenerator {
         private static final long serialVersionUID = 1L;
 
         @Override
@@ -42,7 +43,7 @@ class SharedLoadTest {
 
         @Override
         public void addForce(Body body, double time, Forces forces) {
-            forces.add(body, FORCE, 0);
+            forces.add(body, force, 0);
         }
     }
 
@@ -74,7 +75,7 @@ class SharedLoadTest {
     private void push(boolean byGenerator, int steps) {
         engine.setTimeStep(1.0 / steps);
         if (byGenerator) {
-            engine.add(new Push(plate));
+            engine.add(new Push(plate, FORCE));
         }
         for (int k = 0; k < steps; k++) {
             if (!byGenerator) {
@@ -121,21 +122,39 @@ class SharedLoadTest {
     @ParameterizedTest
     @ValueSource(ints = {30, 60, 100, 120, 240, 500})
     void anyPlateRollsOnAllItsRollers(int steps) {
+        for (double error : errors(steps, false)) {
+            assertThat(error).isLessThan(1e-5);
+        }
+    }
+
+    /** What the integrator drives bounces before it lies there, and now and then leaves a roller out: 2 of 100 plates, 15 when loads were not shared. */
+    @Test
+    void nearlyAllPlatesThatAGeneratorPushesDo() {
+        long right = 0;
+        for (int steps : new int[] {30, 60, 100, 120, 240, 500}) {
+            right += Arrays.stream(errors(steps, true)).filter(error -> error < 1e-4).count();
+        }
+        assertThat(right).isGreaterThanOrEqualTo(68); // of 72
+    }
+
+    private static double[] errors(int steps, boolean byGenerator) {
         Random random = new Random(steps);
-        for (int k = 0; k < 12; k++) {
+        double[] errors = new double[12];
+        for (int k = 0; k < errors.length; k++) {
             SharedLoadTest other = new SharedLoadTest();
             int count = 2 + random.nextInt(6);
             double drop = random.nextInt(3) == 0 ? 0 : Math.pow(10, -1 - 11 * random.nextDouble());
             double friction = random.nextInt(4) == 0 ? 0 : 0.8;
             double mass = Math.pow(10, 2 * random.nextDouble() - 0.5);
-            double speed = other.speed(count, drop, friction, mass, random.nextInt(3) == 0 ? 0.3 : 0, steps);
+            double speed = other.speed(count, drop, friction, mass, random.nextInt(3) == 0 ? 0.3 : 0, steps, byGenerator);
             double expected = 2.5 * mass / (mass + (friction > 0 ? 3 / 8.0 : 1 / 3.0) * count);
-            assertThat(speed).as("%d rollers, %g m, %g kg", count, drop, mass).isCloseTo(expected, within(1e-5 * expected));
+            errors[k] = Math.abs(speed / expected - 1);
         }
+        return errors;
     }
 
     /** After 1 s under a force of 2.5 N a kg, when it has not left a roller yet. */
-    private double speed(int count, double drop, double friction, double mass, double restitution, int steps) {
+    private double speed(int count, double drop, double friction, double mass, double restitution, int steps, boolean byGenerator) {
         engine.setTimeStep(1.0 / steps);
         engine.add(new Gravity(0, -G));
         double width = 2 * count + 4;
@@ -147,8 +166,13 @@ class SharedLoadTest {
         Body ground = engine.add(Body.fixed(new Rectangle(100, 2)).at(0, -1));
         ground.setFriction(friction);
         ground.setRestitution(0);
+        if (byGenerator) {
+            engine.add(new Push(plate, 2.5 * mass));
+        }
         for (int k = 0; k < steps; k++) {
-            plate.addForce(2.5 * mass, 0);
+            if (!byGenerator) {
+                plate.addForce(2.5 * mass, 0);
+            }
             engine.step();
         }
         return plate.getVelocityX();
@@ -160,7 +184,7 @@ class SharedLoadTest {
     void noStepIsTooShortToLieStill(int rate) {
         build(0, 0.8);
         engine.setTimeStep(1.0 / rate);
-        engine.add(new Push(plate));
+        engine.add(new Push(plate, FORCE));
         double fastest = 0;
         for (int k = 0; k < 20; k++) {
             engine.step();

@@ -40,7 +40,11 @@ public final class Manifold {
     /** Whether B is a circle. */
     public boolean roundB;
 
-    private boolean onEdge;
+    /** The body whose edge gives the normal: 0 for A, 1 for B, −1 where corners or circles meet. */
+    public int owner;
+
+    /** Whether a point is the end of that edge, on an edge of the other body, else a corner of the other body or of none. */
+    public final boolean[] isEnd = new boolean[POINTS];
 
     /** How far a single point is from the nearer end of the edge on which it lies, length; 0 if it lies on none. */
     public double room;
@@ -65,7 +69,9 @@ public final class Manifold {
         ny = features.ny;
         gap = features.gap;
         room = 0;
-        onEdge = ((features.featureA | features.featureB) & 1) != 0;
+        owner = (features.featureB & 1) != 0 ? 1 : (features.featureA & 1) != 0 ? 0 : -1;
+        isEnd[0] = false;
+        isEnd[1] = false;
         gaps[0] = gap;
         gaps[1] = gap;
     }
@@ -79,7 +85,8 @@ public final class Manifold {
         nx = normalX;
         ny = normalY;
         gap = distance;
-        onEdge = false;
+        owner = -1;
+        isEnd[0] = false;
         room = 0;
         gaps[0] = distance;
         gaps[1] = distance;
@@ -98,7 +105,7 @@ public final class Manifold {
      */
     public boolean bears(boolean fixedA) {
         if (count == 1) {
-            return onEdge && (fixedA ? roundB : roundA);
+            return owner >= 0 && (fixedA ? roundB : roundA);
         }
         double[] rx = fixedA ? rBx : rAx;
         double[] ry = fixedA ? rBy : rAy;

@@ -409,6 +409,8 @@ public final class NarrowPhase implements Serializable {
         double slope = (height(owner, edge, other, flush) - height(owner, edge, other, vertex)) / (to - at);
         contact.gaps[0] = contact.gap + slope * (from - at);
         contact.gaps[1] = contact.gap + slope * (end - at);
+        contact.isEnd[0] = from == 0;
+        contact.isEnd[1] = end == owner.length(edge);
         double x = owner.vx[edge];
         double y = owner.vy[edge];
         contact.add(x - ey * from, y + ex * from, pose.px, pose.py);

@@ -69,6 +69,22 @@ final class BodyScale implements Serializable {
         return bend(turnA, radius(a), turnB, radius(b), slide, mostBend(a, b));
     }
 
+    /** How far forces take two bodies in a step, relative to their size. */
+    double roam(int a, int b, double pull) {
+        return trajectories.h() * trajectories.h() * pull / size(a, b);
+    }
+
+    /**
+     * What turning and sliding may take of a gap beyond what is foreseen where points are followed as their bodies turn: of third order, unless
+     * the step is so long that bodies leave their places in it.
+     *
+     * @param roam how far they go in the step
+     */
+    double bendOfTurned(Manifold manifold, ContactPoint point, int a, int b, double h, double roam) {
+        double turn = trajectories.h() * Math.max(Math.abs(point.omegaA), Math.abs(point.omegaB));
+        return Math.min(1, turn + roam) * bend(manifold, point, a, b, h);
+    }
+
     /** The bend of a contact that counts at most. */
     double mostBend(int a, int b) {
         return MOST_BEND * size(a, b);

@@ -89,6 +89,15 @@ public final class ContactLedger implements Serializable {
         data[o + FROM] = adds ? data[o + FROM] : tau;
     }
 
+    /** Says along which normal the forces of a pair act, and where a point is then, if that is not as it was taken in. */
+    void turn(int pair, int point, double nx, double ny, double rx, double ry) {
+        int o = places[pair] - 1;
+        data[o + NX] = nx;
+        data[o + NY] = ny;
+        data[o + POINTS + WIDTH * point] = rx;
+        data[o + POINTS + WIDTH * point + 1] = ry;
+    }
+
     /** Turns a pair's page to this step; returns where it is. */
     private int turn(int pair) {
         int o = places[pair] - 1;

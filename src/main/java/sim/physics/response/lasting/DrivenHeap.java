@@ -4,6 +4,7 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.Probes;
@@ -55,7 +56,10 @@ final class DrivenHeap implements Serializable {
     private final HeapNotes notes;
     private final BodyScale scales;
     private final double[] fall = new double[State.BLOCK];
-    private double[] alone = {};
+
+    /** What velocities differ by as points were not where the last integration had them. */
+    private double turned;
+
     private double[] impulses = {};
 
     /** Whether the impulses are right or nearly so, and whether the last integration was made under them. */
@@ -74,10 +78,10 @@ final class DrivenHeap implements Serializable {
     private final HeapSwitches switches;
     private final Probes probes;
     private final KeptImpulses kept;
+    private final HeapTurn turning;
+    private final HeapShare share = new HeapShare();
 
-    /** By the first body of a heap. */
-    private Extrapolation[] extrapolations = {};
-    private HeapForecast[] forecasts = {};
+    private final HeapHistory history = new HeapHistory();
 
     /** What tells the points of a heap from others. */
     private final IntList names = new IntList();
@@ -100,6 +104,12 @@ final class DrivenHeap implements Serializable {
         this.switches = new HeapSwitches(by, system);
         this.probes = new Probes(state, motion, trajectories);
         this.kept = new KeptImpulses(system);
+        this.turning = new HeapTurn(trajectories, system);
+    }
+
+    /** Takes in a point of the heap, the gap that there may be at the end, and how far forces take its bodies in a step, relative to their size. */
+    void turn(int p, Manifold manifold, int k, double deepest, double roam) {
+        turning.set(p, manifold, k, deepest, roam);
     }
 
     /** Takes from bodies what forces have given them for the time that is left: it is found anew, with those of driven ones. */
@@ -157,16 +167,8 @@ final class DrivenHeap implements Serializable {
 
     /** Solves for the forces of driven bodies, which change with their way under them, with gaps regained or not; returns the largest speed. */
     double drive(IntList heap, double length, double scale, boolean regains) {
+        Extrapolation extrapolation = begin(heap, length, regains);
         double most = scale;
-        for (int p = 0; p < system.contacts(); p++) {
-            notes.start(p, length);
-        }
-        switches.start();
-        forecast(heap, length);
-        Extrapolation extrapolation = extrapolation(heap.values[0]);
-        extrapolation.begin(heap, length);
-        isReleased = !regains;
-        isSoft = false;
         boolean isSame = false;
         double before = Double.POSITIVE_INFINITY;
         double first = Math.max(scale, scales.fastestNow(heap));
@@ -181,10 +183,12 @@ final class DrivenHeap implements Serializable {
                 extrapolation.unlearn(system.v); // differences that are next to none lead anywhere
             }
             most = Math.max(most, scales.fastest(heap, system.v));
+            first = k == 0 ? Math.max(first, scales.fastest(heap, system.v)) : first; // what forces alone give
             kept.keep();
-            isRight = isSoft ? system.solveSoftly(most) : system.solveUnlessFair(most, EQUAL * most);
+            boolean isShared = !isSoft && share.solve(system);
+            isRight = isShared || (isSoft ? system.solveSoftly(most) : system.solveUnlessFair(most, EQUAL * most));
             double change = kept.change();
-            double error = isSoft ? change : Math.min(change, system.missed());
+            double error = isSoft || isShared ? change : Math.min(change, system.missed());
             if (!isReleased && !(isRight && change <= COSTLY * most)) {
                 release(most);
                 change = kept.change();
@@ -204,15 +208,29 @@ final class DrivenHeap implements Serializable {
             }
             expected = Math.max(expected, scales.fastest(heap, system.v));
             double next = before <= SMALL * most ? error * (error / before) : error; // if errors go on to shrink at least evenly
-            isSame = Math.min(error, next) <= Math.max(SAME * most, system.tolerance().enough());
+            double enough = Math.max(SAME * most, system.tolerance().enough());
+            isSame = Math.min(error, next) <= enough && (turned <= enough || !system.isTied());
             before = error;
-            isProbed = change <= EQUAL * most;
+            isProbed = Math.max(change, turned) <= EQUAL * most;
         }
         if (isProbed) {
             kept.goBack();
         }
         restore(heap);
         return most;
+    }
+
+    private Extrapolation begin(IntList heap, double length, boolean regains) {
+        for (int p = 0; p < system.contacts(); p++) {
+            notes.start(p, length);
+        }
+        switches.start();
+        forecast(heap, length);
+        isReleased = !regains;
+        isSoft = false;
+        turning.begin(heap, length, regains);
+        history.extrapolation(heap.values[0]).begin(heap, length);
+        return history.extrapolation(heap.values[0]);
     }
 
     private void restore(IntList heap) {
@@ -246,7 +264,8 @@ final class DrivenHeap implements Serializable {
         impulses = system.impulses(impulses);
         kept.takeAway(system.v);
         extrapolation.learn(system.w, system.v);
-        if (!system.solve(scale, true) || !(scales.fastest(heap, system.v) <= FAST * scale)) {
+        system.renew();
+        if (!(share.solve(system) || system.solve(scale, true)) || !(scales.fastest(heap, system.v) <= FAST * scale)) {
             extrapolation.unlearn(system.free());
             system.put(impulses);
         }
@@ -317,29 +336,15 @@ final class DrivenHeap implements Serializable {
         names.clear();
         notes.name(names);
         switches.name(names);
-        int first = heap.values[0];
-        if (first >= forecasts.length) {
-            forecasts = Arrays.copyOf(forecasts, Math.max(2 * forecasts.length, first + 1));
-        }
-        forecasts[first] = forecasts[first] == null ? new HeapForecast() : forecasts[first];
-        forecasts[first].begin(names);
-        forecasts[first].start(system, middle(first, length), length);
+        HeapForecast forecast = history.forecast(heap.values[0]);
+        forecast.begin(names);
+        forecast.start(system, middle(heap.values[0], length), length);
         HeapStart.leaveNoneOut(system);
     }
 
     /** The middle of a time from the anchor of a body on, in steps. */
     private double middle(int body, double length) {
         return trajectories.step() + (trajectories.offset(body) + 0.5 * length) / trajectories.h();
-    }
-
-    private Extrapolation extrapolation(int first) {
-        if (first >= extrapolations.length) {
-            extrapolations = Arrays.copyOf(extrapolations, Math.max(2 * extrapolations.length, first + 1));
-        }
-        if (extrapolations[first] == null) {
-            extrapolations[first] = new Extrapolation();
-        }
-        return extrapolations[first];
     }
 
     /** Whether the impulses that were found last are right or nearly so. */
@@ -352,9 +357,10 @@ final class DrivenHeap implements Serializable {
      * at its end, they would run into those that do not yet. Integrations under the same forces go for the bodies' motion.
      */
     void publish(IntList heap, double time) {
-        double[] pushes = pushes(heap);
+        double[] pushes = turning.pushes(heap.size);
         support(heap, time, pushes);
-        forecasts[heap.values[0]].keep(system, middle(heap.values[0], time), time);
+        turning.keep(heap, system.v, time);
+        history.forecast(heap.values[0]).keep(system, middle(heap.values[0], time), time);
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             if (!trajectories.isDriven(body)) {
@@ -453,7 +459,7 @@ final class DrivenHeap implements Serializable {
      */
     private double probe(IntList heap, double length) {
         double[] d = trajectories.data();
-        double[] pushes = pushes(heap);
+        double[] pushes = turning.pushes(heap.size);
         support(heap, length, pushes);
         double share = 1;
         double most = 0;
@@ -472,6 +478,8 @@ final class DrivenHeap implements Serializable {
                 system.v[3 * k + c] = d[o + c] + gained;
             }
         }
+        turning.turn(system.v, length, !isReleased);
+        turned = scales.fastest(heap, turning.makeUp(heap.size));
         system.unpush();
         return most;
     }
@@ -488,13 +496,5 @@ final class DrivenHeap implements Serializable {
                 switches.freeze(ties.switched(ties.island(body)), island++, time);
             }
         }
-    }
-
-    /** What the impulses would do to bodies that nothing ties; their ties reply when they are driven. */
-    private double[] pushes(IntList heap) {
-        alone = alone.length < 3 * heap.size ? new double[6 * heap.size] : alone;
-        Arrays.fill(alone, 0, 3 * heap.size, 0);
-        system.pushAlone(alone);
-        return alone;
     }
 }

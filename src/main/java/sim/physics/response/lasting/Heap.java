@@ -243,7 +243,6 @@ final class Heap implements Serializable {
             driving.gather(heap, ties, regain, scale); // which stops are within reach is another question now
         }
         if (isDriven) {
-            regain.raise(system);
             if (!regains) {
                 system.regainNothing();
             }
@@ -361,7 +360,9 @@ final class Heap implements Serializable {
             if (isTied && manifold.gaps[k] < -depth) {
                 deep.add(p);
             }
-            double bend = scales.bend(manifold, point, a, b, left) + (isDriven ? size * regain.sag(sag) : 0);
+            double roam = isDriven ? scales.roam(a, b, scale / left) : 0;
+            double bend = isDriven ? scales.bendOfTurned(manifold, point, a, b, left, roam) + size * regain.sag(sag)
+                    : scales.bend(manifold, point, a, b, left);
             double least = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, left)
                     : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven(), isTied);
             if (isResumed && least > 0 && !isRough) {
@@ -370,7 +371,9 @@ final class Heap implements Serializable {
                 least = now >= Math.max(0, lift) ? Math.min(least, now) : least; // as it was found; else gaps are noise
             }
             system.bound(p, least);
-            regain.lack(p, bend - Math.max(0, manifold.gaps[k] + depth));
+            if (isDriven) {
+                driving.turn(p, manifold, k, Math.min(-depth, manifold.gaps[k]) + size * regain.sag(sag), roam);
+            }
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
@@ -409,6 +412,9 @@ final class Heap implements Serializable {
             notes.letBe(detection);
         }
         notes.press(given(until - tau));
+        if (isDriven) {
+            notes.turn();
+        }
         if (isFresh) {
             notes.note(given(until - tau), done || !system.isTied());
         }

@@ -52,11 +52,17 @@ final class HeapEffort implements Serializable {
         }
         double most = 0.5 * MOST * HeapEnergy.of(s, before) * time / step;
         for (int k = 0; k < heap.size; k++) {
-            most += s.w[2 * k] == 0 ? 0 : LIFT * scales.radius(heap.values[k]) * pulls.of(heap.values[k]) / s.w[2 * k];
+            double pull = Math.max(pulls.of(heap.values[k]), gained(s.free(), before, 3 * k) / time);
+            most += s.w[2 * k] == 0 ? 0 : LIFT * scales.radius(heap.values[k]) * pull / s.w[2 * k];
         }
         shorter = time * Math.max(LEAST, Math.min(GREATEST, most / work));
         isOver = work > most;
         return isOver && time > SHORT * step;
+    }
+
+    /** How fast a body's centre would become without contacts. */
+    private static double gained(double[] v, double[] before, int at) {
+        return Math.max(Math.abs(v[at] - before[at]), Math.abs(v[at + 1] - before[at + 1]));
     }
 
     /** Whether contacts give too much, be the time as short as it is. */

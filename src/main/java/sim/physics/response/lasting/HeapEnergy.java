@@ -24,8 +24,9 @@ final class HeapEnergy {
         for (int p = 0; p < s.size(); p++) {
             double jn = s.isMotor(p) ? 0 : s.normalImpulse(p);
             double jt = s.tangentImpulse(p);
-            sum += jn == 0 ? 0 : jn * (s.normal(p, s.v) + s.normal(p, from));
-            sum += jt == 0 ? 0 : jt * (s.tangent(p, s.v) + s.tangent(p, from));
+            ContactRows rows = p < s.contacts() ? s.pressing() : s.rows();
+            sum += jn == 0 ? 0 : jn * (rows.normal(p, s.v) + rows.normal(p, from));
+            sum += jt == 0 ? 0 : jt * (rows.tangent(p, s.v) + rows.tangent(p, from));
         }
         return 0.5 * sum;
     }

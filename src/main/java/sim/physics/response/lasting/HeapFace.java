@@ -95,7 +95,7 @@ final class HeapFace implements Serializable {
         for (int p = 0; p < s.size(); p++) {
             isOn[2 * p] = s.isClosed(p);
             isOn[2 * p + 1] = s.isClosed(p) && s.isStuck(p);
-            rest[2 * p] = isOn[2 * p] ? s.bound(p) - s.normal(p, s.v) : 0;
+            rest[2 * p] = isOn[2 * p] ? s.bound(p) - s.normal(p) : 0;
             rest[2 * p + 1] = isOn[2 * p + 1] ? -s.tangent(p) : 0;
             direction[2 * p] = rest[2 * p] / s.normalMobility(p);
             direction[2 * p + 1] = rest[2 * p + 1] / s.tangentMobility(p);

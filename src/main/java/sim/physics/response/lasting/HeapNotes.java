@@ -85,6 +85,19 @@ final class HeapNotes implements Serializable {
         }
     }
 
+    /** Notes along which normals, and where, the forces act that the points bear for a time. */
+    void turn() {
+        ContactRows rows = system.pressing();
+        for (int p = system.contacts() - 1; p >= 0; p--) { // a pair's normal is that of its first point
+            int side = rows.body(p, 0) < 0 ? 1 : 0;
+            double nx = rows.nx(p);
+            double ny = rows.ny(p);
+            double arm = rows.arm(p, side);
+            double lever = rows.lever(p, side);
+            ledger.turn(origin.values[p] / 2, origin.values[p] % 2, nx, ny, arm * nx + lever * ny, arm * ny - lever * nx);
+        }
+    }
+
     /** Notes that the impulses of the points have acted at once, that many times. */
     void strike(double times) {
         for (int p = 0; p < system.contacts(); p++) {

@@ -132,7 +132,7 @@ abstract class HeapRows implements Serializable {
                 least[i] = s.leastImpulse(p);
                 most[i] = s.mostImpulse(p);
                 impulse[i] = Math.max(least[i], Math.min(most[i], s.normalImpulse(p)));
-                velocity[i] = s.normal(p, s.v);
+                velocity[i] = s.normal(p);
             }
             if (tangent[p] >= 0) {
                 int i = tangent[p];

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.response.lasting;
 
-import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.motion.SwitchedRow;
 
@@ -16,29 +15,8 @@ import sim.physics.motion.SwitchedRow;
  *
  * <p>solved by a {@link HeapSolver}.
  */
-final class HeapSystem implements Serializable {
+final class HeapSystem extends HeapPoints {
     private static final long serialVersionUID = 1L;
-
-    /** Values per point. */
-    static final int STRIDE = 10;
-
-    static final int BOUND = 0;
-    static final int FRICTION = 1;
-    static final int MOBILITY_N = 2;
-    static final int MOBILITY_T = 3;
-    static final int IMPULSE_N = 4;
-    static final int IMPULSE_T = 5;
-
-    /** What a unit of impulse along the tangent does to the velocity along the normal. */
-    static final int CROSS = 6;
-
-    /** The least and the greatest impulse along the normal: 0 and infinite but for motors. */
-    static final int LEAST = 7;
-
-    static final int MOST = 8;
-
-    /** What is added to the velocity along the tangent. */
-    static final int DRIFT = 9;
 
     /** Mobility of a tied body's point that is none, relative to that of the body alone. */
     private static final double IMMOBILE = 1e-7;
@@ -73,8 +51,9 @@ final class HeapSystem implements Serializable {
 
     private double[] scratch = {};
 
-    double[] data = new double[8 * STRIDE];
     private final ContactRows rows = new ContactRows();
+    private final ContactRows middle = new ContactRows();
+    private boolean isTurned;
 
     HeapSystem() {}
 
@@ -83,6 +62,7 @@ final class HeapSystem implements Serializable {
         contacts = 0;
         tied = false;
         spared = false;
+        isTurned = false;
         solver.forget();
         tolerance.clear();
         count = 0;
@@ -194,7 +174,7 @@ final class HeapSystem implements Serializable {
         data[o + IMPULSE_N] = 0;
         data[o + IMPULSE_T] = 0;
         data[o + LEAST] = least;
-        data[o + DRIFT] = 0;
+        Arrays.fill(data, o + DRIFT, o + STRIDE, 0);
         data[o + MOST] = most;
         if (replies != null) {
             replies.clear(points);
@@ -204,25 +184,6 @@ final class HeapSystem implements Serializable {
 
     void removeLast() {
         points--;
-    }
-
-    /** Whether a point is a motor: its bound is a speed that it is to have, and its impulse may have either sign. */
-    boolean isMotor(int p) {
-        return data[STRIDE * p + MOST] < Double.POSITIVE_INFINITY;
-    }
-
-    /** Lets a motor give impulses up to a bound, either way. */
-    void setMost(int p, double impulse) {
-        data[STRIDE * p + LEAST] = -impulse;
-        data[STRIDE * p + MOST] = impulse;
-    }
-
-    double leastImpulse(int p) {
-        return data[STRIDE * p + LEAST];
-    }
-
-    double mostImpulse(int p) {
-        return data[STRIDE * p + MOST];
     }
 
     /** The replies of bodies that are tied to others, to points that were added. */
@@ -239,6 +200,17 @@ final class HeapSystem implements Serializable {
 
     ContactRows rows() {
         return rows;
+    }
+
+    /** The rows of contacts along which their impulses act, if those are not where they are now; to be filled. */
+    ContactRows middle() {
+        isTurned = true;
+        return middle;
+    }
+
+    /** The rows of contacts along which their impulses act. */
+    ContactRows pressing() {
+        return isTurned ? middle : rows;
     }
 
     /** Spends next to no work from now on: it has been in vain. */
@@ -292,26 +264,6 @@ final class HeapSystem implements Serializable {
         pushAlone(units(), out);
     }
 
-    /** Sets the least normal velocity of a point. */
-    void bound(int p, double least) {
-        data[STRIDE * p + BOUND] = least;
-    }
-
-    /** Sets what turning takes of the way along a point's tangent, as a speed that its velocity is to make up for. */
-    void drift(int p, double speed) {
-        data[STRIDE * p + DRIFT] = speed;
-    }
-
-    double bound(int p) {
-        return data[STRIDE * p + BOUND];
-    }
-
-    /** Starts from impulses that are known nearly. */
-    void start(int p, double normal, double tangential) {
-        data[STRIDE * p + IMPULSE_N] = normal;
-        data[STRIDE * p + IMPULSE_T] = tangential;
-    }
-
     /** Starts all points from no impulses. */
     void startFromNothing() {
         for (int p = 0; p < points; p++) {
@@ -319,21 +271,13 @@ final class HeapSystem implements Serializable {
         }
     }
 
-    double normalImpulse(int p) {
-        return data[STRIDE * p + IMPULSE_N];
-    }
-
-    double tangentImpulse(int p) {
-        return data[STRIDE * p + IMPULSE_T];
-    }
-
     double normal(int p) {
-        return normal(p, v);
+        return normal(p, v) + data[STRIDE * p + TURN_N];
     }
 
     /** The velocity along the tangent that friction is to take, where its impulses are enough. */
     double tangent(int p) {
-        return tangent(p, v) + data[STRIDE * p + DRIFT];
+        return tangent(p, v) + data[STRIDE * p + DRIFT] + data[STRIDE * p + TURN_T];
     }
 
     /** Normal velocity of a point. */
@@ -348,36 +292,6 @@ final class HeapSystem implements Serializable {
 
     int bodyCount() {
         return count;
-    }
-
-    /** Whether a point's normal row is an equation now, and its tangential one. */
-    boolean isClosed(int p) {
-        double impulse = data[STRIDE * p + IMPULSE_N];
-        boolean isBetween = impulse > data[STRIDE * p + LEAST] && impulse < data[STRIDE * p + MOST];
-        return isBetween && data[STRIDE * p + MOBILITY_N] < Double.POSITIVE_INFINITY;
-    }
-
-    boolean isStuck(int p) {
-        double most = data[STRIDE * p + FRICTION] * data[STRIDE * p + IMPULSE_N];
-        return Math.abs(data[STRIDE * p + IMPULSE_T]) < most;
-    }
-
-    double friction(int p) {
-        return data[STRIDE * p + FRICTION];
-    }
-
-    double normalMobility(int p) {
-        return data[STRIDE * p + MOBILITY_N];
-    }
-
-    double tangentMobility(int p) {
-        return data[STRIDE * p + MOBILITY_T];
-    }
-
-    /** Adds to a point's impulses, but not to the velocities. */
-    void addImpulse(int p, double jn, double jt) {
-        data[STRIDE * p + IMPULSE_N] += jn;
-        data[STRIDE * p + IMPULSE_T] += jt;
     }
 
     void apply(int p, double jn, double jt) {
@@ -407,9 +321,10 @@ final class HeapSystem implements Serializable {
     }
 
     private void pushAlone(double[] w, double[] v) {
+        ContactRows r = pressing();
         for (int p = 0; p < contacts; p++) {
-            rows.pushSecond(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
-            rows.pushFirst(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
+            r.pushSecond(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
+            r.pushFirst(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
         }
     }
 

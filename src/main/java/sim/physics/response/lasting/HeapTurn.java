@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.response.lasting;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.collision.narrow.Manifold;
+import sim.physics.internal.IntList;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
+
+/**
+ * What turning does to the points of a heap whose forces act evenly over a time: forces act along the normals and at the levers
+ * which points have in its middle, and no point approaches along the normal that it has at its end, nor is it too deep there. So
+ * places and velocities are of second order in the time (the midpoint rule for forces, the implicit one for constraints).
+ */
+final class HeapTurn implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Turn, rad, up to which bodies are followed: far beyond it no force acts evenly. */
+    private static final double MOST = 0.25;
+
+    /** Turn that is none in steps in which forces take bodies out of their places, and the less the shorter these are. */
+    private static final double NOISE = 1e-5;
+
+    private final Trajectories trajectories;
+    private final HeapSystem system;
+    private final TurnedPoint point = new TurnedPoint();
+    private final ContactRows end = new ContactRows();
+
+    /** By point: the least velocity for the sake of its gap, and the gap that there may be at the end. */
+    private double[] least = {};
+    private double[] floor = {};
+
+    /** By point: turn of its bodies, rad, that is an error of their search for forces. */
+    private double[] noise = {};
+
+    /** Velocities at the start, and ways from there; 3 per body. */
+    private double[] before = {};
+    private double[] after = {};
+
+    /** What impulses would do to bodies that nothing ties, and what of that was not known when these were integrated. */
+    private double[] pushes = {};
+
+    private double[] missed = {};
+
+    /** By body: acceleration when it was solved for last, and the step in which that was. */
+    private double[] gained = {};
+    private double[] knownIn = {};
+
+    HeapTurn(Trajectories trajectories, HeapSystem system) {
+        this.trajectories = trajectories;
+        this.system = system;
+    }
+
+    /**
+     * Takes in a point.
+     *
+     * @param deepest how deep it may be
+     * @param roam how far forces take its bodies in a step, relative to their size
+     */
+    void set(int p, Manifold m, int k, double deepest, double roam) {
+        if (floor.length <= p) {
+            floor = Arrays.copyOf(floor, 2 * p + 2);
+            noise = Arrays.copyOf(noise, 2 * p + 2);
+        }
+        floor[p] = deepest;
+        noise[p] = NOISE * Math.min(1, roam);
+        point.set(p, m, k);
+    }
+
+    /** Begins with the bodies' velocities at the start of the time, and goes on from there as they have done, until better is known. */
+    void begin(IntList heap, double time, boolean regains) {
+        int n = system.contacts();
+        least = least.length < n ? new double[2 * n] : least;
+        for (int p = 0; p < n; p++) {
+            least[p] = system.bound(p);
+        }
+        if (before.length < 3 * heap.size) {
+            before = new double[6 * heap.size];
+            after = new double[6 * heap.size];
+        }
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            int o = body * Trajectories.STRIDE + Trajectories.VX;
+            System.arraycopy(trajectories.data(), o, before, 3 * k, State.BLOCK);
+            for (int c = 0; c < State.BLOCK; c++) {
+                int at = 3 * body + c;
+                after[3 * k + c] = before[3 * k + c] + (at < gained.length && knownIn[body] == trajectories.step() - 1 ? gained[at] * time : 0);
+            }
+        }
+        turn(after, time, regains);
+    }
+
+    /** Keeps what bodies gain in a time, as they will in the next one. */
+    void keep(IntList heap, double[] v, double time) {
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            if (knownIn.length <= body) {
+                knownIn = Arrays.copyOf(knownIn, 2 * body + 2);
+                gained = Arrays.copyOf(gained, 3 * knownIn.length);
+            }
+            knownIn[body] = trajectories.step();
+            for (int c = 0; c < State.BLOCK; c++) {
+                gained[3 * body + c] = (v[3 * k + c] - before[3 * k + c]) / time;
+            }
+        }
+    }
+
+    /**
+     * Turns points with the velocities that bodies reach at the end of the time.
+     *
+     * @param v 3 per body
+     * @param regains whether points may have to part
+     */
+    void turn(double[] v, double time, boolean regains) {
+        for (int p = 0; p < system.contacts(); p++) {
+            look(p, v, 0.375 * time, 0.125 * time); // of velocities that change evenly
+            set(p, system.middle());
+            look(p, v, 0.5 * time, 0.5 * time);
+            set(p, end);
+            double normal = end.normal(p, v);
+            system.turn(p, normal - system.rows().normal(p, v), end.tangent(p, v) - system.rows().tangent(p, v));
+            if (regains) {
+                system.bound(p, Math.max(least[p], normal - 2 * (point.gap - floor[p]) / time));
+            }
+        }
+    }
+
+    /** What the impulses would do to some bodies if nothing tied them; their ties reply when they are driven. 3 per body. */
+    double[] pushes(int bodies) {
+        if (pushes.length < 3 * bodies) {
+            pushes = new double[6 * bodies];
+            missed = new double[6 * bodies];
+        }
+        Arrays.fill(pushes, 0, 3 * bodies, 0);
+        system.pushAlone(pushes);
+        return pushes;
+    }
+
+    /**
+     * Makes up for points that were not where the last pushes had them, in the system's velocities: at once for what nothing ties, else by
+     * the next integration.
+     *
+     * @return the velocities that were missed
+     */
+    double[] makeUp(int bodies) {
+        Arrays.fill(missed, 0, 3 * bodies, 0);
+        system.pushAlone(missed);
+        for (int k = 0; k < 3 * bodies; k++) {
+            missed[k] -= pushes[k];
+            system.v[k] += system.isTied() ? 0 : missed[k];
+        }
+        return missed;
+    }
+
+    private void set(int p, ContactRows rows) {
+        int a = system.rows().body(p, 0);
+        int b = system.rows().body(p, 1);
+        rows.set(p, a, b, point.nx, point.ny, point.leverA(), point.leverB(), point.armA(), point.armB());
+    }
+
+    private void look(int p, double[] v, double first, double last) {
+        int a = system.rows().body(p, 0);
+        int b = system.rows().body(p, 1);
+        double turnA = way(a, 2, v, first, last);
+        double turnB = way(b, 2, v, first, last);
+        double turn = Math.max(Math.abs(turnA), Math.abs(turnB));
+        double part = turn < noise[p] ? 0 : Math.min(1, MOST / turn);
+        double dx = way(b, 0, v, first, last) - way(a, 0, v, first, last);
+        double dy = way(b, 1, v, first, last) - way(a, 1, v, first, last);
+        point.look(p, part * dx, part * dy, part * turnA, part * turnB);
+    }
+
+    private double way(int body, int c, double[] v, double first, double last) {
+        return body < 0 ? 0 : first * before[3 * body + c] + last * v[3 * body + c];
+    }
+}
