@@ -145,7 +145,12 @@ final class Audit implements CourseObserver {
             paths = Arrays.copyOf(paths, 2 * body * PATH);
         }
         close(body, tau);
-        double now = energyNow(body, trajectories.isDriven(body) ? trajectories.offset(body) : tau);
+        settle(body, energyNow(body, trajectories.isDriven(body) ? trajectories.offset(body) : tau));
+        follow(body, tau);
+    }
+
+    /** What a body has now and had not at the end of its last path an impact has given it, or an author. */
+    private void settle(int body, double now) {
         double change = Double.isNaN(last[body]) ? now : now - last[body];
         if (isByAuthor || Double.isNaN(last[body])) {
             authored += change;
@@ -153,7 +158,6 @@ final class Audit implements CourseObserver {
             impacts += change;
         }
         last[body] = now;
-        follow(body, tau);
     }
 
     /** An author has written a body, or adds it, and its path is about to be made anew; until {@link #admitted}. */
@@ -234,6 +238,9 @@ final class Audit implements CourseObserver {
     public void covered(IntList group, double from, double to) {
         if (!isOpen || from == to) {
             return;
+        }
+        for (int k = 0; k < group.size; k++) {
+            settle(group.values[k], energyNow(group.values[k], from)); // an impact may have turned it here, and it got no path yet
         }
         if (reference.cover(group, from, to)) {
             work += reference.work();
