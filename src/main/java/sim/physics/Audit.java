@@ -144,13 +144,13 @@ final class Audit implements CourseObserver {
             Arrays.fill(last, known, last.length, Double.NaN);
             paths = Arrays.copyOf(paths, 2 * body * PATH);
         }
-        close(body, tau);
-        settle(body, energyNow(body, trajectories.isDriven(body) ? trajectories.offset(body) : tau));
-        follow(body, tau);
+        begin(body, tau);
     }
 
-    /** What a body has now and had not at the end of its last path an impact has given it, or an author. */
-    private void settle(int body, double now) {
+    /** Ends the path of a body that it had, and begins the one that it has: what is new an impact has given it, or an author. */
+    private void begin(int body, double tau) {
+        close(body, tau);
+        double now = energyNow(body, trajectories.isDriven(body) ? trajectories.offset(body) : tau);
         double change = Double.isNaN(last[body]) ? now : now - last[body];
         if (isByAuthor || Double.isNaN(last[body])) {
             authored += change;
@@ -158,6 +158,7 @@ final class Audit implements CourseObserver {
             impacts += change;
         }
         last[body] = now;
+        follow(body, tau);
     }
 
     /** An author has written a body, or adds it, and its path is about to be made anew; until {@link #admitted}. */
@@ -240,7 +241,7 @@ final class Audit implements CourseObserver {
             return;
         }
         for (int k = 0; k < group.size; k++) {
-            settle(group.values[k], energyNow(group.values[k], from)); // an impact may have turned it here, and it got no path yet
+            begin(group.values[k], from); // an impact may have turned it here, and it got no path yet
         }
         if (reference.cover(group, from, to)) {
             work += reference.work();

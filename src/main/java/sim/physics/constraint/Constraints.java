@@ -478,7 +478,7 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public Ties twin() {
         Constraints twin = new Constraints(state);
-        constraints.forEach(twin::add);
+        islands.forEach(island -> island.inOrder.forEach(twin::add)); // as they act: not those that were added since they were grouped
         twin.regroup();
         return twin;
     }

@@ -2,10 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.query;
 
+import java.io.Serializable;
 import sim.physics.motion.Body;
 
-/** Where a ray entered a body; to be used again, so that many rays leave no garbage. */
-public final class RayHit {
+/** Where a ray entered a body; to be used again, so that many rays leave no garbage. An agent that keeps one may be saved with it. */
+public final class RayHit implements Serializable {
+    private static final long serialVersionUID = 1L;
+
     private Body body;
     private double x;
     private double y;

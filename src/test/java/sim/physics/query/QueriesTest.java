@@ -11,6 +11,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.shape.Circle;
@@ -192,5 +193,16 @@ class QueriesTest {
         assertThatThrownBy(() -> ask.nearest(0, 0, -1, null)).hasMessageContaining("count is -1");
         assertThatThrownBy(() -> ask.inBox(1, 0, 0, 1, null)).hasMessageContaining("highX");
         assertThatThrownBy(() -> ask.visible(0, 0, 0, 4, 1, null)).hasMessageContaining("halfAngle is 4.0");
+    }
+
+    /** An agent keeps the answer of its sensor, which makes no garbage, and is saved with it. */
+    @Test
+    void anAnswerThatIsUsedAgainGoesIntoCheckpoints() {
+        engine.add(new Body(new Circle(1)).at(5, 0));
+        RayHit hit = new RayHit();
+        assertThat(engine.queries().rayCast(0, 0, 1, 0, 10, null, hit)).isTrue();
+        RayHit copy = Checkpoint.copy(hit);
+        assertThat(copy.distance()).isEqualTo(4);
+        assertThat(copy.body().getX()).isEqualTo(5);
     }
 }
