@@ -240,6 +240,7 @@ final class Admission implements Presence, Serializable {
             IntList concerned = constraints.concerned();
             for (int k = 0; k < concerned.size; k++) {
                 bring(concerned.values[k], tau);
+                state.touch(concerned.values[k]); // not only pushed: what ties it now may not allow its velocity
             }
             constraints.regroup();
         }
