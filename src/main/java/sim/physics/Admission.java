@@ -61,8 +61,7 @@ final class Admission implements Presence, Serializable {
             State state,
             Trajectories trajectories,
             Motion motion,
-            CollisionDetection detection,
-            RestingContacts resting, Heaps heaps) {
+            CollisionDetection detection, RestingContacts resting, Heaps heaps) {
         this.resting = resting;
         this.heaps = heaps;
         this.state = state;

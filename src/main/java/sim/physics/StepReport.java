@@ -13,7 +13,8 @@ import java.io.Serializable;
  * </pre>
  *
  * <p>Energies are those of motion, of uniform fields with the origin as their level, and what generators say that they
- * store ({@link sim.physics.motion.ForceGenerator#energy()}).
+ * store ({@link sim.physics.motion.ForceGenerator#energy()}). Nobody knows how much of the latter the program changes within a step, as a
+ * listener does that removes a body with a stretched spring: that is part of the drift.
  *
  * @param energyBefore at the start
  * @param energyAfter at the end
