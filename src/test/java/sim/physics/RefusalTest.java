@@ -247,6 +247,27 @@ class RefusalTest {
         assertThatThrownBy(engine::step).hasMessageStartingWith("torque is NaN: it must be finite; it acts on Body[");
     }
 
+    /** It was lost, or given to whichever body had the same number. */
+    @ParameterizedTest
+    @ValueSource(strings = {"another", "fixed", "elsewhere", "nowhere"})
+    void aForceOnABodyThatAGeneratorIsNotAskedAboutIsRefused(String which) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.add(new Body(new Circle(1)));
+        Body other = which.equals("fixed") ? Body.fixed(new Circle(2)) : new Body(new Circle(2));
+        (which.equals("elsewhere") ? new PhysicsEngine() : engine).add(other.at(5, 0));
+        ForceGenerator pair = (body, time, forces) -> {
+            forces.add(body, 1, 0);
+            forces.addAt(body == other || which.equals("nowhere") ? null : other, -1, 0, 5, 0);
+        };
+        engine.add(pair);
+        assertThatThrownBy(engine::step)
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith("a force was added to " + (which.equals("nowhere") ? "null" : "Body[Circle[radius 2.0]"))
+                .hasMessageContaining("but the one that is asked about is Body[Circle[radius 1.0]");
+        engine.remove(pair);
+        engine.step();
+    }
+
     @ParameterizedTest
     @MethodSource("methodsOfFixedStep")
     void aMotionThatGrowsWithoutBoundIsSaidToNeedAShorterStep(Integrator method) {

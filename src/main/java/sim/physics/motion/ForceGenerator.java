@@ -14,7 +14,7 @@ import java.util.List;
 public interface ForceGenerator extends Serializable {
 
     /**
-     * Adds the force on one body. The body's getters, and with {@link #isCoupled()} those of all bodies on which a
+     * Adds the force on one body, and on no other: what it does to another one is asked for when it is that one's turn. The body's getters, and with {@link #isCoupled()} those of all bodies on which a
      * generator acts, give position and velocity at the instant of the evaluation.
      *
      * @param body the body

@@ -17,19 +17,36 @@ public final class Forces implements Serializable {
     /** For a generator, while it is asked for one force. */
     final double[] workspace = new double[State.BLOCK];
 
+    /** The body about which generators are asked; null while none are. */
+    private Body asked;
+
     Forces(State state) {
         this.state = state;
+    }
+
+    /** Generators are asked about a body, or about none any more. */
+    void ask(Body body) {
+        asked = body;
+    }
+
+    /** What was added to another one would be lost, or another engine's body of the same index would have it. */
+    private void requireAsked(Body body) {
+        if (body != asked) {
+            throw new IllegalArgumentException("a force was added to " + body + ", but the one that is asked about is " + asked
+                    + ": each body's force is asked for in its turn");
+        }
     }
 
     /**
      * Adds a force at the centre of mass.
      *
-     * @param body the body that it acts on
+     * @param body the body that it acts on, which is the one that the generator is asked about
      * @param fx force
      * @param fy force
-     * @throws IllegalArgumentException for NaN or infinity
+     * @throws IllegalArgumentException for NaN or infinity, or another body
      */
     public void add(Body body, double fx, double fy) {
+        requireAsked(body);
         finite("fx", fx, body);
         finite("fy", fy, body);
         double[] f = state.f();
@@ -41,11 +58,12 @@ public final class Forces implements Serializable {
     /**
      * Adds a torque.
      *
-     * @param body the body that it acts on
+     * @param body the body that it acts on, which is the one that the generator is asked about
      * @param torque force·length
-     * @throws IllegalArgumentException for NaN or infinity
+     * @throws IllegalArgumentException for NaN or infinity, or another body
      */
     public void addTorque(Body body, double torque) {
+        requireAsked(body);
         finite("torque", torque, body);
         state.f()[State.BLOCK * body.index() + State.THETA] += torque;
     }
@@ -53,14 +71,15 @@ public final class Forces implements Serializable {
     /**
      * Adds a force at a point: the force at the centre of mass and the torque r⊥ · f.
      *
-     * @param body the body that it acts on
+     * @param body the body that it acts on, which is the one that the generator is asked about
      * @param fx force
      * @param fy force
      * @param px point, in world coordinates
      * @param py point, in world coordinates
-     * @throws IllegalArgumentException for NaN or infinity
+     * @throws IllegalArgumentException for NaN or infinity, or another body
      */
     public void addAt(Body body, double fx, double fy, double px, double py) {
+        requireAsked(body);
         finite("px", px, body);
         finite("py", py, body);
         add(body, fx, fy);

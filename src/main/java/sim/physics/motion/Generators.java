@@ -411,11 +411,13 @@ final class Generators implements Serializable {
 
     /** Adds the forces on a body, but for those of uniform fields. */
     private void addForces(Body body, double time, Forces forces, ForceGenerator without) {
+        forces.ask(body);
         for (Entry entry : acting(body)) {
             if (entry.generator != without && !entry.isRow) {
                 entry.generator.addForce(body, time, forces);
             }
         }
+        forces.ask(null);
     }
 
     /** The energy that is stored in generators which act on a body of a group. */
