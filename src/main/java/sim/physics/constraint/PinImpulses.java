@@ -23,7 +23,7 @@ final class PinImpulses implements Serializable {
     private static final double SINGULAR = 1e-14;
 
     /** Values of a pin: arms in the bodies' frames, arms in the world, C, the inverse of J W Jᵀ, impulse, the sum of it and of what it turns in the step, largest C. */
-    private static final int STRIDE = 19;
+    private static final int STRIDE = 23;
 
     private static final int ARM = 4;
     private static final int C = 8;
@@ -31,6 +31,12 @@ final class PinImpulses implements Serializable {
     private static final int IMPULSE = 13;
     private static final int SUM = 15;
     private static final int MOST = 18;
+
+    /** What the turning of the arms adds to the speed at which a pin opens, in the mean of a substep. */
+    private static final int BEND = 19;
+
+    /** The impulse with which the substep began. */
+    private static final int STARTED = 21;
 
     private final State state;
 
@@ -42,6 +48,9 @@ final class PinImpulses implements Serializable {
     private double[] kept = {};
 
     private double[] noted = {};
+
+    /** The substep. */
+    private double h;
 
     /** How many of them, from the first one on, are of bodies that are awake. */
     private int awake;
@@ -134,14 +143,15 @@ final class PinImpulses implements Serializable {
     }
 
     /** Begins a step, with substeps so many times longer than those of the last one: impulses grow with them. */
-    void begin(double growth) {
+    void begin(double growth, double substep) {
+        h = substep;
         Arrays.fill(angles, Double.NaN);
         for (int o = 0; o < STRIDE * awake; o += STRIDE) {
             data[o + IMPULSE] *= growth;
             data[o + IMPULSE + 1] *= growth;
             Arrays.fill(data, o + SUM, o + MOST, 0);
         }
-        evaluate();
+        evaluate(0);
     }
 
     /** Adds the impulses of a substep to those of the step. */
@@ -166,16 +176,26 @@ final class PinImpulses implements Serializable {
         }
     }
 
-    /** Evaluates all pins where the state vectors say that the bodies are. */
-    void evaluate() {
+    /**
+     * Evaluates all pins where the state vectors say that the bodies are.
+     *
+     * @param follow the part of the impulses with which the substep began that acts where the arms are now, and not where they were
+     */
+    void evaluate(double follow) {
         turn();
         double[] d = data;
         double[] x = state.x();
+        double[] v = state.v();
         double[] w = state.w().values();
         for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
             int a = blocks[2 * k];
             int b = blocks[2 * k + 1];
-            arm(o, o + ARM, a);
+            double jx = follow * d[o + STARTED];
+            double jy = follow * d[o + STARTED + 1];
+            v[a + 2] += w[a + 2] * arm(o, o + ARM, a, jx, jy);
+            double bend = bend(v[a + 2]);
+            d[o + BEND] = -bend * d[o + ARM];
+            d[o + BEND + 1] = -bend * d[o + ARM + 1];
             double ax = d[o + ARM];
             double ay = d[o + ARM + 1];
             double k00 = w[a] + w[a + 2] * ay * ay;
@@ -184,12 +204,15 @@ final class PinImpulses implements Serializable {
             double placeX = d[o + 2];
             double placeY = d[o + 3];
             if (b >= 0) {
-                arm(o + 2, o + ARM + 2, b);
+                v[b + 2] -= w[b + 2] * arm(o + 2, o + ARM + 2, b, jx, jy);
                 double bx = d[o + ARM + 2];
                 double by = d[o + ARM + 3];
                 k00 += w[b] + w[b + 2] * by * by;
                 k01 -= w[b + 2] * bx * by;
                 k11 += w[b] + w[b + 2] * bx * bx;
+                bend = bend(v[b + 2]);
+                d[o + BEND] += bend * bx;
+                d[o + BEND + 1] += bend * by;
                 placeX = x[b] + bx;
                 placeY = x[b + 1] + by;
             }
@@ -207,15 +230,21 @@ final class PinImpulses implements Serializable {
         }
     }
 
-    private void arm(int from, int to, int block) {
+    /** Turns an arm; what an impulse at its end turns the body more by than before. */
+    private double arm(int from, int to, int block, double jx, double jy) {
         double px = data[from];
         double py = data[from + 1];
-        if (px != 0 || py != 0) {
-            double cos = turns[2 * (block / BLOCK)];
-            double sin = turns[2 * (block / BLOCK) + 1];
-            data[to] = cos * px - sin * py;
-            data[to + 1] = sin * px + cos * py;
+        if (px == 0 && py == 0) {
+            return 0;
         }
+        double cos = turns[2 * (block / BLOCK)];
+        double sin = turns[2 * (block / BLOCK) + 1];
+        double x = cos * px - sin * py;
+        double y = sin * px + cos * py;
+        double more = (x - data[to]) * jy - (y - data[to + 1]) * jx;
+        data[to] = x;
+        data[to + 1] = y;
+        return more;
     }
 
     /** Cosines and sines: turned on by what the angles have changed since the last substep, with series for small turns. */
@@ -270,6 +299,8 @@ final class PinImpulses implements Serializable {
         double[] v = state.v();
         double[] w = state.w().values();
         for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
+            data[o + STARTED] = data[o + IMPULSE];
+            data[o + STARTED + 1] = data[o + IMPULSE + 1];
             push(v, w, k, o, data[o + IMPULSE], data[o + IMPULSE + 1]);
         }
     }
@@ -342,8 +373,9 @@ final class PinImpulses implements Serializable {
         double[] d = data;
         int a = blocks[2 * k];
         int b = blocks[2 * k + 1];
-        double ux = v[a] - d[o + ARM + 1] * v[a + 2] + rate * d[o + C];
-        double uy = v[a + 1] + d[o + ARM] * v[a + 2] + rate * d[o + C + 1];
+        double bend = rate > 0 ? 1 : 0; // only where a way is to be gone
+        double ux = v[a] - d[o + ARM + 1] * v[a + 2] + rate * d[o + C] + bend * d[o + BEND];
+        double uy = v[a + 1] + d[o + ARM] * v[a + 2] + rate * d[o + C + 1] + bend * d[o + BEND + 1];
         if (b >= 0) {
             ux -= v[b] - d[o + ARM + 3] * v[b + 2];
             uy -= v[b + 1] + d[o + ARM + 2] * v[b + 2];
@@ -353,5 +385,10 @@ final class PinImpulses implements Serializable {
         d[o + IMPULSE] += jx;
         d[o + IMPULSE + 1] += jy;
         push(v, w, k, o, jx, jy);
+    }
+
+    /** How fast the turn of an arm in the substep moves its end towards the centre, by a unit of its length. */
+    private double bend(double spin) {
+        return 0.5 * Math.min(Math.abs(spin), spin * spin * h);
     }
 }

@@ -44,10 +44,14 @@ final class TieEquations implements Serializable {
 
     double[] j = {};
     double[] c = {};
+    /** What the turning of the bodies alone adds to a row's speed in half a substep. */
+    double[] bend = {};
     /** The inverse of J W Jᵀ, 3 × 3. */
     double[] inverse = {};
     /** What was given to the first body of each since somebody took note: impulse, and turning impulse about its centre. */
     double[] given = {};
+    /** The impulses with which the substep began. */
+    private double[] started = {};
 
     TieEquations(State state) {
         this.state = state;
@@ -96,8 +100,10 @@ final class TieEquations implements Serializable {
         }
         j = new double[J * n];
         c = new double[ROWS * n];
+        bend = new double[ROWS * n];
         inverse = new double[ROWS * ROWS * n];
         given = new double[BLOCK * n];
+        started = new double[ROWS * n];
     }
 
     /** How many there are of bodies that are awake. */
@@ -150,7 +156,7 @@ final class TieEquations implements Serializable {
      *
      * @param isFirst whether the step begins: within it what does not change is kept
      */
-    void evaluate(boolean isFirst) {
+    void evaluate(boolean isFirst, double h) {
         double[] x = state.x();
         double[] w = state.w().values();
         for (int k = 0; k < awake; k++) {
@@ -164,10 +170,32 @@ final class TieEquations implements Serializable {
             (kinds[k] == Kind.JOINT ? ties[k] : ((Switched) ties[k]).coordinate()).evaluate(one);
             for (int r = 0; r < rows[k]; r++) {
                 c[ROWS * k + r] = kinds[k] == Kind.JOINT ? limited(k, r, one.c[r]) : one.c[r];
+                bend[ROWS * k + r] = one.rate[r] == 0 ? 0 : limited(k, r, 0.5 * h * h * one.rate[r]) / h;
             }
             System.arraycopy(one.jA, 0, j, J * k, BLOCK * rows[k]);
             System.arraycopy(one.jB, 0, j, J * k + BLOCK * ROWS, BLOCK * rows[k]);
             RowInverse.invert(rows[k], w, blocks[2 * k], blocks[2 * k + 1], j, J * k, inverse, ROWS * ROWS * k);
+        }
+    }
+
+    /** Gives the bodies the impulse with which a row begins the substep. */
+    void start(int k, int row, double by) {
+        started[ROWS * k + row] = by;
+        push(k, row, by);
+    }
+
+    /** Evaluates all of them where the bodies have moved to in a substep; half of what they began with follows. */
+    void follow(double h) {
+        pushStarted(-0.5);
+        evaluate(false, h);
+        pushStarted(0.5);
+    }
+
+    private void pushStarted(double part) {
+        for (int k = 0; k < awake; k++) {
+            for (int r = 0; gears[k] == null && r < rows[k]; r++) {
+                push(k, r, part * started[ROWS * k + r]);
+            }
         }
     }
 
@@ -209,7 +237,15 @@ final class TieEquations implements Serializable {
 
     /** Gives the bodies an impulse along a row. */
     void push(int k, int row, double by) {
-        double[] v = state.v();
+        int o = J * k + BLOCK * row;
+        push(state.v(), k, row, by);
+        given[BLOCK * k] += j[o] * by;
+        given[BLOCK * k + 1] += j[o + 1] * by;
+        given[BLOCK * k + 2] += j[o + 2] * by;
+    }
+
+    /** Changes velocities as an impulse along a row does. */
+    void push(double[] v, int k, int row, double by) {
         double[] w = state.w().values();
         int o = J * k + BLOCK * row;
         int a = blocks[2 * k];
@@ -217,9 +253,6 @@ final class TieEquations implements Serializable {
         v[a] += w[a] * j[o] * by;
         v[a + 1] += w[a + 1] * j[o + 1] * by;
         v[a + 2] += w[a + 2] * j[o + 2] * by;
-        given[BLOCK * k] += j[o] * by;
-        given[BLOCK * k + 1] += j[o + 1] * by;
-        given[BLOCK * k + 2] += j[o + 2] * by;
         if (b >= 0) {
             o += BLOCK * ROWS;
             v[b] += w[b] * j[o] * by;

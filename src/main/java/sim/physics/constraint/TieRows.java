@@ -31,13 +31,13 @@ public final class TieRows implements Serializable {
     private final PinImpulses pinImpulses;
     /** Impulses of this substep; of a stop that of its lower and its upper bound. */
     private double[] impulse = {};
-    /** The same, to be put back. */
+    private double h;
+    /** Impulses that are to be put back. */
     private double[] kept = {};
     /** What the first bodies got in the step: impulse, and turning impulse about the centre. */
     private double[] sum = {};
     /** Speeds of stops, and bounds of motors, at the start of the step. */
     private double[] approach = {};
-
     /** Whether a bound of a stop has borne something in this step. */
     private boolean[] hit = {};
 
@@ -176,13 +176,15 @@ public final class TieRows implements Serializable {
      * Begins a step.
      *
      * @param growth how many times longer its substeps are than those of the last one: impulses grow with them
+     * @param substep the length of one
      */
-    public void begin(double growth) {
-        pinImpulses.begin(growth);
+    public void begin(double growth, double substep) {
+        h = substep;
+        pinImpulses.begin(growth, h);
         for (int k = 0; growth != 1 && k < ROWS * equations.count(); k++) {
             impulse[k] *= growth;
         }
-        equations.evaluate(true);
+        equations.evaluate(true, h);
         Arrays.fill(sum, 0, BLOCK * equations.count(), 0);
         Arrays.fill(hit, false);
         for (int k = 0; k < equations.count(); k++) {
@@ -193,8 +195,14 @@ public final class TieRows implements Serializable {
 
     /** Evaluates all equations where the state vectors say that the bodies are, within a step. */
     public void evaluate() {
-        pinImpulses.evaluate();
-        equations.evaluate(false);
+        pinImpulses.evaluate(0);
+        equations.evaluate(false, h);
+    }
+
+    /** The same, when the bodies have moved: half of what they were given at the start of the substep follows them. */
+    public void follow() {
+        pinImpulses.evaluate(0.5);
+        equations.follow(h);
     }
 
     /** Gives the bodies the impulses of the substep before. */
@@ -202,12 +210,9 @@ public final class TieRows implements Serializable {
         pinImpulses.start();
         Arrays.fill(equations.given, 0);
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k] == TieEquations.Kind.STOP) {
-                equations.push(k, 0, impulse[ROWS * k] - impulse[ROWS * k + 1]);
-            } else {
-                for (int r = 0; r < equations.rows[k]; r++) {
-                    equations.push(k, r, impulse[ROWS * k + r]);
-                }
+            boolean isStop = equations.kinds[k] == TieEquations.Kind.STOP;
+            for (int o = ROWS * k, r = 0; r < equations.rows[k]; r++) {
+                equations.start(k, r, isStop ? impulse[o] - impulse[o + 1] : impulse[o + r]);
             }
         }
     }
@@ -311,21 +316,21 @@ public final class TieRows implements Serializable {
         double[] v = state.v();
         int o = ROWS * k;
         int m = ROWS * o;
-        int count = equations.rows[k];
         double mass = softness.mass();
         double back = softness.impulse();
-        double r0 = equations.speed(k, 0, v) + softness.rate() * equations.c[o];
-        if (count == 1) {
+        double bend = softness.rate() > 0 ? 1 : 0; // only where a way is to be gone
+        double r0 = equations.speed(k, 0, v) + softness.rate() * equations.c[o] + bend * equations.bend[o];
+        if (equations.rows[k] == 1) {
             take(k, 0, -mass * equations.inverse[m] * r0 - back * impulse[o]);
             return;
         }
-        double r1 = equations.speed(k, 1, v) + softness.rate() * equations.c[o + 1];
-        if (count == 2) {
+        double r1 = equations.speed(k, 1, v) + softness.rate() * equations.c[o + 1] + bend * equations.bend[o + 1];
+        if (equations.rows[k] == 2) {
             take(k, 0, -mass * (equations.inverse[m] * r0 + equations.inverse[m + 1] * r1) - back * impulse[o]);
             take(k, 1, -mass * (equations.inverse[m + 3] * r0 + equations.inverse[m + 4] * r1) - back * impulse[o + 1]);
             return;
         }
-        double r2 = equations.speed(k, 2, v) + softness.rate() * equations.c[o + 2];
+        double r2 = equations.speed(k, 2, v) + softness.rate() * equations.c[o + 2] + bend * equations.bend[o + 2];
         for (int r = 0; r < ROWS; r++, m += ROWS) {
             double by = equations.inverse[m] * r0 + equations.inverse[m + 1] * r1 + equations.inverse[m + 2] * r2;
             take(k, r, -mass * by - back * impulse[o + r]);
@@ -359,6 +364,7 @@ public final class TieRows implements Serializable {
         double speed = sign * equations.speed(k, 0, state.v());
         boolean isOpen = gap > 0;
         double aim = isOpen ? gap / h : softness.rate() * equations.limited(k, 0, gap);
+        aim += softness.rate() > 0 ? sign * equations.bend[ROWS * k] : 0;
         double mass = isOpen ? 1 : softness.mass();
         double back = isOpen ? 0 : softness.impulse();
         double old = impulse[o];

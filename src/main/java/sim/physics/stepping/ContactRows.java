@@ -12,7 +12,7 @@ final class ContactRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values of a point. */
-    static final int STRIDE = 20;
+    static final int STRIDE = 23;
 
     static final int AX = 0;
     static final int AY = 1;
@@ -45,6 +45,12 @@ final class ContactRows implements Serializable {
 
     /** The impulse along the normal that will not be taken back. */
     static final int NOTED = 19;
+
+    /** The impulse along the normal with which the last substep began, and what of those of this one is steady. */
+    static final int LAST = 20;
+
+    static final int STEADY = 21;
+    static final int RUBBING = 22;
 
     /** Values of a pair: normal, friction, restitution, largest speed at which depth is regained. */
     static final int PAIR = 5;
@@ -194,6 +200,7 @@ final class ContactRows implements Serializable {
         points[p + TANGENT] = 0;
         points[p + NORMAL_SUM] = 0;
         points[p + TANGENT_SUM] = 0;
+        points[p + LAST] = 0;
     }
 
     /**
@@ -253,10 +260,11 @@ final class ContactRows implements Serializable {
     }
 
     /** Lets a point begin with the impulses of the step before. */
-    void remember(int k, int point, double normal, double tangent) {
+    void remember(int k, int point, double normal, double tangent, double last) {
         int p = STRIDE * (pairs[INTS * k + 3] + point);
         points[p + NORMAL] = normal;
         points[p + TANGENT] = tangent;
+        points[p + LAST] = last;
     }
 
     int pointCount(int k) {
@@ -277,6 +285,10 @@ final class ContactRows implements Serializable {
 
     double normal(int k, int point) {
         return of(k, point, NORMAL);
+    }
+
+    double last(int k, int point) {
+        return of(k, point, LAST);
     }
 
     double tangent(int k, int point) {

@@ -17,6 +17,7 @@ import static sim.physics.stepping.ContactRows.FORCED;
 import static sim.physics.stepping.ContactRows.FRICTION;
 import static sim.physics.stepping.ContactRows.GAP;
 import static sim.physics.stepping.ContactRows.INTS;
+import static sim.physics.stepping.ContactRows.LAST;
 import static sim.physics.stepping.ContactRows.LEVER_A;
 import static sim.physics.stepping.ContactRows.LEVER_B;
 import static sim.physics.stepping.ContactRows.NORMAL;
@@ -27,6 +28,8 @@ import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.PRESSED;
 import static sim.physics.stepping.ContactRows.REGAIN;
 import static sim.physics.stepping.ContactRows.RESTORED;
+import static sim.physics.stepping.ContactRows.RUBBING;
+import static sim.physics.stepping.ContactRows.STEADY;
 import static sim.physics.stepping.ContactRows.STRIDE;
 import static sim.physics.stepping.ContactRows.TANGENT;
 import static sim.physics.stepping.ContactRows.TANGENT_MASS;
@@ -45,6 +48,9 @@ final class ContactSolver implements Serializable {
 
     /** When an impulse has settled, relative to itself. */
     private static final double SETTLED = 1e-4;
+
+    /** Way of the ends of arms, relative to them, up to which what they take is as it was. */
+    private static final double FAR = 1e-3;
 
     private final State state;
     private final ContactRows rows;
@@ -68,7 +74,7 @@ final class ContactSolver implements Serializable {
     }
 
     /** Gives the bodies the impulses of the substep before. */
-    void start() {
+    void start(double[] sudden) {
         double[] v = state.v();
         double[] w = state.w().values();
         for (int k = 0; k < rows.count; k++) {
@@ -80,8 +86,23 @@ final class ContactSolver implements Serializable {
                 double jx = nx * points[p + NORMAL] - ny * points[p + TANGENT];
                 double jy = ny * points[p + NORMAL] + nx * points[p + TANGENT];
                 push(v, w, a, b, p, jx, jy);
+                double now = points[p + NORMAL];
+                double last = points[p + LAST];
+                points[p + LAST] = now;
+                points[p + STEADY] = now;
+                points[p + RUBBING] = points[p + TANGENT];
+                if (last < now) {
+                    halve(last / now, sudden, w, a, b, p, jx, jy);
+                }
             }
         }
+    }
+
+    /** Lets only a part of what a point was given act by halves. */
+    private void halve(double part, double[] sudden, double[] w, int a, int b, int p, double jx, double jy) {
+        points[p + STEADY] *= part;
+        points[p + RUBBING] *= part;
+        push(sudden, w, a, b, p, (1 - part) * jx, (1 - part) * jy);
     }
 
     private void push(double[] v, double[] w, int a, int b, int p, double jx, double jy) {
@@ -238,6 +259,7 @@ final class ContactSolver implements Serializable {
      */
     void follow() {
         double[] x = state.x();
+        double[] v = state.v();
         double[] w = state.w().values();
         for (int k = 0; k < rows.count; k++) {
             int a = State.BLOCK * rows.first(k);
@@ -249,28 +271,35 @@ final class ContactSolver implements Serializable {
             double dx = x[b] - x[a];
             double dy = x[b + 1] - x[a + 1];
             for (int p = STRIDE * pairs[INTS * k + 3]; p < STRIDE * pairs[INTS * k + 4]; p += STRIDE) {
-                if (discs == BOTH) {
-                    turn(k, p, dx, dy);
-                } else {
-                    follow(p, discs == 0 ? 0.5 : discs - 1, dx, dy);
+                double jx = 0.5 * (normals[PAIR * k] * points[p + STEADY] - normals[PAIR * k + 1] * points[p + RUBBING]);
+                double jy = 0.5 * (normals[PAIR * k + 1] * points[p + STEADY] + normals[PAIR * k] * points[p + RUBBING]);
+                double byA = points[p + AX] * jy - points[p + AY] * jx;
+                double byB = points[p + BX] * jy - points[p + BY] * jx;
+                boolean isFar = discs == BOTH ? turn(k, p, dx, dy) : follow(p, discs == 0 ? 0.5 : discs - 1, dx, dy);
+                v[a + 2] -= w[a + 2] * (points[p + AX] * jy - points[p + AY] * jx - byA);
+                v[b + 2] += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx - byB);
+                if (isFar) {
+                    rows.weigh(w, a, b, p, normals[PAIR * k], normals[PAIR * k + 1]);
                 }
-                rows.weigh(w, a, b, p, normals[PAIR * k], normals[PAIR * k + 1]);
             }
         }
     }
 
-    /** Moves the ends of both arms to one point: by a part of the way between them that of the first body, by the rest that of the other. */
-    private void follow(int p, double part, double dx, double dy) {
+    /** Moves the ends of both arms to one point: by a part of the way between them that of the first body, by the rest that of the other; whether that is far. */
+    private boolean follow(int p, double part, double dx, double dy) {
         double wayX = dx - (points[p + AX] - points[p + BX]);
         double wayY = dy - (points[p + AY] - points[p + BY]);
         points[p + AX] += part * wayX;
         points[p + AY] += part * wayY;
         points[p + BX] -= (1 - part) * wayX;
         points[p + BY] -= (1 - part) * wayY;
+        double arms = points[p + AX] * points[p + AX] + points[p + AY] * points[p + AY]
+                + points[p + BX] * points[p + BX] + points[p + BY] * points[p + BY];
+        return wayX * wayX + wayY * wayY > FAR * FAR * arms;
     }
 
     /** Turns normal and arms of two discs to where their centres are now. */
-    private void turn(int k, int p, double dx, double dy) {
+    private boolean turn(int k, int p, double dx, double dy) {
         double distance = Math.sqrt(dx * dx + dy * dy);
         double nx = normals[PAIR * k];
         double ny = normals[PAIR * k + 1];
@@ -278,7 +307,7 @@ final class ContactSolver implements Serializable {
         double second = nx * points[p + BX] + ny * points[p + BY];
         double middle = 0.5 * (first + second + distance); // of the distance, by what the arms were
         if (!(distance > 0)) {
-            return;
+            return false;
         }
         nx = dx / distance;
         ny = dy / distance;
@@ -288,6 +317,7 @@ final class ContactSolver implements Serializable {
         points[p + AY] = middle * ny;
         points[p + BX] = (middle - distance) * nx;
         points[p + BY] = (middle - distance) * ny;
+        return true;
     }
 
     /** Adds the impulses of a substep to those of the step. */

@@ -27,8 +27,10 @@ final class NearPairs implements Pairs.Listener, Serializable {
     /** They pressed on one another in the last step. */
     static final int TOUCHED = 16;
 
-    /** Values kept of a pair: impulses along normal and tangent of two points. */
-    static final int KEPT = 4;
+    /** Values kept of each of two points: impulses along normal and tangent, and the one along the normal before that. */
+    static final int POINT = 3;
+
+    static final int KEPT = 2 * POINT;
 
     /** Binary logarithm of the bits of a word. */
     static final int WORD = 6;

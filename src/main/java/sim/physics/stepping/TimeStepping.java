@@ -68,6 +68,7 @@ public final class TimeStepping implements Serializable {
     private final Decisions decisions;
     private final Sleep sleep;
     private final Retake retake;
+    private final Halves halves;
 
     /** Null until the first constraint is added. */
     private Constraints constraints;
@@ -80,9 +81,6 @@ public final class TimeStepping implements Serializable {
     private boolean areOthersAsleep;
 
     private double[] a = {};
-
-    /** Whether something acts on a body but even forces. */
-    private boolean[] isHeld = {};
 
     private double h;
 
@@ -125,6 +123,7 @@ public final class TimeStepping implements Serializable {
         sleep = new Sleep(state, poses, near, forces, rows);
         decisions.setPairs(near, sleep.kept());
         touch = new Touch(state, poses);
+        halves = new Halves(state, poses, forces);
         retake = new Retake(state, forces, ties, rows, contacts);
     }
 
@@ -233,7 +232,6 @@ public final class TimeStepping implements Serializable {
         forces.begin();
         if (a.length < state.x().length) {
             a = new double[state.x().length];
-            isHeld = new boolean[a.length / State.BLOCK];
         }
         growth = keptOf > 0 ? step / substeps / keptOf : 0;
         sleep.wakeDriven(ties);
@@ -288,9 +286,9 @@ public final class TimeStepping implements Serializable {
             deepest = Math.min(deepest, touch.gap[k]);
             int id = touch.feature[k];
             for (int m = 0; m < 2; m++) {
-                if (near.features[2 * pair + m] == id && near.kept[NearPairs.KEPT * pair + 2 * m] > 0) {
-                    int o = NearPairs.KEPT * pair + 2 * m;
-                    rows.remember(rows.count - 1, k, growth * near.kept[o], growth * near.kept[o + 1]);
+                if (near.features[2 * pair + m] == id && near.kept[NearPairs.KEPT * pair + NearPairs.POINT * m] > 0) {
+                    int o = NearPairs.KEPT * pair + NearPairs.POINT * m;
+                    rows.remember(rows.count - 1, k, growth * near.kept[o], growth * near.kept[o + 1], growth * near.kept[o + 2]);
                 }
             }
         }
@@ -318,14 +316,13 @@ public final class TimeStepping implements Serializable {
         boolean areOthers = areOthersAsleep || forces.springs().areNew();
         if (isTied) {
             isCold |= ties.gather(constraints, sleep.asleep(), areOthersAsleep);
-            ties.begin(growth);
+            ties.begin(growth, d);
             isJudged = false; // also if a force of an author throws in one of the substeps: that far is what is reported
         }
         areOthersAsleep = false;
         if (isRubbed) {
             surface.begin(poses.awake);
         }
-        findHeld(isTied, isRubbed);
         boolean bounces = rows.bounces > 0 || isTied && ties.bounces();
         boolean isBalanced = bounces || isTied;
         retake.begin(rows, isCold || areOthers, isBalanced);
@@ -333,26 +330,29 @@ public final class TimeStepping implements Serializable {
             retake.bound(a, h);
         }
         soften(Math.max(d, pace - h / PATIENCE));
-        boolean isUneven = forces.areUneven();
+        boolean areUneven = forces.areUneven();
         for (int k = 0; k < substeps; k++) {
-            if (k > 0 && isUneven) {
-                forces.load(poses.awake, time + k * d, a);
-            }
-            accelerate(d);
+            halves.accelerate(a, d);
             forces.springs().evaluate(d);
             if (isBalanced) {
                 retake.open();
             }
             start(isTied, isRubbed);
+            halves.halve();
             for (int m = isCold ? COLD : 1; m > 0; m--) {
                 solve(isTied, isRubbed, true, d);
             }
-            move(d);
+            halves.move(d);
+            if (areUneven) {
+                halves.reload(a, time + (k + 1) * d, d);
+            }
             contacts.follow();
             if (isTied) {
-                ties.evaluate();
+                ties.follow();
             }
-            solve(isTied, isRubbed, false, d);
+            for (int m = isCold ? COLD : 1; m > 0; m--) {
+                solve(isTied, isRubbed, false, d);
+            }
             if (isBalanced) {
                 retake.close(a, contact, joint, d);
             }
@@ -379,16 +379,6 @@ public final class TimeStepping implements Serializable {
         }
     }
 
-    private void accelerate(double d) {
-        double[] v = state.v();
-        for (int k = 0; k < poses.awake.size; k++) {
-            int b = State.BLOCK * poses.awake.values[k];
-            v[b] += d * a[b];
-            v[b + 1] += d * a[b + 1];
-            v[b + 2] += d * a[b + 2];
-        }
-    }
-
     private void start(boolean isTied, boolean isRubbed) {
         if (isRubbed) {
             surface.start();
@@ -397,7 +387,7 @@ public final class TimeStepping implements Serializable {
         if (isTied) {
             ties.start();
         }
-        contacts.start();
+        contacts.start(halves.before());
     }
 
     private void solve(boolean isTied, boolean isRubbed, boolean regains, double d) {
@@ -411,44 +401,17 @@ public final class TimeStepping implements Serializable {
         contacts.solve(regains ? contact : Softness.RIGID, regains, d);
     }
 
-    /** Places by the new velocities; what only even forces act on goes along its parabola. */
-    private void move(double d) {
-        double[] x = state.x();
-        double[] v = state.v();
-        for (int k = 0; k < poses.awake.size; k++) {
-            int body = poses.awake.values[k];
-            int b = State.BLOCK * body;
-            double back = isHeld[body] ? 0 : 0.5 * d;
-            x[b] += d * (v[b] - back * a[b]);
-            x[b + 1] += d * (v[b + 1] - back * a[b + 1]);
-            x[b + 2] += d * (v[b + 2] - back * a[b + 2]);
-        }
-    }
-
-    private void findHeld(boolean isTied, boolean isRubbed) {
-        Arrays.fill(isHeld, isRubbed);
-        if (forces.areUneven()) {
-            forces.markUneven(poses.awake, isHeld);
-        }
-        for (int k = 0; k < rows.count; k++) {
-            isHeld[rows.first(k)] = true;
-            isHeld[rows.second(k)] = true;
-        }
-        if (isTied) {
-            ties.mark(isHeld);
-        }
-    }
-
     /** Keeps the impulses for the step to come. */
     private void keep() {
         for (int k = 0; k < rows.count; k++) {
             int pair = rows.pair(k);
             int n = rows.pointCount(k);
             for (int m = 0; m < 2; m++) {
-                int o = NearPairs.KEPT * pair + 2 * m;
+                int o = NearPairs.KEPT * pair + NearPairs.POINT * m;
                 near.features[2 * pair + m] = m < n ? rows.feature(k, m) : 0;
                 near.kept[o] = m < n ? rows.normal(k, m) : 0;
                 near.kept[o + 1] = m < n ? rows.tangent(k, m) : 0;
+                near.kept[o + 2] = m < n ? rows.last(k, m) : 0;
             }
         }
     }
