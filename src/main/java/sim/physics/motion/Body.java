@@ -477,6 +477,8 @@ public class Body implements Serializable {
         Check.finite("fx", fx);
         Check.finite("fy", fy);
         requireMovable("force", true);
+        speed("fx over the mass", fx / mass);
+        speed("fy over the mass", fy / mass);
         state.push(index);
         if (fx != 0 || fy != 0) {
             particulars().appliedX += fx;
@@ -498,6 +500,7 @@ public class Body implements Serializable {
         Check.finite("fx", fx);
         Check.finite("fy", fy);
         double torque = Check.finite("torque", (px - getX()) * fy - (py - getY()) * fx);
+        requireTorque(torque);
         addForce(fx, fy);
         addTorque(torque);
     }
@@ -508,12 +511,17 @@ public class Body implements Serializable {
      * @param torque force·length
      */
     public final void addTorque(double torque) {
-        Check.finite("torque", torque);
-        requireMovable("torque", true);
+        requireTorque(torque);
         state.push(index);
         if (torque != 0) {
             particulars().appliedTorque += torque;
         }
+    }
+
+    private void requireTorque(double torque) {
+        Check.finite("torque", torque);
+        requireMovable("torque", true);
+        speed("torque over the moment of inertia", torque / inertia);
     }
 
     /**

@@ -80,6 +80,14 @@ final class ContactRows implements Serializable {
 
     double[] normals = {};
     double[] points = {};
+
+    /**
+     * Per pair of discs, whose normal turns within the step: what the impulses of the step were more than their sums along the last normal;
+     * and which part of that is of the last turn.
+     */
+    double[] turned = {};
+
+    static final int TURNED = 4;
     int used;
 
     /** Number of pairs that may bounce. */
@@ -150,6 +158,7 @@ final class ContactRows implements Serializable {
         normals[n + BOUNCE] = restitution;
         bounces += restitution > 0 ? 1 : 0;
         normals[n + REGAIN] = regain;
+        Arrays.fill(turned, TURNED * (count - 1), TURNED * count, 0);
         for (int k = 0; k < touch.count; k++) {
             load(touch, k, State.BLOCK * a, State.BLOCK * b, forces);
         }
@@ -162,6 +171,7 @@ final class ContactRows implements Serializable {
             int length = Growth.length(pairs.length / INTS, count + 1);
             pairs = Arrays.copyOf(pairs, INTS * length);
             normals = Arrays.copyOf(normals, PAIR * length);
+            turned = Arrays.copyOf(turned, TURNED * length);
         }
         if (STRIDE * (used + 2) > points.length) {
             points = Arrays.copyOf(points, STRIDE * Growth.length(points.length / STRIDE, used + 2));
@@ -223,6 +233,7 @@ final class ContactRows implements Serializable {
         int n = other.pointCount(k);
         System.arraycopy(other.pairs, INTS * k, pairs, INTS * count, INTS);
         System.arraycopy(other.normals, PAIR * k, normals, PAIR * count, PAIR);
+        System.arraycopy(other.turned, TURNED * k, turned, TURNED * count, TURNED);
         System.arraycopy(other.points, STRIDE * other.pairs[INTS * k + 3], points, STRIDE * used, STRIDE * n);
         pairs[INTS * count + 3] = used;
         used += n;
@@ -299,21 +310,55 @@ final class ContactRows implements Serializable {
         return of(k, point, NORMAL_SUM);
     }
 
-    double tangentSum(int k, int point) {
-        return of(k, point, TANGENT_SUM);
-    }
-
     double approach(int k, int point) {
         return 0 - of(k, point, APPROACH);
     }
 
     /** The impulses along the normal in the step. */
     double impulse(int k) {
+        return sum(k, NORMAL_SUM);
+    }
+
+    /** The impulses along the tangent in the step. */
+    double rubbed(int k) {
+        return sum(k, TANGENT_SUM);
+    }
+
+    private double sum(int k, int which) {
         double sum = 0;
         for (int m = pairs[INTS * k + 3]; m < pairs[INTS * k + 4]; m++) {
-            sum += points[STRIDE * m + NORMAL_SUM];
+            sum += points[STRIDE * m + which];
         }
         return sum;
+    }
+
+    /**
+     * What a pair did in the step, in the mean: a normal and the impulses along it and along its tangent, which together are all that the
+     * second body got, and are to one another as the sums.
+     *
+     * @param mean takes [nx, ny, normal impulse, tangential impulse]
+     */
+    void mean(int k, double[] mean) {
+        double nx = normalX(k);
+        double ny = normalY(k);
+        double normal = impulse(k);
+        double tangent = rubbed(k);
+        double moreX = turned[TURNED * k];
+        double moreY = turned[TURNED * k + 1];
+        double part = 1;
+        if ((moreX != 0 || moreY != 0) && normal > 0) {
+            double x = normal * nx - tangent * ny + moreX;
+            double y = normal * ny + tangent * nx + moreY;
+            double all = Math.sqrt(x * x + y * y);
+            double sum = Math.sqrt(normal * normal + tangent * tangent);
+            nx = (x * normal + y * tangent) / (all * sum);
+            ny = (y * normal - x * tangent) / (all * sum);
+            part = all / sum;
+        }
+        mean[0] = nx;
+        mean[1] = ny;
+        mean[2] = part * normal;
+        mean[3] = part * tangent;
     }
 
     boolean mayBounce(int k) {

@@ -147,6 +147,28 @@ final class ContactSolver implements Serializable {
                 points[STRIDE * m + NORMAL] = 0;
                 points[STRIDE * m + TANGENT] = 0;
             }
+            forget(k, isMarked(k, marks) ? 1 : 0);
+        }
+    }
+
+    /** What was given before the normal turned and taken back along another one has left something beside it: two that do not press do nothing. */
+    private void straighten(int k) {
+        int p = STRIDE * pairs[INTS * k + 3];
+        double x = rows.turned[ContactRows.TURNED * k + 2];
+        double y = rows.turned[ContactRows.TURNED * k + 3];
+        if (x == 0 && y == 0) {
+            return;
+        }
+        push(state.v(), state.w().values(), State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), p, -x, -y);
+        forget(k, 1);
+    }
+
+    /** Takes a part of what was noted of the last turn back. */
+    private void forget(int k, double part) {
+        int o = ContactRows.TURNED * k;
+        for (int m = o; m < o + 2; m++) {
+            rows.turned[m] -= part * rows.turned[m + 2];
+            rows.turned[m + 2] *= 1 - part;
         }
     }
 
@@ -298,6 +320,16 @@ final class ContactSolver implements Serializable {
         return wayX * wayX + wayY * wayY > FAR * FAR * arms;
     }
 
+    /** Takes note of what the normal by which sums are told of was more, while they acted. */
+    private void turned(int k, int p, double nx, double ny) {
+        double[] turned = rows.turned;
+        int o = ContactRows.TURNED * k;
+        turned[o + 2] = nx * points[p + NORMAL] - ny * points[p + TANGENT];
+        turned[o + 3] = ny * points[p + NORMAL] + nx * points[p + TANGENT];
+        turned[o] += turned[o + 2] + nx * points[p + NORMAL_SUM] - ny * points[p + TANGENT_SUM];
+        turned[o + 1] += turned[o + 3] + ny * points[p + NORMAL_SUM] + nx * points[p + TANGENT_SUM];
+    }
+
     /** Turns normal and arms of two discs to where their centres are now. */
     private boolean turn(int k, int p, double dx, double dy) {
         double distance = Math.sqrt(dx * dx + dy * dy);
@@ -309,6 +341,7 @@ final class ContactSolver implements Serializable {
         if (!(distance > 0)) {
             return false;
         }
+        turned(k, p, nx - dx / distance, ny - dy / distance);
         nx = dx / distance;
         ny = dy / distance;
         normals[PAIR * k] = nx;
@@ -318,6 +351,15 @@ final class ContactSolver implements Serializable {
         points[p + BX] = (middle - distance) * nx;
         points[p + BY] = (middle - distance) * ny;
         return true;
+    }
+
+    /** Ends a substep of discs: what does not press in the end has done nothing, though its normal has turned. */
+    void straighten() {
+        for (int k = 0; k < rows.count; k++) {
+            if (pairs[INTS * k + DISCS] == BOTH && points[STRIDE * pairs[INTS * k + 3] + NORMAL] == 0) {
+                straighten(k);
+            }
+        }
     }
 
     /** Adds the impulses of a substep to those of the step. */

@@ -34,6 +34,9 @@ public final class Decisions implements Serializable {
     /** Null until the first step; they are no part of what is saved. */
     private transient List<Contact> questions;
 
+    /** What a pair did in the step. */
+    private final double[] mean = new double[4];
+
     private double time;
     private double h;
     private long impacts;
@@ -67,12 +70,12 @@ public final class Decisions implements Serializable {
         }
         if (rows.touches(row, h)) {
             asked.add(pair);
-            questions.add(contact(row, 0));
+            questions.add(contact(row));
         }
         return true;
     }
 
-    private Contact contact(int row, double impulse) {
+    private Contact contact(int row) {
         int b = State.BLOCK * rows.second(row);
         double approach = rows.approach(row, 0);
         double x = rows.armX(row, 0);
@@ -82,9 +85,10 @@ public final class Decisions implements Serializable {
             x = 0.5 * (x + rows.armX(row, 1));
             y = 0.5 * (y + rows.armY(row, 1));
         }
+        rows.mean(row, mean);
         return new Contact(
                 state.body(rows.first(row)), state.body(rows.second(row)), time,
-                state.x()[b] + x, state.x()[b + 1] + y, rows.normalX(row), rows.normalY(row), Math.max(0, approach), impulse);
+                state.x()[b] + x, state.x()[b + 1] + y, mean[0], mean[1], Math.max(0, approach), mean[2]);
     }
 
     /** {@return whether listeners are to be asked} */
@@ -137,7 +141,7 @@ public final class Decisions implements Serializable {
             if (impulse > 0 && isImpact) {
                 impacts++;
                 if (begun != null) {
-                    begun.add(contact(row, impulse));
+                    begun.add(contact(row));
                 }
             }
             boolean parts = impulse == 0 || rows.hasBounced(row);
@@ -188,18 +192,17 @@ public final class Decisions implements Serializable {
         Body a = state.body(rows.first(row));
         Body b = state.body(rows.second(row));
         double normal = 0;
-        double tangent = 0;
         double x = 0;
         double y = 0;
         for (int k = 0; k < rows.pointCount(row); k++) {
             double one = rows.normalSum(row, k);
             normal += one;
-            tangent += rows.tangentSum(row, k);
             x += one * rows.armX(row, k);
             y += one * rows.armY(row, k);
         }
+        rows.mean(row, mean);
         return new LastingContact(
-                a, b, b.getX() + x / normal, b.getY() + y / normal, rows.normalX(row), rows.normalY(row), normal / h, tangent / h);
+                a, b, b.getX() + x / normal, b.getY() + y / normal, mean[0], mean[1], mean[2] / h, mean[3] / h);
     }
 
     /** {@return number of pairs that have begun to press on one another} */

@@ -26,8 +26,8 @@ import sim.physics.response.LastingContact;
  * Moves the bodies by fixed substeps, in each of which contacts, joints, motors, stops and friction are solved once for
  * impulses, one after the other (Moreau, <i>Unilateral contact and dry friction in finite freedom dynamics</i>, 1988; in small
  * steps, Macklin et al., <i>Small steps in physics simulation</i>, 2019, with soft constraints and a second solution without
- * them after the places have changed, Catto, <i>Solver2D</i>, 2024). Of first order in the substep, and at a cost that is known
- * beforehand: no event is searched for, and no solution is iterated to an end.
+ * them after the places have changed, Catto, <i>Solver2D</i>, 2024), by halves ({@link Halves}): of second order in the substep for joints, forces and
+ * contacts that last, of first for impacts and for friction that slips. At a cost that is known beforehand: no event is searched for, and no solution is iterated to an end.
  */
 public final class TimeStepping implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -330,36 +330,8 @@ public final class TimeStepping implements Serializable {
             retake.bound(a, h);
         }
         soften(Math.max(d, pace - h / PATIENCE));
-        boolean areUneven = forces.areUneven();
         for (int k = 0; k < substeps; k++) {
-            halves.accelerate(a, d);
-            forces.springs().evaluate(d);
-            if (isBalanced) {
-                retake.open();
-            }
-            start(isTied, isRubbed);
-            halves.halve();
-            for (int m = isCold ? COLD : 1; m > 0; m--) {
-                solve(isTied, isRubbed, true, d);
-            }
-            halves.move(d);
-            if (areUneven) {
-                halves.reload(a, time + (k + 1) * d, d);
-            }
-            contacts.follow();
-            if (isTied) {
-                ties.follow();
-            }
-            for (int m = isCold ? COLD : 1; m > 0; m--) {
-                solve(isTied, isRubbed, false, d);
-            }
-            if (isBalanced) {
-                retake.close(a, contact, joint, d);
-            }
-            contacts.add();
-            if (isTied) {
-                ties.add();
-            }
+            substep(time + (k + 1) * d, d, isTied, isRubbed, isBalanced);
         }
         if (bounces) {
             retake.bounce(isTied, h);
@@ -369,6 +341,39 @@ public final class TimeStepping implements Serializable {
         keptOf = d;
         isCold = false;
         forces.end();
+    }
+
+    private void substep(double end, double d, boolean isTied, boolean isRubbed, boolean isBalanced) {
+        int turns = isCold ? COLD : 1;
+        halves.accelerate(a, d);
+        forces.springs().evaluate(d);
+        if (isBalanced) {
+            retake.open();
+        }
+        start(isTied, isRubbed);
+        halves.halve();
+        for (int m = 0; m < turns; m++) {
+            solve(isTied, isRubbed, true, d);
+        }
+        halves.move(d);
+        if (forces.areUneven()) {
+            halves.reload(a, end, d);
+        }
+        contacts.follow();
+        if (isTied) {
+            ties.follow();
+        }
+        for (int m = 0; m < turns; m++) {
+            solve(isTied, isRubbed, false, d);
+        }
+        contacts.straighten();
+        if (isBalanced) {
+            retake.close(a, contact, joint, d);
+        }
+        contacts.add();
+        if (isTied) {
+            ties.add();
+        }
     }
 
     private void soften(double substep) {

@@ -49,6 +49,20 @@ class ExtremesTest {
         assertThat(body.getVelocityX()).isZero();
     }
 
+    @Test
+    void forcesThatWouldGiveSuchSpeedsAreRefusedAtOnce() {
+        Body body = new Body(new Circle(1));
+        body.setMass(1, 0.5);
+        assertThatThrownBy(() -> body.addTorque(1e200)).hasMessageContaining("torque over the moment of inertia is 2.0E200");
+        assertThatThrownBy(() -> body.addForce(0, -1e200)).hasMessageContaining("fy over the mass is -1.0E200");
+        assertThatThrownBy(() -> body.addForceAt(1, 1e100, 1e100, 0)).hasMessageContaining("torque");
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStepping(4);
+        engine.add(body);
+        run(engine, 3);
+        assertThat(body.kineticEnergy()).as("nothing of it was applied").isZero();
+    }
+
     @ParameterizedTest
     @ValueSource(doubles = {1e300, 1e-300})
     void aMassBesideWhichTheOtherIsNothingKeepsMomentumAndEnergy(double mass) {

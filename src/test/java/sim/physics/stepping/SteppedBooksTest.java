@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.GearJoint;
@@ -28,6 +29,7 @@ import sim.physics.motion.Gravity;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
 import sim.physics.response.LastingContact;
+import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
 /** Time stepping: what contacts, listeners and joints say of forces and impulses is what changes the momentum of each body. */
@@ -58,6 +60,11 @@ class SteppedBooksTest {
 
     /** Rectangles in a room, smooth: friction that nothing presses any more is not told of. */
     private void scene(SplittableRandom random, double restitution) {
+        room(random, restitution);
+        boxes(random, restitution);
+    }
+
+    private void room(SplittableRandom random, double restitution) {
         engine.setTimeStep(STEP);
         engine.setTimeStepping(1 + random.nextInt(5));
         engine.setSleepAllowed(false);
@@ -67,6 +74,9 @@ class SteppedBooksTest {
             double y = side == 2 ? -9 : side == 3 ? 9 : 0;
             engine.add(Body.fixed(side < 2 ? new Rectangle(2, 20) : new Rectangle(20, 2)).at(x, y)).setRestitution(restitution);
         }
+    }
+
+    private void boxes(SplittableRandom random, double restitution) {
         for (int k = 0; k < 12; k++) {
             Body body = new Body(new Rectangle(0.3 + random.nextDouble(), 0.3 + random.nextDouble()));
             body.at(4 * (k % 4) - 6 + some(random, 1), 4 * (k / 4) - 4 + some(random, 1), some(random, 3));
@@ -74,6 +84,33 @@ class SteppedBooksTest {
             body.setMass(random.nextInt(5) == 0 ? 20 * random.nextDouble() : 1);
             body.setRestitution(restitution);
             bodies.add(engine.add(body));
+        }
+    }
+
+    /** Discs of masses to 1 : 100 that slide around one another in the room, plastic, and smooth for the reason above. */
+    private void discs(SplittableRandom random) {
+        for (int k = 0; k < 30; k++) {
+            Body disc = new Body(new Circle(0.2 + 0.5 * random.nextDouble()));
+            disc.at(2.6 * (k % 6) - 6.5 + some(random, 0.4), 2.6 * (k / 6) - 5 + some(random, 0.4));
+            disc.moving(some(random, 5), some(random, 5), some(random, 20));
+            disc.setMass(StrictMath.pow(100, random.nextDouble()));
+            bodies.add(engine.add(disc));
+        }
+        for (Body body : engine.bodies()) {
+            body.setRestitution(0);
+        }
+    }
+
+    /** Normals of discs turn within a step: the force that is told of is all that acted, along whichever of them it did. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 10})
+    void whatIsToldOfDiscsIsWhatChangesMomentum(int first) {
+        for (int seed = first; seed < first + 10; seed++) {
+            SteppedBooksTest test = new SteppedBooksTest();
+            SplittableRandom random = new SplittableRandom(seed);
+            test.room(random, 0);
+            test.discs(random);
+            test.keepBooks(seed);
         }
     }
 
@@ -148,6 +185,10 @@ class SteppedBooksTest {
             int b = (a + 1 + random.nextInt(bodies.size() - 1)) % bodies.size();
             tie(random, bodies.get(a), bodies.get(b), restitution);
         }
+        keepBooks(seed);
+    }
+
+    private void keepBooks(int seed) {
         engine.addListener(ears);
         engine.step(); // velocities that joints do not allow have changed before it
         gather();
