@@ -190,10 +190,12 @@ final class PinImpulses implements Serializable {
         for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
             int a = blocks[2 * k];
             int b = blocks[2 * k + 1];
+            double spin = v[a + 2];
+            double part = TieEquations.traced(spin * h);
             double jx = follow * d[o + STARTED];
             double jy = follow * d[o + STARTED + 1];
-            v[a + 2] += w[a + 2] * arm(o, o + ARM, a, jx, jy);
-            double bend = bend(v[a + 2]);
+            v[a + 2] += part * w[a + 2] * arm(o, o + ARM, a, jx, jy);
+            double bend = 0.5 * h * part * spin * spin;
             d[o + BEND] = -bend * d[o + ARM];
             d[o + BEND + 1] = -bend * d[o + ARM + 1];
             double ax = d[o + ARM];
@@ -204,13 +206,15 @@ final class PinImpulses implements Serializable {
             double placeX = d[o + 2];
             double placeY = d[o + 3];
             if (b >= 0) {
-                v[b + 2] -= w[b + 2] * arm(o + 2, o + ARM + 2, b, jx, jy);
+                spin = v[b + 2];
+                part = TieEquations.traced(spin * h);
+                v[b + 2] -= part * w[b + 2] * arm(o + 2, o + ARM + 2, b, jx, jy);
                 double bx = d[o + ARM + 2];
                 double by = d[o + ARM + 3];
                 k00 += w[b] + w[b + 2] * by * by;
                 k01 -= w[b + 2] * bx * by;
                 k11 += w[b] + w[b + 2] * bx * bx;
-                bend = bend(v[b + 2]);
+                bend = 0.5 * h * part * spin * spin;
                 d[o + BEND] += bend * bx;
                 d[o + BEND + 1] += bend * by;
                 placeX = x[b] + bx;
@@ -219,7 +223,7 @@ final class PinImpulses implements Serializable {
             double cx = x[a] + ax - placeX;
             double cy = x[a + 1] + ay - placeY;
             double square = cx * cx + cy * cy;
-            double part = square > d[o + MOST] * d[o + MOST] ? d[o + MOST] / Math.sqrt(square) : 1;
+            part = square > d[o + MOST] * d[o + MOST] ? d[o + MOST] / Math.sqrt(square) : 1;
             d[o + C] = part * cx;
             d[o + C + 1] = part * cy;
             double det = k00 * k11 - k01 * k01;
@@ -385,10 +389,5 @@ final class PinImpulses implements Serializable {
         d[o + IMPULSE] += jx;
         d[o + IMPULSE + 1] += jy;
         push(v, w, k, o, jx, jy);
-    }
-
-    /** How fast the turn of an arm in the substep moves its end towards the centre, by a unit of its length. */
-    private double bend(double spin) {
-        return 0.5 * Math.min(Math.abs(spin), spin * spin * h);
     }
 }

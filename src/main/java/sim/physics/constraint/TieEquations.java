@@ -170,7 +170,7 @@ final class TieEquations implements Serializable {
             (kinds[k] == Kind.JOINT ? ties[k] : ((Switched) ties[k]).coordinate()).evaluate(one);
             for (int r = 0; r < rows[k]; r++) {
                 c[ROWS * k + r] = kinds[k] == Kind.JOINT ? limited(k, r, one.c[r]) : one.c[r];
-                bend[ROWS * k + r] = one.rate[r] == 0 ? 0 : limited(k, r, 0.5 * h * h * one.rate[r]) / h;
+                bend[ROWS * k + r] = one.rate[r] == 0 ? 0 : traced(k, h) * limited(k, r, 0.5 * h * h * one.rate[r]) / h;
             }
             System.arraycopy(one.jA, 0, j, J * k, BLOCK * rows[k]);
             System.arraycopy(one.jB, 0, j, J * k + BLOCK * ROWS, BLOCK * rows[k]);
@@ -186,17 +186,34 @@ final class TieEquations implements Serializable {
 
     /** Evaluates all of them where the bodies have moved to in a substep; half of what they began with follows. */
     void follow(double h) {
-        pushStarted(-0.5);
-        evaluate(false, h);
-        pushStarted(0.5);
-    }
-
-    private void pushStarted(double part) {
         for (int k = 0; k < awake; k++) {
-            for (int r = 0; gears[k] == null && r < rows[k]; r++) {
-                push(k, r, part * started[ROWS * k + r]);
+            double part = gears[k] == null ? traced(k, h) : 0;
+            for (int r = 0; r < rows[k]; r++) {
+                started[ROWS * k + r] *= 0.5 * part;
+                push(k, r, -started[ROWS * k + r]);
             }
         }
+        evaluate(false, h);
+        for (int k = 0; k < awake; k++) {
+            for (int r = 0; r < rows[k]; r++) {
+                push(k, r, started[ROWS * k + r]);
+            }
+        }
+    }
+
+    /**
+     * How far what a body turns by in a substep can be followed: all but all of it up to a quarter of a radian, next to nothing from a radian on,
+     * where levers of before and after have nothing to do with one another.
+     */
+    static double traced(double turn) {
+        double square = 4 * turn * turn;
+        return 1 / (1 + square * square);
+    }
+
+    private double traced(int k, double h) {
+        double[] v = state.v();
+        double first = traced(v[blocks[2 * k] + State.THETA] * h);
+        return blocks[2 * k + 1] < 0 ? first : Math.min(first, traced(v[blocks[2 * k + 1] + State.THETA] * h));
     }
 
     /** The part that the bodies of a constraint keep of what they got: the world keeps all. */
