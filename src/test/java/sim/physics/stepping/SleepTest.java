@@ -429,7 +429,7 @@ class SleepTest {
         PhysicsEngine engine = SleepScenes.scene(name);
         for (int turn = 0; turn < 2; turn++) {
             boolean sleeps = SleepScenes.fallAsleep(engine);
-            // limbs on pins without friction may rock on, one ragdoll in four: with no more than what a fall by a millimetre gives
+            // limbs on pins without friction may rock on, one ragdoll in four: with no more than what a fall by a centimetre gives
             assertThat(sleeps || name.equals("ragdoll") && turn > 0 && engine.kineticEnergy() < 0.1).isTrue();
             double[] places = SleepScenes.places(engine);
             engine.setTimeStepping(0);
