@@ -59,7 +59,6 @@ final class DrivenHeap implements Serializable {
 
     /** What velocities differ by as points were not where the last integration had them. */
     private double turned;
-
     private double[] impulses = {};
 
     /** Whether the impulses are right or nearly so, and whether the last integration was made under them. */
@@ -208,10 +207,12 @@ final class DrivenHeap implements Serializable {
             }
             expected = Math.max(expected, scales.fastest(heap, system.v));
             double next = before <= SMALL * most ? error * (error / before) : error; // if errors go on to shrink at least evenly
-            double enough = Math.max(SAME * most, system.tolerance().enough());
-            isSame = Math.min(error, next) <= enough && (turned <= enough || !system.isTied());
+            isSame = Math.max(system.isTied() ? turned : 0, Math.min(error, next)) <= Math.max(SAME * most, system.tolerance().enough());
             before = error;
             isProbed = Math.max(change, turned) <= EQUAL * most;
+            if (!isProbed) {
+                turning.aim(system.v, length);
+            }
         }
         if (isProbed) {
             kept.goBack();
@@ -302,7 +303,6 @@ final class DrivenHeap implements Serializable {
         }
     }
 
-    /** Begins without any impulses. */
     private void forget() {
         system.startFromNothing();
         system.restart();

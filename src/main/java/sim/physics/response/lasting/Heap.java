@@ -372,7 +372,8 @@ final class Heap implements Serializable {
             }
             system.bound(p, least);
             if (isDriven) {
-                driving.turn(p, manifold, k, Math.min(-depth, manifold.gaps[k]) + size * regain.sag(sag), roam);
+                double kept = roam > HeapTurn.LONG ? bend : size * regain.sag(sag);
+                driving.turn(p, manifold, k, Math.min(-depth, manifold.gaps[k]) + kept, roam);
             }
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);

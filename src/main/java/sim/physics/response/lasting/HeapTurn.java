@@ -20,6 +20,9 @@ final class HeapTurn implements Serializable {
     /** Turn, rad, up to which bodies are followed: far beyond it no force acts evenly. */
     private static final double MOST = 0.25;
 
+    /** How far forces may take bodies in a step, relative to their size, for them to be followed: else nothing is as it is foreseen. */
+    static final double LONG = 0.5;
+
     /** Turn that is none in steps in which forces take bodies out of their places, and the less the shorter these are. */
     private static final double NOISE = 1e-5;
 
@@ -65,7 +68,7 @@ final class HeapTurn implements Serializable {
             noise = Arrays.copyOf(noise, 2 * p + 2);
         }
         floor[p] = deepest;
-        noise[p] = NOISE * Math.min(1, roam);
+        noise[p] = roam > LONG ? Double.POSITIVE_INFINITY : NOISE * Math.min(1, roam);
         point.set(p, m, k);
     }
 
@@ -86,7 +89,7 @@ final class HeapTurn implements Serializable {
             System.arraycopy(trajectories.data(), o, before, 3 * k, State.BLOCK);
             for (int c = 0; c < State.BLOCK; c++) {
                 int at = 3 * body + c;
-                after[3 * k + c] = before[3 * k + c] + (at < gained.length && knownIn[body] == trajectories.step() - 1 ? gained[at] * time : 0);
+                after[3 * k + c] = before[3 * k + c] + (at < gained.length && knownIn[body] >= trajectories.step() - 1 ? gained[at] * time : 0);
             }
         }
         turn(after, time, regains);
@@ -114,9 +117,8 @@ final class HeapTurn implements Serializable {
      * @param regains whether points may have to part
      */
     void turn(double[] v, double time, boolean regains) {
+        aim(v, time);
         for (int p = 0; p < system.contacts(); p++) {
-            look(p, v, 0.375 * time, 0.125 * time); // of velocities that change evenly
-            set(p, system.middle());
             look(p, v, 0.5 * time, 0.5 * time);
             set(p, end);
             double normal = end.normal(p, v);
@@ -152,6 +154,14 @@ final class HeapTurn implements Serializable {
             system.v[k] += system.isTied() ? 0 : missed[k];
         }
         return missed;
+    }
+
+    /** Lets forces act where points are in the middle of the time, with velocities that bodies reach at its end. */
+    void aim(double[] v, double time) {
+        for (int p = 0; p < system.contacts(); p++) {
+            look(p, v, 0.375 * time, 0.125 * time); // of velocities that change evenly
+            set(p, system.middle());
+        }
     }
 
     private void set(int p, ContactRows rows) {
