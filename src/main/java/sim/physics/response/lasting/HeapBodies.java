@@ -183,9 +183,14 @@ final class HeapBodies implements Serializable {
         }
     }
 
-    /** Gives a body what it is to have at the end of the time already now; false if it has that. */
-    boolean complete(int body, double[] v, int o) {
-        for (int c = 0; c < 3 && isHalf[body]; c++) {
+    /**
+     * Gives a body what it is to have at the end of the time already now, if a force acts on it; without any that would be what contacts
+     * give in turning, and energy.
+     *
+     * @return false if it has that
+     */
+    boolean complete(int body, double[] v, int o, boolean isPulled) {
+        for (int c = 0; c < 3 && isHalf[body] && isPulled; c++) {
             v[o + c] += paid[3 * body + c];
             paid[3 * body + c] *= 2;
         }

@@ -29,6 +29,7 @@ final class HeapMembers implements Serializable {
     private boolean turned;
     private double bending;
     private double paidUntil;
+    private final double[] fall = new double[State.BLOCK];
 
     HeapMembers(
             State state,
@@ -70,7 +71,9 @@ final class HeapMembers implements Serializable {
             if (by.paidUntil[body] > tau) {
                 struck = true;
                 paidUntil = Math.min(paidUntil, by.paidUntil[body]);
-                turned |= by.complete(body, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX);
+                motion.fall(body, fall, 0);
+                boolean isPulled = fall[0] != 0 || fall[1] != 0 || fall[2] != 0;
+                turned |= by.complete(body, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX, isPulled);
             }
             for (int m = 0; m < detection.pairs().countOf(body); m++) {
                 int pair = detection.pairs().of(body, m);
