@@ -4,6 +4,7 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.DenseFactor;
 
 /**
  * Shares a load among more points than bodies need, as a plate on many rollers. Which of them bear it is not determined then, and
@@ -139,10 +140,8 @@ final class HeapShare implements Serializable {
             }
             matrix[a * count + a] += softness;
         }
-        for (int a = 0; a < count; a++) {
-            if (!pivot(a, count)) {
-                return false;
-            }
+        if (!DenseFactor.factor(matrix, count, exchanged)) {
+            return false;
         }
         for (int turn = 0; turn < TURNS; turn++) {
             for (int a = 0; a < count; a++) {
@@ -152,7 +151,10 @@ final class HeapShare implements Serializable {
                 }
                 right[a] = sum;
             }
-            correct(count);
+            DenseFactor.solve(matrix, count, exchanged, right);
+            for (int a = 0; a < count; a++) {
+                impulse[unknown[a]] += right[a];
+            }
         }
         for (int i = 1; i < n; i += 2) {
             impulse[i] = is[i] == SLIDES ? impulse[i - 1] * slide(s, i) : impulse[i];
@@ -169,50 +171,6 @@ final class HeapShare implements Serializable {
     /** A sliding tangent's impulse for a unit along its normal. */
     private double slide(HeapSystem s, int tangent) {
         return sign[tangent] * s.friction(tangent / 2) * scale[tangent] / scale[tangent - 1];
-    }
-
-    /** A step of the elimination with the largest pivot; what is taken of rows stays below it. */
-    private boolean pivot(int a, int count) {
-        int best = a;
-        for (int b = a + 1; b < count; b++) {
-            best = Math.abs(matrix[b * count + a]) > Math.abs(matrix[best * count + a]) ? b : best;
-        }
-        exchanged[a] = best;
-        for (int c = 0; c < count && best != a; c++) {
-            double other = matrix[a * count + c];
-            matrix[a * count + c] = matrix[best * count + c];
-            matrix[best * count + c] = other;
-        }
-        double top = matrix[a * count + a];
-        for (int b = a + 1; b < count; b++) {
-            double part = matrix[b * count + a] / top;
-            matrix[b * count + a] = part;
-            for (int c = a + 1; c < count && part != 0; c++) {
-                matrix[b * count + c] -= part * matrix[a * count + c];
-            }
-        }
-        return Math.abs(top) > 0;
-    }
-
-    /** Adds to the impulses what takes the right side away. */
-    private void correct(int count) {
-        for (int a = 0; a < count; a++) {
-            double other = right[a];
-            right[a] = right[exchanged[a]];
-            right[exchanged[a]] = other;
-        }
-        for (int a = 0; a < count; a++) {
-            for (int b = 0; b < a; b++) {
-                right[a] -= matrix[a * count + b] * right[b];
-            }
-        }
-        for (int a = count - 1; a >= 0; a--) {
-            for (int b = a + 1; b < count; b++) {
-                right[a] -= matrix[a * count + b] * right[b];
-            }
-            right[a] /= matrix[a * count + a];
-            impulse[unknown[a]] += right[a];
-        }
     }
 
     /** Changes the row that contradicts most what it is; false if none does. */
