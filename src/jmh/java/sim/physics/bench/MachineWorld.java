@@ -28,7 +28,7 @@ interface MachineWorld {
     /**
      * Hangs a wheel on another body by a vertical rail with a spring that is at rest where the wheel is, and a hinge.
      *
-     * @param hub mass between spring and wheel: engines whose joint has none add it to the wheel's
+     * @param hub mass of what carries the wheel: it is added to the wheel's, which turns as before
      */
     void suspend(int on, int wheel, double x, double y, double hub, double stiffness, double damping);
 

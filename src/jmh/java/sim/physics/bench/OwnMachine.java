@@ -10,7 +10,7 @@ import sim.physics.PhysicsEngine;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
-import sim.physics.constraint.SliderJoint;
+import sim.physics.constraint.SlotJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Spring;
@@ -21,7 +21,6 @@ import sim.physics.shape.Shape;
 /** A machine in this engine, with RK4. */
 final class OwnMachine implements MachineWorld {
     /** Side of a hub, m. */
-    private static final double HUB = 0.2;
 
     private final PhysicsEngine engine = new PhysicsEngine();
     private final List<Body> bodies = new ArrayList<>();
@@ -72,15 +71,12 @@ final class OwnMachine implements MachineWorld {
     @Override
     public void suspend(int on, int wheel, double x, double y, double hub, double stiffness, double damping) {
         Body chassis = bodies.get(on);
-        Body between = engine.add(new Body(new Rectangle(HUB, HUB)).at(x, y));
-        between.setMass(hub);
-        between.setRestitution(0);
-        engine.setCollisions(between, bodies.get(wheel), false);
+        Body disc = bodies.get(wheel);
+        disc.setMass(disc.getMass() + hub, disc.getInertia());
+        engine.add(new SlotJoint(disc, chassis, x, y, 0, 1));
         double length = chassis.getY() - y;
-        engine.add(new SliderJoint(chassis, between, x, y, 0, 1));
-        engine.add(new PinJoint(between, bodies.get(wheel), x, y));
-        engine.add(new Spring(chassis, x - chassis.getX(), 0, between, 0, 0, length, stiffness, damping));
-        carriers.put(wheel, between);
+        engine.add(new Spring(chassis, x - chassis.getX(), 0, disc, 0, 0, length, stiffness, damping));
+        carriers.put(wheel, chassis);
     }
 
     @Override

@@ -59,26 +59,26 @@ public final class Limit extends Switched {
     /**
      * Makes the ends of a rail.
      *
-     * @param slider the rail; its ends hold from when they are added themselves, and are removed by themselves
-     * @param lower bound of {@link SliderJoint#getTravel()}, may be −∞
+     * @param rail a slider or a slot; its ends hold from when they are added themselves, and are removed by themselves
+     * @param lower bound of {@link Rail#getTravel()}, may be −∞
      * @param upper bound, greater than the lower one, may be ∞
      * @return stops that do not bounce
      */
-    public static Limit travel(SliderJoint slider, double lower, double upper) {
-        return travel(slider, lower, upper, 0);
+    public static Limit travel(Rail rail, double lower, double upper) {
+        return travel(rail, lower, upper, 0);
     }
 
     /**
      * Makes the ends of a rail, with buffers.
      *
-     * @param slider the rail
-     * @param lower bound of {@link SliderJoint#getTravel()}, may be −∞
+     * @param rail a slider or a slot
+     * @param lower bound of {@link Rail#getTravel()}, may be −∞
      * @param upper bound, greater than the lower one, may be ∞
      * @param restitution 0: the body stops there; 1: it bounces off elastically
      * @return stops
      */
-    public static Limit travel(SliderJoint slider, double lower, double upper, double restitution) {
-        return new Limit(Objects.requireNonNull(slider, "slider").travel(), lower, upper, restitution);
+    public static Limit travel(Rail rail, double lower, double upper, double restitution) {
+        return new Limit(Objects.requireNonNull(rail, "rail").travel(), lower, upper, restitution);
     }
 
     /**

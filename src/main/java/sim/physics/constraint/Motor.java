@@ -55,13 +55,13 @@ public final class Motor extends Switched {
     /**
      * Makes a motor that drives a body along its rail.
      *
-     * @param slider the rail; the motor acts from when it is added itself, and is removed by itself
-     * @param speed of {@link SliderJoint#getTravel()}, length/time
+     * @param rail a slider or a slot; the motor acts from when it is added itself, and is removed by itself
+     * @param speed of {@link Rail#getTravel()}, length/time
      * @param force the greatest one along the rail, greater than 0
      * @return a motor
      */
-    public static Motor sliding(SliderJoint slider, double speed, double force) {
-        return new Motor(Objects.requireNonNull(slider, "slider").travel(), speed, force);
+    public static Motor sliding(Rail rail, double speed, double force) {
+        return new Motor(Objects.requireNonNull(rail, "rail").travel(), speed, force);
     }
 
     /**

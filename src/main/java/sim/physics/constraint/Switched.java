@@ -57,9 +57,11 @@ abstract class Switched implements Constraint {
 
     Switched(Constraint coordinate) {
         this.coordinate = Objects.requireNonNull(coordinate, "coordinate");
+        if (coordinate instanceof Rail) { // a slot has one row: how far the pin is beside it
+            throw new IllegalArgumentException("coordinate is " + coordinate + ": Motor.sliding and Limit.travel take a rail");
+        }
         if (coordinate.getRows() != 1 || coordinate instanceof Switched) {
-            throw new IllegalArgumentException("coordinate is " + coordinate + ": it must have one row"
-                    + (coordinate instanceof SliderJoint ? "; Motor.sliding and Limit.travel take a slider" : ""));
+            throw new IllegalArgumentException("coordinate is " + coordinate + ": it must have one row");
         }
     }
 

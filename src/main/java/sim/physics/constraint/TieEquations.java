@@ -187,7 +187,10 @@ final class TieEquations implements Serializable {
     /** Evaluates all of them where the bodies have moved to in a substep; half of what they began with follows. */
     void follow(double h) {
         for (int k = 0; k < awake; k++) {
-            double part = gears[k] == null ? traced(k, h) : 0;
+            if (gears[k] != null) {
+                continue; // whose J does not change
+            }
+            double part = traced(k, h);
             for (int r = 0; r < rows[k]; r++) {
                 started[ROWS * k + r] *= 0.5 * part;
                 push(k, r, -started[ROWS * k + r]);
@@ -195,7 +198,7 @@ final class TieEquations implements Serializable {
         }
         evaluate(false, h);
         for (int k = 0; k < awake; k++) {
-            for (int r = 0; r < rows[k]; r++) {
+            for (int r = 0; gears[k] == null && r < rows[k]; r++) {
                 push(k, r, started[ROWS * k + r]);
             }
         }
@@ -227,6 +230,9 @@ final class TieEquations implements Serializable {
         int o = J * k + BLOCK * row;
         int a = blocks[2 * k];
         int b = blocks[2 * k + 1];
+        if (gears[k] != null) {
+            return j[o + 2] * v[a + 2] + (b < 0 ? 0 : j[o + BLOCK * ROWS + 2] * v[b + 2]);
+        }
         double speed = j[o] * v[a] + j[o + 1] * v[a + 1] + j[o + 2] * v[a + 2];
         if (b >= 0) {
             o += BLOCK * ROWS;
@@ -256,6 +262,10 @@ final class TieEquations implements Serializable {
     void push(int k, int row, double by) {
         int o = J * k + BLOCK * row;
         push(state.v(), k, row, by);
+        if (gears[k] != null) {
+            given[BLOCK * k + 2] += j[o + 2] * by;
+            return;
+        }
         given[BLOCK * k] += j[o] * by;
         given[BLOCK * k + 1] += j[o + 1] * by;
         given[BLOCK * k + 2] += j[o + 2] * by;
@@ -267,6 +277,13 @@ final class TieEquations implements Serializable {
         int o = J * k + BLOCK * row;
         int a = blocks[2 * k];
         int b = blocks[2 * k + 1];
+        if (gears[k] != null) {
+            v[a + 2] += w[a + 2] * j[o + 2] * by;
+            if (b >= 0) {
+                v[b + 2] += w[b + 2] * j[o + BLOCK * ROWS + 2] * by;
+            }
+            return;
+        }
         v[a] += w[a] * j[o] * by;
         v[a + 1] += w[a + 1] * j[o + 1] * by;
         v[a + 2] += w[a + 2] * j[o + 2] * by;

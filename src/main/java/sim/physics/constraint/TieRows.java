@@ -369,9 +369,11 @@ public final class TieRows implements Serializable {
         double back = isOpen ? 0 : softness.impulse();
         double old = impulse[o];
         double now = Math.max(0, old - mass * equations.inverse[ROWS * ROWS * k] * (speed + aim) - back * old);
-        impulse[o] = now;
-        hit[2 * k + side] |= now > 0;
-        equations.push(k, 0, sign * (now - old));
+        if (now > 0 || old > 0) { // else it is free, as stops mostly are
+            impulse[o] = now;
+            hit[2 * k + side] |= now > 0;
+            equations.push(k, 0, sign * (now - old));
+        }
     }
 
     /** Adds the impulses of a substep to those of the step. */

@@ -4,19 +4,19 @@ package sim.physics.constraint;
 
 /**
  * The travel along a rail as a coordinate of motors and stops: C = t·d, where t is the line's direction, which turns with the
- * second body. So it has the equations of the rail itself, {@link SliderJoint}, with t in the place of the normal.
+ * second body. So it has the equations of the rail itself, {@link Rail}, with t in the place of the normal.
  */
 final class Travel extends Joint {
     private static final long serialVersionUID = 1L;
 
-    final SliderJoint rail;
+    final Rail rail;
     private final Anchor first;
     private final Anchor second;
     private final double alongX;
     private final double alongY;
 
     /** The line's direction is that in the coordinates of the second body. */
-    Travel(SliderJoint rail, Anchor first, Anchor second, double alongX, double alongY) {
+    Travel(Rail rail, Anchor first, Anchor second, double alongX, double alongY) {
         super(rail.getBodyA(), rail.getBodyB());
         this.rail = rail;
         this.first = first;
@@ -32,7 +32,7 @@ final class Travel extends Joint {
 
     @Override
     public void evaluate(Equations e) {
-        SliderJoint.separate(e, first, second, alongX, alongY);
+        Rail.separate(e, first, second, alongX, alongY);
     }
 
     @Override

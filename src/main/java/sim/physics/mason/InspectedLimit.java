@@ -5,7 +5,7 @@ package sim.physics.mason;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.Equations;
 import sim.physics.constraint.Limit;
-import sim.physics.constraint.SliderJoint;
+import sim.physics.constraint.Rail;
 
 /** A {@link Limit} of an engine as MASON's inspectors see it. */
 public class InspectedLimit extends InspectedConstraint {
@@ -24,8 +24,8 @@ public class InspectedLimit extends InspectedConstraint {
 
     /** {@return where the coordinate is between its bounds: the travel of a rail, an angle, or by how much a rope is longer than its rod} */
     public double getCoordinate() {
-        if (limit.getCoordinate() instanceof SliderJoint slider) {
-            return slider.getTravel();
+        if (limit.getCoordinate() instanceof Rail rail) {
+            return rail.getTravel();
         }
         Equations now = new Equations();
         limit.getCoordinate().evaluate(now);

@@ -8,6 +8,7 @@ import sim.physics.constraint.GearJoint;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.Rail;
 import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.SliderJoint;
 import sim.physics.constraint.WeldJoint;
@@ -48,8 +49,8 @@ final class LinkSymbols {
             sketch.ring(place.x, place.y, s).disc(place.x, place.y, 0.35 * s);
         } else if (object instanceof WeldJoint) {
             sketch.box(place.x, place.y, Trig.cos(a.getAngle()), Trig.sin(a.getAngle()), 0.8 * s, 0.8 * s, true);
-        } else if (object instanceof SliderJoint slider) {
-            slider(slider, b);
+        } else if (object instanceof Rail rail) {
+            rail(rail, b);
         } else if (object instanceof WireJoint wire) {
             wire(wire);
         } else if (object instanceof GearJoint gear) {
@@ -106,23 +107,27 @@ final class LinkSymbols {
     }
 
     /** The rail's direction in the world. */
-    private static Double2D direction(SliderJoint slider) {
-        Body b = slider.getBodyB();
+    private static Double2D direction(Rail rail) {
+        Body b = rail.getBodyB();
         double cos = b == null ? 1 : Trig.cos(b.getAngle());
         double sin = b == null ? 0 : Trig.sin(b.getAngle());
-        double x = slider.getDirectionX();
-        double y = slider.getDirectionY();
+        double x = rail.getDirectionX();
+        double y = rail.getDirectionY();
         return new Double2D(cos * x - sin * y, sin * x + cos * y);
     }
 
-    private void slider(SliderJoint slider, Body b) {
-        Double2D start = LinkPlaces.at(b, slider.getAnchorBX(), slider.getAnchorBY());
-        Double2D d = direction(slider);
-        double travel = slider.getTravel();
+    private void rail(Rail rail, Body b) {
+        Double2D start = LinkPlaces.at(b, rail.getAnchorBX(), rail.getAnchorBY());
+        Double2D d = direction(rail);
+        double travel = rail.getTravel();
         double low = Math.min(0, travel) - 3 * s;
         double high = Math.max(0, travel) + 3 * s;
         sketch.line(start.x + low * d.x, start.y + low * d.y, start.x + high * d.x, start.y + high * d.y);
-        sketch.box(place.x, place.y, d.x, d.y, 1.4 * s, 0.8 * s, false);
+        if (rail instanceof SliderJoint) {
+            sketch.box(place.x, place.y, d.x, d.y, 1.4 * s, 0.8 * s, false);
+        } else {
+            sketch.ring(place.x, place.y, 0.8 * s);
+        }
     }
 
     private void wire(WireJoint wire) {
@@ -156,8 +161,8 @@ final class LinkSymbols {
 
     private void motor(Motor motor) {
         double sign = Math.signum(motor.getSpeed());
-        if (motor.getCoordinate() instanceof SliderJoint slider) {
-            Double2D d = direction(slider);
+        if (motor.getCoordinate() instanceof Rail rail) {
+            Double2D d = direction(rail);
             double x = place.x - 1.8 * s * d.y;
             double y = place.y + 1.8 * s * d.x;
             sketch.arrow(x - 2 * s * sign * d.x, y - 2 * s * sign * d.y, x + 2 * s * sign * d.x, y + 2 * s * sign * d.y);
@@ -175,8 +180,8 @@ final class LinkSymbols {
     private void limit(Limit limit, Body a, Body b) {
         if (limit.getCoordinate() instanceof RodJoint rod) {
             rope(LinkPlaces.second(rod), rod.getLength() + limit.getUpper());
-        } else if (limit.getCoordinate() instanceof SliderJoint slider) {
-            ends(slider, limit, b);
+        } else if (limit.getCoordinate() instanceof Rail rail) {
+            ends(rail, limit, b);
         } else if (limit.getCoordinate() instanceof GearJoint gear) {
             stops(gear, limit, a);
         } else {
@@ -184,9 +189,9 @@ final class LinkSymbols {
         }
     }
 
-    private void ends(SliderJoint slider, Limit limit, Body b) {
-        Double2D start = LinkPlaces.at(b, slider.getAnchorBX(), slider.getAnchorBY());
-        Double2D d = direction(slider);
+    private void ends(Rail rail, Limit limit, Body b) {
+        Double2D start = LinkPlaces.at(b, rail.getAnchorBX(), rail.getAnchorBY());
+        Double2D d = direction(rail);
         for (double bound : new double[] {limit.getLower(), limit.getUpper()}) {
             double x = start.x + bound * d.x;
             double y = start.y + bound * d.y;
