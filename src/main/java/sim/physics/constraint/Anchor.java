@@ -29,6 +29,9 @@ final class Anchor implements Serializable {
     double cos = 1;
     double sin;
 
+    /** The angle at which cosine and sine are known. */
+    private double known = Double.NaN;
+
     private Anchor(Body body, double localX, double localY) {
         this.body = body;
         this.localX = localX;
@@ -51,8 +54,12 @@ final class Anchor implements Serializable {
             y = localY;
             return;
         }
-        cos = Trig.cos(body.getAngle());
-        sin = Trig.sin(body.getAngle());
+        double angle = body.getAngle();
+        if (angle != known) {
+            cos = Trig.cos(angle);
+            sin = Trig.sin(angle);
+            known = angle;
+        }
         rx = cos * localX - sin * localY;
         ry = sin * localX + cos * localY;
         omega = body.getAngularVelocity();

@@ -19,6 +19,18 @@ final class PinImpulses implements Serializable {
     /** Turn in a substep from which on cosines are found anew. */
     private static final double LARGE = 0.25;
 
+    /** Terms of the series of sine and cosine: 1/n!. */
+    private static final double S3 = 1.0 / 6;
+
+    private static final double C4 = 1.0 / 24;
+    private static final double S5 = 1.0 / 120;
+    private static final double C6 = 1.0 / 720;
+    private static final double S7 = 1.0 / 5_040;
+    private static final double C8 = 1.0 / 40_320;
+    private static final double S9 = 1.0 / 362_880;
+    private static final double C10 = 1.0 / 3_628_800;
+    private static final double S11 = 1.0 / 39_916_800;
+
     /** What is less of a determinant than this, relative to the diagonal, says that the rows are one. */
     private static final double SINGULAR = 1e-14;
 
@@ -263,8 +275,8 @@ final class PinImpulses implements Serializable {
                 Trig.sinCos(theta, turns, 2 * body);
             } else if (by != 0) {
                 double s = by * by;
-                double sin = by * (1 - s / 6 * (1 - s / 20 * (1 - s / 42 * (1 - s / 72 * (1 - s / 110)))));
-                double cos = 1 - s / 2 * (1 - s / 12 * (1 - s / 30 * (1 - s / 56 * (1 - s / 90))));
+                double sin = by * (1 - s * (S3 - s * (S5 - s * (S7 - s * (S9 - s * S11)))));
+                double cos = 1 - s * (0.5 - s * (C4 - s * (C6 - s * (C8 - s * C10))));
                 double c = turns[2 * body];
                 double t = turns[2 * body + 1];
                 turns[2 * body] = c * cos - t * sin;

@@ -346,7 +346,7 @@ public final class TieRows implements Serializable {
         double most = motor.getLimit() * h;
         double old = impulse[ROWS * k];
         double asked = old - equations.inverse[ROWS * ROWS * k] * (equations.speed(k, 0, state.v()) - motor.getSpeed());
-        take(k, 0, Math.max(-most, Math.min(most, asked)) - old);
+        take(k, 0, (asked > most ? most : asked < -most ? -most : asked) - old); // a branch waits for nothing, Math.min does
     }
 
     private void stop(int k, Limit stop, Softness softness, double h) {
@@ -368,7 +368,8 @@ public final class TieRows implements Serializable {
         double mass = isOpen ? 1 : softness.mass();
         double back = isOpen ? 0 : softness.impulse();
         double old = impulse[o];
-        double now = Math.max(0, old - mass * equations.inverse[ROWS * ROWS * k] * (speed + aim) - back * old);
+        double now = old - mass * equations.inverse[ROWS * ROWS * k] * (speed + aim) - back * old;
+        now = now > 0 ? now : 0;
         if (now > 0 || old > 0) { // else it is free, as stops mostly are
             impulse[o] = now;
             hit[2 * k + side] |= now > 0;
@@ -461,11 +462,8 @@ public final class TieRows implements Serializable {
      */
     public Reaction reaction(Constraint constraint, double time) {
         int pin = order.pins.indexOf(constraint);
-        if (pin >= 0) {
-            return pinReaction(pin, time);
-        }
         int k = Arrays.asList(equations.ties).indexOf(constraint);
-        return k < 0 ? null : reaction(k, time);
+        return pin >= 0 ? pinReaction(pin, time) : k < 0 ? null : reaction(k, time);
     }
 
     private Reaction pinReaction(int k, double time) {

@@ -12,7 +12,7 @@ final class ContactRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values of a point. */
-    static final int STRIDE = 23;
+    static final int STRIDE = 24;
 
     static final int AX = 0;
     static final int AY = 1;
@@ -51,6 +51,9 @@ final class ContactRows implements Serializable {
 
     static final int STEADY = 21;
     static final int RUBBING = 22;
+
+    /** The gap where the bodies are now. */
+    static final int NOW = 23;
 
     /** Values of a pair: normal, friction, restitution, largest speed at which depth is regained. */
     static final int PAIR = 5;
@@ -193,6 +196,7 @@ final class ContactRows implements Serializable {
         points[p + BX] = bx;
         points[p + BY] = by;
         points[p + GAP] = touch.gap[k];
+        points[p + NOW] = touch.gap[k];
         double leverA = ax * ny - ay * nx;
         double leverB = bx * ny - by * nx;
         double slipA = ax * nx + ay * ny;

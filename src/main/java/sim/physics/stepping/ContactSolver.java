@@ -24,6 +24,7 @@ import static sim.physics.stepping.ContactRows.NORMAL;
 import static sim.physics.stepping.ContactRows.NORMAL_MASS;
 import static sim.physics.stepping.ContactRows.NORMAL_SUM;
 import static sim.physics.stepping.ContactRows.NOTED;
+import static sim.physics.stepping.ContactRows.NOW;
 import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.PRESSED;
 import static sim.physics.stepping.ContactRows.REGAIN;
@@ -123,17 +124,75 @@ final class ContactSolver implements Serializable {
         }
     }
 
+    /** Solves the points of a pair. Velocities wait in locals, as each impulse needs what the one before has made of them. */
     private void solve(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
+        double[] points = this.points;
         int a = State.BLOCK * rows.first(k);
         int b = State.BLOCK * rows.second(k);
         int begin = STRIDE * pairs[INTS * k + 3];
         int end = STRIDE * pairs[INTS * k + 4];
+        double nx = normals[PAIR * k];
+        double ny = normals[PAIR * k + 1];
+        double friction = normals[PAIR * k + FRICTION];
+        double regain = -normals[PAIR * k + REGAIN];
+        double vx = v[a];
+        double vy = v[a + 1];
+        double spin = v[a + 2];
+        double ux = v[b];
+        double uy = v[b + 1];
+        double turn = v[b + 2];
         for (int p = begin; p < end; p += STRIDE) {
-            rub(v, w, a, b, k, p);
+            double most = friction * points[p + NORMAL];
+            double old = points[p + TANGENT];
+            if (most == 0 && old == 0) {
+                continue;
+            }
+            double slipX = ux - points[p + BY] * turn - vx + points[p + AY] * spin;
+            double slipY = uy + points[p + BX] * turn - vy - points[p + AX] * spin;
+            double now = old - points[p + TANGENT_MASS] * (nx * slipY - ny * slipX);
+            now = now > most ? most : now < -most ? -most : now;
+            points[p + TANGENT] = now;
+            double jx = -ny * (now - old);
+            double jy = nx * (now - old);
+            vx -= w[a] * jx;
+            vy -= w[a] * jy;
+            spin -= w[a + 2] * (points[p + AX] * jy - points[p + AY] * jx);
+            ux += w[b] * jx;
+            uy += w[b] * jy;
+            turn += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx);
         }
         for (int p = begin; p < end; p += STRIDE) {
-            press(v, w, a, b, k, p, softness, regains, h);
+            double gap = points[p + NOW];
+            boolean isDeep = gap < 0 && regains;
+            double aim = gap >= 0 ? gap / h : isDeep ? Math.max(softness.rate() * gap, regain) : 0;
+            double old = points[p + NORMAL];
+            double apartX = ux - points[p + BY] * turn - vx + points[p + AY] * spin;
+            double apartY = uy + points[p + BX] * turn - vy - points[p + AX] * spin;
+            double mass = isDeep ? softness.mass() * points[p + NORMAL_MASS] : points[p + NORMAL_MASS];
+            double kept = isDeep ? softness.impulse() * old : 0;
+            double now = old - mass * (nx * apartX + ny * apartY + aim) - kept;
+            if (now <= 0) {
+                if (old == 0) {
+                    continue; // it is open, and stays so
+                }
+                now = 0;
+            }
+            points[p + NORMAL] = now;
+            double jx = nx * (now - old);
+            double jy = ny * (now - old);
+            vx -= w[a] * jx;
+            vy -= w[a] * jy;
+            spin -= w[a + 2] * (points[p + AX] * jy - points[p + AY] * jx);
+            ux += w[b] * jx;
+            uy += w[b] * jy;
+            turn += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx);
         }
+        v[a] = vx;
+        v[a + 1] = vy;
+        v[a + 2] = spin;
+        v[b] = ux;
+        v[b + 1] = uy;
+        v[b + 2] = turn;
     }
 
     private boolean isMarked(int k, boolean[] marks) {
@@ -214,39 +273,6 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    private void rub(double[] v, double[] w, int a, int b, int k, int p) {
-        double nx = normals[PAIR * k];
-        double ny = normals[PAIR * k + 1];
-        double ux = v[b] - points[p + BY] * v[b + 2] - v[a] + points[p + AY] * v[a + 2];
-        double uy = v[b + 1] + points[p + BX] * v[b + 2] - v[a + 1] - points[p + AX] * v[a + 2];
-        double most = normals[PAIR * k + FRICTION] * points[p + NORMAL];
-        double old = points[p + TANGENT];
-        double now = old - points[p + TANGENT_MASS] * (nx * uy - ny * ux);
-        now = Math.max(-most, Math.min(most, now));
-        points[p + TANGENT] = now;
-        push(v, w, a, b, p, -ny * (now - old), nx * (now - old));
-    }
-
-    private void press(double[] v, double[] w, int a, int b, int k, int p, Softness softness, boolean regains, double h) {
-        double nx = normals[PAIR * k];
-        double ny = normals[PAIR * k + 1];
-        double gap = gap(k, a, b, p, nx, ny);
-        double aim = 0;
-        double mass = 1;
-        double back = 0;
-        if (gap >= 0) {
-            aim = gap / h;
-        } else if (regains) {
-            aim = Math.max(softness.rate() * gap, -normals[PAIR * k + REGAIN]);
-            mass = softness.mass();
-            back = softness.impulse();
-        }
-        double old = points[p + NORMAL];
-        double now = Math.max(0, old - mass * points[p + NORMAL_MASS] * (opening(v, a, b, p, nx, ny) + aim) - back * old);
-        points[p + NORMAL] = now;
-        push(v, w, a, b, p, nx * (now - old), ny * (now - old));
-    }
-
     /** The speed along the normal at which a point opens. */
     private double opening(double[] v, int a, int b, int p, double nx, double ny) {
         double ux = v[b] - points[p + BY] * v[b + 2] - v[a] + points[p + AY] * v[a + 2];
@@ -254,18 +280,28 @@ final class ContactSolver implements Serializable {
         return nx * ux + ny * uy;
     }
 
-    /** The gap where the bodies are now, along the normal of the start; arms turned to second order. */
-    private double gap(int k, int a, int b, int p, double nx, double ny) {
-        double[] x = state.x();
-        if (pairs[INTS * k + DISCS] == BOTH) {
-            return points[p + GAP] + distance(x, a, b) - distance(rows.from, a, b);
+    /** Finds the gaps where the bodies are now, along the normals of the start; arms turned to second order. */
+    void measure() {
+        for (int k = 0; k < rows.count; k++) {
+            measure(k, state.x(), rows.from, State.BLOCK * rows.first(k), State.BLOCK * rows.second(k));
         }
-        double turnA = x[a + 2] - rows.from[a + 2];
-        double turnB = x[b + 2] - rows.from[b + 2];
-        double moved = nx * (x[b] - rows.from[b] - (x[a] - rows.from[a])) + ny * (x[b + 1] - rows.from[b + 1] - (x[a + 1] - rows.from[a + 1]));
-        double turned = points[p + LEVER_B] * turnB - points[p + LEVER_A] * turnA;
-        turned -= 0.5 * (points[p + ARM_B] * turnB * turnB - points[p + ARM_A] * turnA * turnA);
-        return points[p + GAP] + moved + turned;
+    }
+
+    private void measure(int k, double[] x, double[] from, int a, int b) {
+        int begin = STRIDE * pairs[INTS * k + 3];
+        int end = STRIDE * pairs[INTS * k + 4];
+        if (pairs[INTS * k + DISCS] == BOTH) {
+            points[begin + NOW] = points[begin + GAP] + distance(x, a, b) - distance(from, a, b);
+            return;
+        }
+        double turnA = x[a + 2] - from[a + 2];
+        double turnB = x[b + 2] - from[b + 2];
+        double moved = normals[PAIR * k] * (x[b] - from[b] - (x[a] - from[a])) + normals[PAIR * k + 1] * (x[b + 1] - from[b + 1] - (x[a + 1] - from[a + 1]));
+        for (int p = begin; p < end; p += STRIDE) {
+            double turned = points[p + LEVER_B] * turnB - points[p + LEVER_A] * turnA;
+            turned -= 0.5 * (points[p + ARM_B] * turnB * turnB - points[p + ARM_A] * turnA * turnA);
+            points[p + NOW] = points[p + GAP] + moved + turned;
+        }
     }
 
     private static double distance(double[] x, int a, int b) {
@@ -287,6 +323,7 @@ final class ContactSolver implements Serializable {
             int a = State.BLOCK * rows.first(k);
             int b = State.BLOCK * rows.second(k);
             int discs = pairs[INTS * k + DISCS];
+            measure(k, x, rows.from, a, b);
             if (normals[PAIR * k + BOUNCE] == 1 || discs != BOTH && (w[a] == 0 || w[b] == 0)) {
                 continue;
             }

@@ -86,6 +86,7 @@ final class Retake implements Serializable {
         }
         boolean[] marks = balance.marks();
         balance.takeBack();
+        contacts.measure();
         regain(marks, contact, joint, h);
         balance.bringBack();
         for (int k = 0; k < TURNS; k++) {
@@ -153,6 +154,7 @@ final class Retake implements Serializable {
         ties.solve(marks, joint, h);
         contacts.solve(marks, contact, true, h);
         balance.move(h);
+        contacts.measure();
         clear(marks);
         ties.evaluate();
     }

@@ -47,6 +47,8 @@ class JacobianTest {
                 new WeldJoint(body(), body(), random(), random()),
                 new SliderJoint(body(), body(), random(), random(), 0.6, 1.8),
                 new SliderJoint(body(), null, random(), random(), -1, 0.4),
+                new SlotJoint(body(), body(), random(), random(), 0.6, 1.8),
+                new SlotJoint(body(), null, random(), random(), -1, 0.4),
                 new GearJoint(body(), body(), 2.5),
                 new WireJoint(body(), Curve.line(0, 0, 1, 1)),
                 new WireJoint(body(), 0.4, -0.3, Curve.circle(0.5, -0.2, 1.5)),

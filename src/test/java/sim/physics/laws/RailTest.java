@@ -243,8 +243,8 @@ class RailTest {
     @Test
     void badInputIsRefused() {
         SliderJoint rail = lift();
-        assertThatNullPointerException().isThrownBy(() -> Motor.sliding(null, 1, 1)).withMessage("slider");
-        assertThatNullPointerException().isThrownBy(() -> Limit.travel(null, 0, 1)).withMessage("slider");
+        assertThatNullPointerException().isThrownBy(() -> Motor.sliding(null, 1, 1)).withMessage("rail");
+        assertThatNullPointerException().isThrownBy(() -> Limit.travel(null, 0, 1)).withMessage("rail");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Motor.sliding(rail, Double.NaN, 1))
                 .withMessageContaining("speed is NaN");

@@ -24,6 +24,7 @@ import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.SliderJoint;
+import sim.physics.constraint.SlotJoint;
 import sim.physics.constraint.WeldJoint;
 import sim.physics.constraint.WireJoint;
 import sim.physics.motion.Body;
@@ -127,6 +128,7 @@ class JointsPortrayalTest {
         RodJoint rod = engine.add(new RodJoint(box(50, 10), 50, 10, null, 60, 10));
         SliderJoint slider = engine.add(new SliderJoint(box(80, 10), null, 80, 10, 0, 1));
         Limit ends = engine.add(Limit.travel(slider, -2, 12));
+        SlotJoint slot = engine.add(new SlotJoint(box(90, 10), null, 90, 10, 1, 0));
         Spring spring = new Spring(box(10, 40), 0, 0, null, 20, 40, 5, 1, 0);
         engine.add(spring);
         Limit rope = engine.add(Limit.rope(box(40, 40), 0, 0, null, 50, 40, 10));
@@ -138,6 +140,7 @@ class JointsPortrayalTest {
         assertThat(hitObjects(55, 10)).containsExactly(rod);
         assertThat(hitObjects(80.9, 22)).containsExactly(ends);
         assertThat(hitObjects(80.5, 10)).contains(slider);
+        assertThat(hitObjects(92, 10)).contains(slot);
         assertThat(hitObjects(10, 40)).containsExactly(spring);
         assertThat(hitObjects(20, 40)).containsExactly(spring);
         assertThat(hitObjects(45, 40)).containsExactly(rope);
