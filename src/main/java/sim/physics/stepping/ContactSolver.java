@@ -131,16 +131,11 @@ final class ContactSolver implements Serializable {
         int b = State.BLOCK * rows.second(k);
         int begin = STRIDE * pairs[INTS * k + 3];
         int end = STRIDE * pairs[INTS * k + 4];
-        double nx = normals[PAIR * k];
-        double ny = normals[PAIR * k + 1];
+        double nx = normals[PAIR * k], ny = normals[PAIR * k + 1];
         double friction = normals[PAIR * k + FRICTION];
         double regain = -normals[PAIR * k + REGAIN];
-        double vx = v[a];
-        double vy = v[a + 1];
-        double spin = v[a + 2];
-        double ux = v[b];
-        double uy = v[b + 1];
-        double turn = v[b + 2];
+        double vx = v[a], vy = v[a + 1], spin = v[a + 2];
+        double ux = v[b], uy = v[b + 1], turn = v[b + 2];
         for (int p = begin; p < end; p += STRIDE) {
             double most = friction * points[p + NORMAL];
             double old = points[p + TANGENT];
@@ -152,8 +147,7 @@ final class ContactSolver implements Serializable {
             double now = old - points[p + TANGENT_MASS] * (nx * slipY - ny * slipX);
             now = now > most ? most : now < -most ? -most : now;
             points[p + TANGENT] = now;
-            double jx = -ny * (now - old);
-            double jy = nx * (now - old);
+            double jx = -ny * (now - old), jy = nx * (now - old);
             vx -= w[a] * jx;
             vy -= w[a] * jy;
             spin -= w[a + 2] * (points[p + AX] * jy - points[p + AY] * jx);
@@ -171,15 +165,12 @@ final class ContactSolver implements Serializable {
             double mass = isDeep ? softness.mass() * points[p + NORMAL_MASS] : points[p + NORMAL_MASS];
             double kept = isDeep ? softness.impulse() * old : 0;
             double now = old - mass * (nx * apartX + ny * apartY + aim) - kept;
-            if (now <= 0) {
-                if (old == 0) {
-                    continue; // it is open, and stays so
-                }
-                now = 0;
+            now = now > 0 ? now : 0;
+            if (now == 0 && old == 0) {
+                continue; // it is open, and stays so
             }
             points[p + NORMAL] = now;
-            double jx = nx * (now - old);
-            double jy = ny * (now - old);
+            double jx = nx * (now - old), jy = ny * (now - old);
             vx -= w[a] * jx;
             vy -= w[a] * jy;
             spin -= w[a + 2] * (points[p + AX] * jy - points[p + AY] * jx);
