@@ -882,10 +882,11 @@ public final class PhysicsEngine implements Steppable {
      * Adds one who is told of collisions; within a step from the next one on.
      *
      * @param listener not null
+     * @throws IllegalStateException if it was added already
      */
     public void addListener(CollisionListener listener) {
         state.requireOpen();
-        response.laws().add(listener);
+        requireNew(response.laws().add(listener), listener);
         asksAuthors = true;
         if (timeStepping != null) {
             timeStepping.sleep().wakeAll(); // it is asked about all that touches
@@ -899,9 +900,8 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if it was not
      */
     public void removeListener(CollisionListener listener) {
-        if (!response.laws().remove(listener)) {
-            throw new IllegalStateException("listener is " + listener + ": it is not in this engine");
-        }
+        state.requireOpen();
+        requireKnown(response.laws().remove(listener), listener);
     }
 
     /**
@@ -909,9 +909,11 @@ public final class PhysicsEngine implements Steppable {
      * added begin then.
      *
      * @param listener not null
+     * @throws IllegalStateException if it was added already
      */
     public void addContactListener(ContactListener listener) {
-        response.lasting().listeners().add(Objects.requireNonNull(listener, "listener"));
+        state.requireOpen();
+        requireNew(response.lasting().add(listener), listener);
     }
 
     /**
@@ -921,7 +923,18 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if it was not
      */
     public void removeContactListener(ContactListener listener) {
-        if (!response.lasting().listeners().remove(listener)) {
+        state.requireOpen();
+        requireKnown(response.lasting().remove(listener), listener);
+    }
+
+    private static void requireNew(boolean isNew, Object listener) {
+        if (!isNew) {
+            throw new IllegalStateException("listener is " + listener + ": it was added already");
+        }
+    }
+
+    private static void requireKnown(boolean wasThere, Object listener) {
+        if (!wasThere) {
             throw new IllegalStateException("listener is " + listener + ": it is not in this engine");
         }
     }
@@ -957,10 +970,15 @@ public final class PhysicsEngine implements Steppable {
      * @param a a body of this engine
      * @param b another body of this engine
      * @param collide false to let them pass
+     * @throws IllegalArgumentException if both are the same
+     * @throws IllegalStateException if one is not in this engine
      */
     public void setCollisions(Body a, Body b, boolean collide) {
         requireMine(a);
         requireMine(b);
+        if (a == b) {
+            throw new IllegalArgumentException("b is " + b + ": a pair that collides needs two different bodies");
+        }
         state.write(a.index());
         detection.filter().set(a, b, collide);
     }

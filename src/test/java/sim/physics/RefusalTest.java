@@ -35,6 +35,7 @@ import sim.physics.motion.SymplecticEuler;
 import sim.physics.query.Queries;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
+import sim.physics.response.ContactListener;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
@@ -196,6 +197,56 @@ class RefusalTest {
         Gravity gravity = new Gravity(0, 0);
         engine.add(gravity);
         illegal("already", () -> engine.add(gravity));
+    }
+
+    @Test
+    void aListenerThatIsThere() {
+        record Counter(int[] told) implements CollisionListener, ContactListener {
+            @Override
+            public void collided(Contact contact) {
+                told[0]++;
+            }
+        }
+        Counter one = new Counter(new int[1]);
+        Counter equal = new Counter(one.told);
+        engine.addListener(one);
+        engine.addContactListener(one);
+        illegal("it was added already", () -> engine.addListener(one));
+        illegal("it was added already", () -> engine.addContactListener(one));
+        engine.addListener(equal); // another one: who it is counts, as for bodies
+        engine.addContactListener(equal);
+        engine.removeListener(equal);
+        engine.removeContactListener(equal);
+        illegal("it is not in this engine", () -> engine.removeListener(equal));
+        illegal("it is not in this engine", () -> engine.removeContactListener(equal));
+        wall.setPosition(5, 4);
+        body.moving(4, 0);
+        engine.step();
+        assertThat(one.told[0]).isEqualTo(1); // it was told as often as it was added
+    }
+
+    @Test
+    void aPairOfOneBody() {
+        refused("b is Body[Circle[radius 1.0] at (3.0, 4.0)", () -> engine.setCollisions(body, body, false));
+        refused("b is Body[Rectangle", () -> engine.setCollisions(wall, wall, true));
+    }
+
+    @Test
+    void messagesAreGrammatical() {
+        refused("an impulse was given to a fixed body", () -> wall.addImpulseAt(1, 0, 0, 0));
+        refused("an angular velocity was given to a fixed body", () -> wall.setAngularVelocity(1));
+        refused("a velocity was given to a fixed body", () -> wall.setVelocity(1, 0));
+        refused("a force was given to a fixed body", () -> wall.addForce(1, 0));
+        refused("a torque was given to a fixed body", () -> wall.addTorque(1));
+        refused("a mass was given to a fixed body", () -> wall.setMass(1));
+    }
+
+    /** A pin's six numbers are points of bodies, a rod's are of the world: who takes one for the other is told where they are. */
+    @Test
+    void pointsOfTheWorldThatAreTakenForThoseOfBodies() {
+        Body other = engine.add(new Body(new Circle(1)).at(5, 4));
+        refused("its points are at (7.0, 8.0) and (9.0, 8.0) in the world",
+                () -> engine.add(PinJoint.bodyPoints(body, 4, 4, other, 4, 4)));
     }
 
     @Test

@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import sim.physics.motion.Body;
+import sim.physics.motion.Link;
 
 /** What a constraint must be before it is added. */
 final class Admissible {
@@ -28,8 +29,20 @@ final class Admissible {
             double size = constraint.isAngle(row) ? 1 : constraint.getSize();
             if (!(gap <= (closed ? CLOSED * size : Double.MAX_VALUE))) {
                 throw new IllegalArgumentException("constraint is " + constraint + ": it is open by "
-                        + equations.c[row] + " in row " + row + "; assemble() would close it");
+                        + equations.c[row] + " in row " + row + places(constraint) + "; assemble() would close it");
             }
         }
+    }
+
+    /** Where the points of a joint are: whoever gave points of the world that are taken as the bodies' sees it. */
+    private static String places(Constraint constraint) {
+        if (!(constraint instanceof Joint && constraint instanceof Link link)) {
+            return "";
+        }
+        Anchor first = Anchor.local(link.getBodyA(), link.getAnchorAX(), link.getAnchorAY());
+        Anchor second = Anchor.local(link.getBodyB(), link.getAnchorBX(), link.getAnchorBY());
+        first.evaluate();
+        second.evaluate();
+        return ", its points are at (" + first.x + ", " + first.y + ") and (" + second.x + ", " + second.y + ") in the world";
     }
 }

@@ -14,6 +14,9 @@ import sim.physics.motion.Link;
  *                                                    [ 0  1   rAx   0 −1  −rBx ]
  *   J̇ ẋ = −θ̇A² rA + θ̇B² rB
  * </pre>
+ *
+ * <p>The constructors with one point take it in the <i>world</i>, the one with two in the <i>bodies</i>, and {@link RodJoint}'s
+ * with as many numbers does not. {@link #worldPoint} and {@link #bodyPoints} say it by their names.
  */
 public final class PinJoint extends Joint implements Link {
     private static final long serialVersionUID = 1L;
@@ -52,7 +55,8 @@ public final class PinJoint extends Joint implements Link {
     }
 
     /**
-     * Pins a point of one body to a point of another one, wherever the two are.
+     * Pins a point of one body to a point of another one, wherever the two are. The points are in the <i>bodies'</i> own
+     * coordinates, and not in the world's: {@link #bodyPoints} is the same and says so.
      *
      * @param a a body
      * @param ax point in the coordinates of the first body
@@ -69,6 +73,34 @@ public final class PinJoint extends Joint implements Link {
         this.ay = ay;
         this.bx = bx;
         this.by = by;
+    }
+
+    /**
+     * Pins two bodies together, where they are now, at a point of the world.
+     *
+     * @param a a body
+     * @param b another body, or null for the world
+     * @param x point, in world coordinates
+     * @param y point, in world coordinates
+     * @return a pin
+     */
+    public static PinJoint worldPoint(Body a, Body b, double x, double y) {
+        return new PinJoint(a, b, x, y);
+    }
+
+    /**
+     * Pins a point of one body to a point of another one, wherever the two are.
+     *
+     * @param a a body
+     * @param ax point in the coordinates of the first body
+     * @param ay point in the coordinates of the first body
+     * @param b another body, or null for the world
+     * @param bx point in the coordinates of the second body
+     * @param by point in the coordinates of the second body
+     * @return a pin; where its points are not in one place yet, {@code PhysicsEngine.assemble} puts them there
+     */
+    public static PinJoint bodyPoints(Body a, double ax, double ay, Body b, double bx, double by) {
+        return new PinJoint(a, ax, ay, b, bx, by);
     }
 
     @Override

@@ -13,6 +13,9 @@ import sim.physics.motion.Link;
  *   C = |d| − L,   d = pA − pB,   n = d / |d|      J = [ n  rA⊥·n   −n  −rB⊥·n ]
  *   J̇ ẋ = n·(−θ̇A² rA + θ̇B² rB) + (ḋ·ḋ − (n·ḋ)²) / |d|
  * </pre>
+ *
+ * <p>The constructor without a length takes points of the <i>world</i>, the one with a length points of the <i>bodies</i>, and
+ * {@link PinJoint}'s with as many numbers as the first, too. {@link #worldPoints} and {@link #bodyPoints} say it by their names.
  */
 public final class RodJoint extends Joint implements Link {
     private static final long serialVersionUID = 1L;
@@ -22,22 +25,19 @@ public final class RodJoint extends Joint implements Link {
     private final double length;
 
     /**
-     * Links two points by a rod as long as their distance is now.
+     * Links two points by a rod as long as their distance is now. The points are where they are in the <i>world</i>, and not in
+     * the bodies' own coordinates: {@link #worldPoints} is the same and says so.
      *
      * @param a a body
-     * @param ax point, in world coordinates
-     * @param ay point, in world coordinates
+     * @param worldAX point, in world coordinates
+     * @param worldAY point, in world coordinates
      * @param b another body, or null for the world
-     * @param bx point, in world coordinates
-     * @param by point, in world coordinates
+     * @param worldBX point, in world coordinates
+     * @param worldBY point, in world coordinates
      * @throws IllegalArgumentException if both points are the same: that is a {@link PinJoint}
      */
-    public RodJoint(Body a, double ax, double ay, Body b, double bx, double by) {
-        super(a, b);
-        first = Anchor.at(a, ax, ay);
-        second = Anchor.at(b, bx, by);
-        length = Check.positive(
-                "distance of the two points in the world", Math.sqrt((ax - bx) * (ax - bx) + (ay - by) * (ay - by)));
+    public RodJoint(Body a, double worldAX, double worldAY, Body b, double worldBX, double worldBY) {
+        this(Anchor.at(a, worldAX, worldAY), Anchor.at(b, worldBX, worldBY), distance(worldAX - worldBX, worldAY - worldBY));
     }
 
     /**
@@ -52,10 +52,70 @@ public final class RodJoint extends Joint implements Link {
      * @param length of the rod
      */
     public RodJoint(Body a, double ax, double ay, Body b, double bx, double by, double length) {
-        super(a, b);
-        first = Anchor.local(a, ax, ay);
-        second = Anchor.local(b, bx, by);
-        this.length = Check.positive("length", length);
+        this(Anchor.local(a, ax, ay), Anchor.local(b, bx, by), Check.positive("length", length));
+    }
+
+    private RodJoint(Anchor first, Anchor second, double length) {
+        super(first.body, second.body);
+        this.first = first;
+        this.second = second;
+        this.length = length;
+    }
+
+    private static double distance(double dx, double dy) {
+        return Check.positive("distance of the two points in the world", Math.sqrt(dx * dx + dy * dy));
+    }
+
+    /**
+     * Links two points by a rod as long as their distance is now, where the bodies are now.
+     *
+     * @param a a body
+     * @param ax point, in world coordinates
+     * @param ay point, in world coordinates
+     * @param b another body, or null for the world
+     * @param bx point, in world coordinates
+     * @param by point, in world coordinates
+     * @return a rod
+     * @throws IllegalArgumentException if both points are the same: that is a {@link PinJoint}
+     */
+    public static RodJoint worldPoints(Body a, double ax, double ay, Body b, double bx, double by) {
+        return new RodJoint(a, ax, ay, b, bx, by);
+    }
+
+    /**
+     * Links two points of bodies by a rod as long as their distance is now.
+     *
+     * @param a a body
+     * @param ax point in the coordinates of the first body
+     * @param ay point in the coordinates of the first body
+     * @param b another body, or null for the world
+     * @param bx point in the coordinates of the second body
+     * @param by point in the coordinates of the second body
+     * @return a rod
+     * @throws IllegalArgumentException if both points are in one place: that is a {@link PinJoint}
+     */
+    public static RodJoint bodyPoints(Body a, double ax, double ay, Body b, double bx, double by) {
+        Anchor first = Anchor.local(a, ax, ay);
+        Anchor second = Anchor.local(b, bx, by);
+        first.evaluate();
+        second.evaluate();
+        return new RodJoint(first, second, distance(first.x - second.x, first.y - second.y));
+    }
+
+    /**
+     * Links two points of bodies, wherever the two are, by a rod.
+     *
+     * @param a a body
+     * @param ax point in the coordinates of the first body
+     * @param ay point in the coordinates of the first body
+     * @param b another body, or null for the world
+     * @param bx point in the coordinates of the second body
+     * @param by point in the coordinates of the second body
+     * @param length of the rod
+     * @return a rod
+     */
+    public static RodJoint bodyPoints(Body a, double ax, double ay, Body b, double bx, double by, double length) {
+        return new RodJoint(a, ax, ay, b, bx, by, length);
     }
 
     /**

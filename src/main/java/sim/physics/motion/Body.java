@@ -118,7 +118,7 @@ public class Body implements Serializable {
      */
     public final Body moving(double vx, double vy, double omega) {
         speed("angular velocity", omega);
-        requireMovable("angular velocity", omega != 0); // before anything is written
+        requireMovable("an angular velocity", omega != 0); // before anything is written
         setVelocity(vx, vy);
         setAngularVelocity(omega);
         return this;
@@ -263,7 +263,7 @@ public class Body implements Serializable {
     public final void setVelocity(double vx, double vy) {
         speed("vx", vx);
         speed("vy", vy);
-        requireMovable("velocity", vx != 0 || vy != 0);
+        requireMovable("a velocity", vx != 0 || vy != 0);
         state.write(index);
         state.v()[State.BLOCK * index + State.X] = vx;
         state.v()[State.BLOCK * index + State.Y] = vy;
@@ -277,7 +277,7 @@ public class Body implements Serializable {
      */
     public final void setAngularVelocity(double omega) {
         speed("angular velocity", omega);
-        requireMovable("angular velocity", omega != 0);
+        requireMovable("an angular velocity", omega != 0);
         state.write(index);
         state.v()[State.BLOCK * index + State.THETA] = omega;
     }
@@ -318,7 +318,7 @@ public class Body implements Serializable {
         Check.positive("inertia", inertia);
         Check.positive("1 / mass", 1 / mass);
         Check.positive("1 / inertia", 1 / inertia);
-        requireMovable("mass", true);
+        requireMovable("a mass", true);
         state.write(index);
         this.mass = mass;
         this.inertia = inertia;
@@ -476,7 +476,7 @@ public class Body implements Serializable {
     public final void addForce(double fx, double fy) {
         Check.finite("fx", fx);
         Check.finite("fy", fy);
-        requireMovable("force", true);
+        requireMovable("a force", true);
         speed("fx over the mass", fx / mass);
         speed("fy over the mass", fy / mass);
         state.push(index);
@@ -520,7 +520,7 @@ public class Body implements Serializable {
 
     private void requireTorque(double torque) {
         Check.finite("torque", torque);
-        requireMovable("torque", true);
+        requireMovable("a torque", true);
         speed("torque over the moment of inertia", torque / inertia);
     }
 
@@ -537,7 +537,7 @@ public class Body implements Serializable {
         Check.finite("ry", ry);
         Check.finite("px", px);
         Check.finite("py", py);
-        requireMovable("impulse", true);
+        requireMovable("an impulse", true);
         double turn = (px - getX()) * ry - (py - getY()) * rx;
         double omega = speed("angular velocity", getAngularVelocity() + turn / inertia); // (24)
         setVelocity(getVelocityX() + rx / mass, getVelocityY() + ry / mass); // (18)
@@ -635,7 +635,7 @@ public class Body implements Serializable {
 
     private void requireMovable(String what, boolean changes) {
         if (fixed && changes) {
-            throw new IllegalArgumentException("a " + what + " was given to a fixed body: " + this);
+            throw new IllegalArgumentException(what + " was given to a fixed body: " + this);
         }
     }
 

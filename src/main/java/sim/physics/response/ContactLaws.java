@@ -58,9 +58,10 @@ public final class ContactLaws implements Serializable {
      * Adds one who is told of collisions.
      *
      * @param listener not null
+     * @return false if it was added already
      */
-    public void add(CollisionListener listener) {
-        listeners.add(Objects.requireNonNull(listener, "listener"));
+    public boolean add(CollisionListener listener) {
+        return listeners.add(Objects.requireNonNull(listener, "listener"));
     }
 
     /**
@@ -99,7 +100,7 @@ public final class ContactLaws implements Serializable {
 
     /** {@return whether somebody is told of contacts that last} */
     public boolean areLastingHeard() {
-        return !lasting.listeners().isEmpty();
+        return lasting.areHeard();
     }
 
     /**

@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.PairMarks;
 import sim.physics.collision.broad.Pairs;
@@ -49,12 +50,38 @@ public final class LastingContacts implements Serializable {
     }
 
     /**
-     * Those who are told of lasting contacts.
+     * Adds one who is told of lasting contacts.
      *
-     * @return live
+     * @param listener not null
+     * @return false if it was added already
      */
-    public List<ContactListener> listeners() {
-        return listeners;
+    public boolean add(ContactListener listener) {
+        return find(listeners, Objects.requireNonNull(listener, "listener")) < 0 && listeners.add(listener);
+    }
+
+    /**
+     * Removes one who is told of lasting contacts.
+     *
+     * @param listener any
+     * @return false if it was not there
+     */
+    public boolean remove(ContactListener listener) {
+        int k = find(listeners, listener);
+        return k >= 0 && listeners.remove(k) == listener;
+    }
+
+    /** {@return whether somebody is told of lasting contacts} */
+    public boolean areHeard() {
+        return !listeners.isEmpty();
+    }
+
+    /** Where a listener is in a list, −1 if it is not: itself, and not one that is equal. */
+    static int find(List<?> listeners, Object one) {
+        int k = listeners.size() - 1;
+        while (k >= 0 && listeners.get(k) != one) {
+            k--;
+        }
+        return k;
     }
 
     /**

@@ -25,16 +25,23 @@ final class Listeners implements Serializable {
         this.trajectories = trajectories;
     }
 
-    /** Adds one, who is told from the next collision on. */
-    void add(CollisionListener listener) {
+    /** Adds one, who is told from the next collision on; false if it was added already. */
+    boolean add(CollisionListener listener) {
+        if (LastingContacts.find(all, listener) >= 0) {
+            return false;
+        }
         all = new ArrayList<>(all);
-        all.add(listener);
+        return all.add(listener);
     }
 
     /** Removes one, who is told no more from the next collision on; false if it was not there. */
     boolean remove(CollisionListener listener) {
-        all = new ArrayList<>(all);
-        return all.remove(listener);
+        int k = LastingContacts.find(all, listener);
+        if (k >= 0) {
+            all = new ArrayList<>(all);
+            all.remove(k);
+        }
+        return k >= 0;
     }
 
     boolean isEmpty() {
