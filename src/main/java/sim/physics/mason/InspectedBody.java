@@ -132,6 +132,16 @@ public final class InspectedBody {
         body.setFriction(mu);
     }
 
+    /** {@return how fast the surface moves along the boundary, counter-clockwise: a conveyor belt's} */
+    public double getBeltSpeed() {
+        return body.getBeltSpeed();
+    }
+
+    /** @param speed how fast the surface moves along the boundary, counter-clockwise */
+    public void setBeltSpeed(double speed) {
+        body.setBeltSpeed(speed);
+    }
+
     /** {@return kinetic coefficient of friction on the plane below} */
     public double getSurfaceFriction() {
         return body.getSurfaceFriction();

@@ -353,7 +353,7 @@ public class Body implements Serializable {
      * @throws IllegalArgumentException if it is outside 0 … 1
      */
     public final void setRestitution(double restitution) {
-        setSurface(Check.between("restitution", restitution, 0, 1), surface.friction);
+        setSurface(Check.between("restitution", restitution, 0, 1), surface.friction, surface.speed);
     }
 
     /**
@@ -372,15 +372,37 @@ public class Body implements Serializable {
      * @throws IllegalArgumentException if it is negative or not finite
      */
     public final void setFriction(double friction) {
-        setSurface(surface.restitution, Check.notNegative("friction", friction));
+        setSurface(surface.restitution, Check.notNegative("friction", friction), surface.speed);
     }
 
-    private void setSurface(double restitution, double friction) {
+    /**
+     * How fast the body's surface moves along its boundary, as a conveyor belt does.
+     *
+     * @return speed, counter-clockwise; 0 unless set
+     */
+    public final double getBeltSpeed() {
+        return surface.speed;
+    }
+
+    /**
+     * Lets the body's surface move along its boundary, relative to the body: that of a conveyor belt, or of a track. By friction it drives
+     * what touches it, so both need one; where the body itself can move it gets the opposite force. It moves to the left as seen from the
+     * body's middle: with y upwards, what lies on a belt goes to −x at a positive speed. At any time, as friction. A pair's surfaces
+     * pass one another as two that run into the same sense do, at the sum of both.
+     *
+     * @param speed length/time, counter-clockwise (from the x to the y axis)
+     * @throws IllegalArgumentException if it is not finite
+     */
+    public final void setBeltSpeed(double speed) {
+        setSurface(surface.restitution, surface.friction, Check.finite("belt speed", speed));
+    }
+
+    private void setSurface(double restitution, double friction, double speed) {
         state.requireOpen();
-        if (friction != surface.friction) {
+        if (friction != surface.friction || speed != surface.speed) {
             state.stir(index); // what stands still begins to slide, or slides and stops
         }
-        surface = state.share(surface.with(restitution, friction, state.lastSurface()));
+        surface = state.share(surface.with(restitution, friction, speed, state.lastSurface()));
     }
 
     /**

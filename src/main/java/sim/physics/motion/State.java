@@ -123,11 +123,7 @@ public final class State implements Serializable {
         return x;
     }
 
-    /**
-     * The velocity vector ẋ itself, not a copy; as {@link #x()}.
-     *
-     * @return ẋ, [x', y', θ'] per body, length/time and rad/time
-     */
+    /** {@return the velocity vector ẋ itself, not a copy, [x', y', θ'] per body, length/time and rad/time; as {@link #x()}} */
     public double[] v() {
         if (lagging) {
             settle(true);
@@ -160,11 +156,7 @@ public final class State implements Serializable {
         }
     }
 
-    /**
-     * The force vector F itself, not a copy. It is scratch of the evaluation of forces: nothing outlasts a growth.
-     *
-     * @return F, [fx, fy, τ] per body
-     */
+    /** {@return the force vector F itself, [fx, fy, τ] per body, scratch of the evaluation of forces: nothing outlasts a growth} */
     public double[] f() {
         if (f.length < x.length) {
             f = Arrays.copyOf(f, x.length);
@@ -254,10 +246,9 @@ public final class State implements Serializable {
     }
 
     /**
-     * The coefficient of restitution of a body.
+     * {@return the coefficient of restitution of a body, 0 … 1}
      *
      * @param index the block
-     * @return 0 … 1
      */
     public double restitution(int index) {
         return mixed ? bodies[index].getRestitution() : surface.restitution;
@@ -273,18 +264,26 @@ public final class State implements Serializable {
     }
 
     /**
-     * The coefficient of friction of a body.
+     * {@return the coefficient of friction of a body, not negative}
      *
      * @param index the block
-     * @return not negative
      */
     public double friction(int index) {
         return mixed ? bodies[index].getFriction() : surface.friction;
     }
 
+    /**
+     * {@return how fast the surface of a body moves along its boundary, counter-clockwise}
+     *
+     * @param index the block
+     */
+    public double beltSpeed(int index) {
+        return mixed ? bodies[index].getBeltSpeed() : surface.speed;
+    }
+
     private void share(Body body) {
         Surface own = body.surface();
-        body.share(share(surface.with(own.restitution, own.friction, own)));
+        body.share(share(surface.with(own.restitution, own.friction, own.speed, own)));
         shapes = shapes == null ? new RecentShapes() : shapes;
         body.share(shapes.share(body.getShape()));
     }
@@ -417,10 +416,9 @@ public final class State implements Serializable {
     }
 
     /**
-     * A block that was written.
+     * {@return the index of a block that was written, which may have been emptied since}
      *
      * @param k 0 … touchedCount() − 1
-     * @return its index; the block may have been emptied since
      */
     public int touched(int k) {
         return touched.get(k);

@@ -55,6 +55,17 @@ public final class ContactLaws implements Serializable {
     }
 
     /**
+     * How fast the surfaces of two bodies move on one another beside the bodies.
+     *
+     * @param a index
+     * @param b index
+     * @return velocity of b's surface relative to a's along the tangent n⊥, n pointing from a to b
+     */
+    public double belt(int a, int b) {
+        return loader.belt(a, b);
+    }
+
+    /**
      * Adds one who is told of collisions.
      *
      * @param listener not null

@@ -67,6 +67,7 @@ final class ContactLoader implements ContactPoints {
         c.setLevers(m.roundA, m.roundB);
         c.restitution = restitution(a, b);
         c.friction = friction(a, b);
+        c.belt = belt(a, b);
         c.allowance = 0;
     }
 
@@ -88,5 +89,10 @@ final class ContactLoader implements ContactPoints {
     /** The coefficient of friction of a contact of two bodies. */
     double friction(int a, int b) {
         return frictionRule.of(state.friction(a), state.friction(b));
+    }
+
+    /** Both run counter-clockwise: A's surface along the tangent n⊥, B's against it. */
+    double belt(int a, int b) {
+        return 0 - (state.beltSpeed(a) + state.beltSpeed(b));
     }
 }

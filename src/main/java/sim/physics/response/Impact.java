@@ -60,6 +60,9 @@ public final class Impact implements Serializable {
 
     double friction;
 
+    /** Velocity of B's surface relative to A's along the tangent, beside that of the bodies. */
+    double belt;
+
     /** Energy that the impact may add; 0 but for bounces that are kept from getting too short. */
     double allowance;
 
@@ -84,8 +87,13 @@ public final class Impact implements Serializable {
         return (vBx - vAx) * nx + (vBy - vAy) * ny + (omegaB * leverB - omegaA * leverA);
     }
 
-    /** The same along the tangent t = n⊥. */
+    /** The same of the surfaces along the tangent t = n⊥. */
     double tangentVelocity() {
+        return slip() + belt;
+    }
+
+    /** That of the bodies' points along the tangent. */
+    private double slip() {
         return (vBy - vAy) * nx - (vBx - vAx) * ny + (omegaB * armB - omegaA * armA);
     }
 
@@ -107,7 +115,7 @@ public final class Impact implements Serializable {
         armB = rBx * nx + rBy * ny;
     }
 
-    /** Kinetic energy that the impulse adds: its work at the mean of the velocities before and after. */
+    /** Kinetic energy that the impulse adds, beside what moving surfaces give: its work at the mean of the velocities before and after. */
     double energyGain() {
         double tA = jn * leverA + jt * armA;
         double tB = jn * leverB + jt * armB;
@@ -172,7 +180,8 @@ public final class Impact implements Serializable {
         point.omegaA = omegaA;
         point.omegaB = omegaB;
         point.opening = normalVelocity();
-        point.slip = tangentVelocity();
+        point.slip = slip();
+        point.belt = belt;
     }
 
     /**
@@ -209,6 +218,7 @@ public final class Impact implements Serializable {
         ny = from.ny;
         restitution = from.restitution;
         friction = from.friction;
+        belt = from.belt;
         allowance = from.allowance;
         sticky = from.sticky;
         jn = from.jn;

@@ -125,10 +125,11 @@ final class Balance implements Serializable {
         }
     }
 
-    /** Notes the velocities with which bounces begin: they may keep their energy. */
-    void begin() {
+    /** Notes the velocities with which bounces begin: they may keep their energy, and what moving surfaces have given. */
+    void begin(ContactRows rows) {
         note();
         measure(speeds);
+        rows.drive(ContactRows.TANGENT_SUM, groups, most);
         for (int g = 0; g < groups.count; g++) {
             most[g] = (1 + ROUNDING) * Math.max(most[g], before[g]);
         }
@@ -138,12 +139,13 @@ final class Balance implements Serializable {
     }
 
     /**
-     * Whether some group has more energy than was noted and than motors and springs have given it; its bodies are marked then.
+     * Whether some group has more energy than was noted and than motors, springs and moving surfaces have given it; its bodies are marked
+     * then.
      *
      * @param a accelerations by forces
      * @param h substep
      */
-    boolean isBroken(TieRows ties, SpringRows springs, double[] a, double h) {
+    boolean isBroken(TieRows ties, SpringRows springs, ContactRows rows, double[] a, double h) {
         measure(state.v());
         boolean isMore = false;
         for (int g = 0; g < groups.count; g++) {
@@ -151,13 +153,14 @@ final class Balance implements Serializable {
             debt[first] = Math.max(0, debt[first] + after[g] - before[g]);
             isMore |= debt[first] > PATIENCE * before[g];
         }
-        return isMore && mark(ties, springs, a, h);
+        return isMore && mark(ties, springs, rows, a, h);
     }
 
-    private boolean mark(TieRows ties, SpringRows springs, double[] a, double h) {
+    private boolean mark(TieRows ties, SpringRows springs, ContactRows rows, double[] a, double h) {
         Arrays.fill(most, 0, groups.count, 0);
         ties.give(groups.slots, most);
         springs.give(groups.slots, most, h);
+        rows.drive(ContactRows.TANGENT, groups, most);
         for (int g = 0; g < groups.count; g++) {
             int first = groups.firsts[g];
             boolean isSlow = after[g] < SLOW * h * h * product(a, a, g);

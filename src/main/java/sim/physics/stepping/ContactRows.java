@@ -55,12 +55,13 @@ final class ContactRows implements Serializable {
     /** The gap where the bodies are now. */
     static final int NOW = 23;
 
-    /** Values of a pair: normal, friction, restitution, largest speed at which depth is regained. */
-    static final int PAIR = 5;
+    /** Values of a pair: normal, friction, restitution, largest speed at which depth is regained, velocity of surfaces on one another. */
+    static final int PAIR = 6;
 
     static final int FRICTION = 2;
     static final int BOUNCE = 3;
     static final int REGAIN = 4;
+    static final int BELT = 5;
 
     private final State state;
 
@@ -139,12 +140,14 @@ final class ContactRows implements Serializable {
     /**
      * Adds a pair.
      *
+     * @param belt velocity of the surfaces on one another along the tangent, beside that of the bodies
      * @param forces accelerations of all bodies
      * @param regain the largest speed at which depth is regained
      * @param hasPressed whether the two pressed on one another in the step before
      */
     void add(
-            int pair, int a, int b, Touch touch, double friction, double restitution, double[] forces, double regain, boolean hasPressed) {
+            int pair, int a, int b, Touch touch,
+            double friction, double restitution, double belt, double[] forces, double regain, boolean hasPressed) {
         reserve();
         int o = INTS * count;
         pairs[o] = pair;
@@ -161,6 +164,7 @@ final class ContactRows implements Serializable {
         normals[n + BOUNCE] = restitution;
         bounces += restitution > 0 ? 1 : 0;
         normals[n + REGAIN] = regain;
+        normals[n + BELT] = belt;
         Arrays.fill(turned, TURNED * (count - 1), TURNED * count, 0);
         for (int k = 0; k < touch.count; k++) {
             load(touch, k, State.BLOCK * a, State.BLOCK * b, forces);
@@ -363,6 +367,27 @@ final class ContactRows implements Serializable {
         mean[1] = ny;
         mean[2] = part * normal;
         mean[3] = part * tangent;
+    }
+
+    /** Whether surfaces that move drive the bodies of a pair. */
+    boolean isDriven(int k) {
+        return normals[PAIR * k + BELT] != 0 && normals[PAIR * k + FRICTION] > 0;
+    }
+
+    /**
+     * Adds what moving surfaces have given bodies, or taken.
+     *
+     * @param which impulses along tangents
+     * @param given takes twice the energy, by group
+     */
+    void drive(int which, Groups groups, double[] given) {
+        double[] w = state.w().values();
+        for (int k = 0; k < count; k++) {
+            for (int p = begin(k); isDriven(k) && groups.has(k, this) && p < end(k); p += STRIDE) {
+                int body = w[State.BLOCK * first(k)] > 0 ? first(k) : second(k); // what is fixed has no group
+                given[groups.slots[body]] -= 2 * points[p + which] * normals[PAIR * k + BELT];
+            }
+        }
     }
 
     boolean mayBounce(int k) {

@@ -7,6 +7,7 @@ import static sim.physics.stepping.ContactRows.ARM_A;
 import static sim.physics.stepping.ContactRows.ARM_B;
 import static sim.physics.stepping.ContactRows.AX;
 import static sim.physics.stepping.ContactRows.AY;
+import static sim.physics.stepping.ContactRows.BELT;
 import static sim.physics.stepping.ContactRows.BOTH;
 import static sim.physics.stepping.ContactRows.BOUNCE;
 import static sim.physics.stepping.ContactRows.BOUNCED;
@@ -144,7 +145,7 @@ final class ContactSolver implements Serializable {
             }
             double slipX = ux - points[p + BY] * turn - vx + points[p + AY] * spin;
             double slipY = uy + points[p + BX] * turn - vy - points[p + AX] * spin;
-            double now = old - points[p + TANGENT_MASS] * (nx * slipY - ny * slipX);
+            double now = old - points[p + TANGENT_MASS] * (nx * slipY - ny * slipX + normals[PAIR * k + BELT]);
             now = now > most ? most : now < -most ? -most : now;
             points[p + TANGENT] = now;
             double jx = -ny * (now - old), jy = nx * (now - old);

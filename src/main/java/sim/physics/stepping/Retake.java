@@ -24,6 +24,7 @@ final class Retake implements Serializable {
     /** How often what bounces is solved in turn at most. */
     private static final int BOUNCES = 32;
 
+    private final ContactRows rows;
     private final SurfaceRows surface;
     private final SpringRows springs;
     private final TieRows ties;
@@ -40,6 +41,7 @@ final class Retake implements Serializable {
     private boolean isStale;
 
     Retake(State state, SteppedForces forces, TieRows ties, ContactRows rows, ContactSolver contacts) {
+        this.rows = rows;
         surface = forces.surface();
         springs = forces.springs();
         this.ties = ties;
@@ -81,7 +83,7 @@ final class Retake implements Serializable {
      * @param a accelerations by forces
      */
     void close(double[] a, Softness contact, Softness joint, double h) {
-        if (!balance.isBroken(ties, springs, a, h)) {
+        if (!balance.isBroken(ties, springs, rows, a, h)) {
             return;
         }
         boolean[] marks = balance.marks();
@@ -129,7 +131,7 @@ final class Retake implements Serializable {
             }
             goesOn = contacts.compress(isTied ? Softness.EAGER.mass() : 1);
         }
-        bounced.begin();
+        bounced.begin(rows);
         contacts.note();
         ties.note();
         reflections.reflect();

@@ -382,6 +382,7 @@ public final class Sleep implements Serializable {
         }
         for (int k = 0; k < rows.count; k++) {
             join(rows.first(k), rows.second(k));
+            drive(k);
         }
         for (int k = 0; constraints != null && k < awake.size; k++) {
             if (constraints.isTied(awake.values[k])) {
@@ -398,6 +399,13 @@ public final class Sleep implements Serializable {
                 isRestless[DisjointSets.find(parent, body)] = true;
             }
         }
+    }
+
+    /** What a moving surface drives does not sleep, however slow that is. */
+    private void drive(int k) {
+        boolean is = rows.isDriven(k) && rows.impulse(k) > 0;
+        isRestless[rows.first(k)] |= is && isMovable(rows.first(k));
+        isRestless[rows.second(k)] |= is && isMovable(rows.second(k));
     }
 
     private void join(int a, int b) {

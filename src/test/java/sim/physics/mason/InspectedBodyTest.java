@@ -41,7 +41,7 @@ class InspectedBodyTest {
         assertThat(writable)
                 .containsExactlyInAnyOrder(
                         "X", "Y", "Angle", "VelocityX", "VelocityY", "AngularVelocity", "Mass", "Restitution",
-                        "Friction", "SurfaceFriction", "SurfaceStaticFriction");
+                        "Friction", "BeltSpeed", "SurfaceFriction", "SurfaceStaticFriction");
         assertThat(readable).containsExactlyInAnyOrder("Shape", "Fixed", "Inertia", "KineticEnergy");
         assertThat(properties.getValue(index("VelocityY"))).isEqualTo(7.0);
         assertThat(properties.getDomain(index("Restitution"))).isInstanceOf(sim.util.Interval.class);

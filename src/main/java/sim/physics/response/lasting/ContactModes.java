@@ -122,7 +122,7 @@ final class ContactModes implements Serializable {
                 equations.setRight(normal[p], -(s.normal(p) + (gaps ? s.gap(p) : forces ? s.bias(p) : 0)), heaviest);
             }
             if (tangent[p] >= 0) {
-                equations.setRight(tangent[p], -s.tangent(p), heaviest);
+                equations.setRight(tangent[p], -s.slip(p, forces), heaviest);
             }
         }
     }
@@ -204,7 +204,7 @@ final class ContactModes implements Serializable {
             mode[p] = SLIDE;
             return true;
         }
-        if (mode[p] == SLIDE && !fixed && s.friction(p) > 0 && side[p] * s.tangent(p) > speed) {
+        if (mode[p] == SLIDE && !fixed && s.friction(p) > 0 && side[p] * s.slip(p, forces) > speed) {
             mode[p] = STICK; // friction would speed it up
             return true;
         }

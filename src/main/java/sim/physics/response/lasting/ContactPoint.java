@@ -48,6 +48,9 @@ public final class ContactPoint implements Serializable {
     /** Velocity of B's point relative to A's along the tangent. */
     public double slip;
 
+    /** The same of their surfaces, beside that of the bodies. */
+    public double belt;
+
     /** Makes an empty point. */
     public ContactPoint() {
         // filled again for each point

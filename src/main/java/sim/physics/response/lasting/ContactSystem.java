@@ -20,8 +20,8 @@ import java.util.Arrays;
 final class ContactSystem implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Values per point: gap, friction, mobilities, bias, sliding, forces, parting. */
-    private static final int STRIDE = 9;
+    /** Values per point: gap, friction, mobilities, bias, sliding, forces, parting, belt. */
+    private static final int STRIDE = 10;
 
     private static final int GAP = 0;
     private static final int FRICTION = 1;
@@ -32,6 +32,7 @@ final class ContactSystem implements Serializable {
     private static final int FORCE_N = 6;
     private static final int FORCE_T = 7;
     private static final int PARTING = 8;
+    private static final int BELT = 9;
 
     /** Accelerations that no contact gives, relative to those of the forces: an impulse would be needed (Painlevé 1895). */
     private static final double ASTRAY = 1e4;
@@ -93,6 +94,7 @@ final class ContactSystem implements Serializable {
         data[o + BIAS] = bias;
         data[o + PARTING] = 0;
         data[o + FRICTION] = c.friction;
+        data[o + BELT] = c.belt;
         data[o + MOBILITY_N] = c.normalMobility;
         data[o + MOBILITY_T] = c.tangentMobility;
         points++;
@@ -197,12 +199,12 @@ final class ContactSystem implements Serializable {
         if (few) {
             modes.keep(u);
             relax(FIRST_SWEEPS, forces);
-            if (modes.solve(this, forces) && energy() <= energy && largest() <= most) {
+            if (modes.solve(this, forces) && energy() + driven() <= energy && largest() <= most) {
                 return;
             }
         }
         again(forces);
-        if (energy() <= energy && largest() <= most) {
+        if (energy() + driven() <= energy && largest() <= most) {
             return;
         }
         frictionless = true;
@@ -243,6 +245,15 @@ final class ContactSystem implements Serializable {
         return sum;
     }
 
+    /** What moving surfaces take by their impulses, as twice an energy: negative if they give it. */
+    private double driven() {
+        double sum = 0;
+        for (int p = 0; p < points; p++) {
+            sum += 2 * data[STRIDE * p + FORCE_T] * data[STRIDE * p + BELT];
+        }
+        return sum;
+    }
+
     private void relax(int sweeps, boolean forces) {
         double first = 0;
         for (int k = 0; k < sweeps; k++) {
@@ -277,18 +288,19 @@ final class ContactSystem implements Serializable {
         double sliding = forces ? data[o + SLIDING] : 0;
         double forceT = sliding != 0
                 ? -Math.copySign(most, sliding)
-                : Math.max(-most, Math.min(most, oldT - tangent(p) / data[o + MOBILITY_T]));
+                : Math.max(-most, Math.min(most, oldT - slip(p, forces) / data[o + MOBILITY_T]));
         data[o + FORCE_T] = forceT;
         push(p, 0, forceT - oldT);
         return Math.max(change, Math.abs(forceT - oldT));
     }
 
-    /** Notes which points slide, by the velocities u; slower than a bound is none. Returns the largest of them. */
+    /** Notes which points slide, by the velocities u; slower than a bound is none. Returns the fastest way of a body over another one. */
     double noteSliding(double bound) {
         double most = 0;
         for (int p = 0; p < points; p++) {
             double t = tangent(p);
             most = Math.max(most, Math.abs(t));
+            t += data[STRIDE * p + BELT];
             data[STRIDE * p + SLIDING] = Math.abs(t) > bound && data[STRIDE * p + FRICTION] > 0 ? t : 0;
         }
         return most;
@@ -313,6 +325,11 @@ final class ContactSystem implements Serializable {
 
     double tangent(int p) {
         return rows.tangent(p, u);
+    }
+
+    /** What friction is to take along the tangent: of velocities that of the surfaces, whose accelerations are those of the bodies. */
+    double slip(int p, boolean forces) {
+        return tangent(p) + (forces ? 0 : data[STRIDE * p + BELT]);
     }
 
     /** Adds forces along the normal and the tangent of a point. */

@@ -6,8 +6,19 @@ package sim.physics.response.lasting;
 final class HeapEnergy {
     private HeapEnergy() {}
 
-    /** Twice the kinetic energy that the bodies have more than with other velocities, mostly those without impulses; without that of motors. */
+    /**
+     * Twice the kinetic energy that the bodies have more than with other velocities, mostly those without impulses; without that of motors
+     * and of moving surfaces.
+     */
     static double gained(HeapSystem s, double[] from) {
+        double belts = 0;
+        for (int p = 0; p < s.contacts(); p++) {
+            belts += s.belt(p) == 0 ? 0 : 2 * s.tangentImpulse(p) * s.belt(p);
+        }
+        return belts + gainedOrLost(s, from);
+    }
+
+    private static double gainedOrLost(HeapSystem s, double[] from) {
         double sum = 0;
         for (int p = 0; s.isTied() && p < s.size(); p++) {
             double jn = s.isMotor(p) ? 0 : s.normalImpulse(p);
@@ -18,7 +29,7 @@ final class HeapEnergy {
         return s.isTied() ? sum : gainedAlone(s, from);
     }
 
-    /** The work of contacts and stops over a time in which velocities change evenly from some to those of the system. */
+    /** The work of contacts and stops, without that of moving surfaces, over a time in which velocities change evenly from some to those of the system. */
     static double work(HeapSystem s, double[] from) {
         double sum = 0;
         for (int p = 0; p < s.size(); p++) {
@@ -26,7 +37,7 @@ final class HeapEnergy {
             double jt = s.tangentImpulse(p);
             ContactRows rows = p < s.contacts() ? s.pressing() : s.rows();
             sum += jn == 0 ? 0 : jn * (rows.normal(p, s.v) + rows.normal(p, from));
-            sum += jt == 0 ? 0 : jt * (rows.tangent(p, s.v) + rows.tangent(p, from));
+            sum += jt == 0 ? 0 : jt * (rows.tangent(p, s.v) + rows.tangent(p, from) + 2 * s.belt(p));
         }
         return 0.5 * sum;
     }

@@ -9,7 +9,7 @@ abstract class HeapPoints implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values per point. */
-    static final int STRIDE = 12;
+    static final int STRIDE = 13;
 
     static final int BOUND = 0;
     static final int FRICTION = 1;
@@ -33,6 +33,9 @@ abstract class HeapPoints implements Serializable {
     static final int TURN_N = 10;
 
     static final int TURN_T = 11;
+
+    /** Velocity of the surfaces on one another along the tangent, beside that of the bodies. */
+    static final int BELT = 12;
 
     double[] data = new double[8 * STRIDE];
 
@@ -93,6 +96,10 @@ abstract class HeapPoints implements Serializable {
     boolean isStuck(int p) {
         double most = data[STRIDE * p + FRICTION] * data[STRIDE * p + IMPULSE_N];
         return Math.abs(data[STRIDE * p + IMPULSE_T]) < most;
+    }
+
+    double belt(int p) {
+        return data[STRIDE * p + BELT];
     }
 
     double friction(int p) {

@@ -110,6 +110,7 @@ final class HeapSystem extends HeapPoints {
     void add(int a, int b, ContactPoint c) {
         rows.set(points, a, b, c);
         add(c.friction, c.normalMobility, c.tangentMobility, 0, Double.POSITIVE_INFINITY);
+        data[STRIDE * (points - 1) + BELT] = c.belt;
         contacts = points;
     }
 
@@ -277,7 +278,7 @@ final class HeapSystem extends HeapPoints {
 
     /** The velocity along the tangent that friction is to take, where its impulses are enough. */
     double tangent(int p) {
-        return tangent(p, v) + data[STRIDE * p + DRIFT] + data[STRIDE * p + TURN_T];
+        return tangent(p, v) + data[STRIDE * p + DRIFT] + data[STRIDE * p + TURN_T] + data[STRIDE * p + BELT];
     }
 
     /** Normal velocity of a point. */
