@@ -16,6 +16,7 @@ import sim.physics.StepReport;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.WeldJoint;
 import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Gravity;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
@@ -215,17 +216,18 @@ class BeltTest {
      * observers. Machines and what is struck, too, with substeps, where books of energy are kept of tied bodies.
      */
     @ParameterizedTest
-    @CsvSource({"0, CHAIN, 1e-4", "4, CHAIN, 1e-9", "0, BOUNCES, 1e-9", "4, BOUNCES, 1e-9", "0, DROPS, 1e-9", "4, DROPS, 1e-9"})
+    @CsvSource({"0, CHAIN, 1e-4", "4, CHAIN, 1e-9", "0, BOUNCES, 1e-9", "4, BOUNCES, 1e-9", "0, DROPS, 1e-9", "4, DROPS, 1e-9",
+        "0, DRIVEN, 1e-6", "4, DRIVEN, 1e-9", "0, PILE, 0.05", "4, PILE, 0.05"})
     void aBeltIsAGroundThatIsSeenFromElsewhere(int substeps, String what, double error) {
-        PhysicsEngine still = scene(what, substeps, -SPEED, 0);
-        PhysicsEngine moving = scene(what, substeps, 0, SPEED);
-        for (int k = 1; k <= 60; k++) {
+        PhysicsEngine still = scene(what, substeps, -1.5, 0);
+        PhysicsEngine moving = scene(what, substeps, 0, 1.5);
+        for (int k = 1; k <= (what.equals("PILE") ? 30 : 60); k++) { // which no two runs of a pile agree upon for long
             still.step();
             moving.step();
             for (int m = 1; m < still.bodies().size(); m++) {
                 Body a = still.bodies().get(m);
                 Body b = moving.bodies().get(m);
-                assertThat(b.getX()).isCloseTo(a.getX() + SPEED * k * STEP, within(error));
+                assertThat(b.getX()).isCloseTo(a.getX() + 1.5 * k * STEP, within(error));
                 assertThat(b.getY()).isCloseTo(a.getY(), within(error));
                 assertThat(b.getAngle()).isCloseTo(a.getAngle(), within(error));
             }
@@ -237,7 +239,17 @@ class BeltTest {
         scene.begin(substeps, 0);
         scene.belt(belt).setRestitution(1);
         Body last = null;
-        for (int k = 0; k < 4; k++) {
+        if (what.equals("DRIVEN")) {
+            scene.engine.add((ForceGenerator) (body, time, forces) -> forces.add(body, 0.3 * body.getMass() * StrictMath.sin(3 * time), 0));
+            scene.put(new Rectangle(1, 0.5), 0, 0.25).moving(speed, 0);
+            scene.put(new Rectangle(0.6, 0.5), 0, 0.75).moving(speed, 0);
+        }
+        for (int k = 0; k < 12 && what.equals("PILE"); k++) {
+            Shape shape = k % 3 == 0 ? new Circle(0.3) : new Rectangle(0.5, 0.4 + 0.02 * k);
+            scene.put(shape, k % 4, 0.5 + k / 4).moving(speed, 0).setAngle(0.1 * k);
+        }
+        int count = scene.engine.bodies().size() > 1 ? 0 : 4;
+        for (int k = 0; k < count; k++) {
             boolean isChain = what.equals("CHAIN");
             Body body = scene.put(k % 2 == 0 && !isChain ? new Circle(0.4) : new Rectangle(0.8, 0.2), isChain ? 0.8 * k : 2 * k, 0.7);
             body.setRestitution(what.equals("BOUNCES") && k % 2 == 0 ? 0.6 : 0);

@@ -400,7 +400,7 @@ final class Heap implements Serializable {
         scale = isDriven ? scale : Math.max(scale, scales.fastest(heap, system.v));
         boolean done = isDriven ? driving.isRight()
                 : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time(), isHalf);
-        double[] from = isResumed ? courses.before() : system.free();
+        double[] from = isResumed && !system.isDrivenByBelts() ? courses.before() : system.free();
         if (!isEven() && !isRough && !large.judge(heap, system, done, scales.fastest(heap, system.v))) {
             isRough = true;
             done = free.solveRoughly(regain.time());

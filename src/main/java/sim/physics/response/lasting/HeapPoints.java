@@ -98,6 +98,7 @@ abstract class HeapPoints implements Serializable {
         return Math.abs(data[STRIDE * p + IMPULSE_T]) < most;
     }
 
+    /** Velocity of a point's surfaces on one another, beside that of the bodies. */
     double belt(int p) {
         return data[STRIDE * p + BELT];
     }

@@ -183,6 +183,15 @@ final class HeapSystem extends HeapPoints {
         points++;
     }
 
+    /** Whether surfaces move on one another beside the bodies: what they give would else count as gained for nothing. */
+    boolean isDrivenByBelts() {
+        boolean yes = false;
+        for (int p = 0; p < contacts && !yes; p++) {
+            yes = belt(p) != 0;
+        }
+        return yes;
+    }
+
     void removeLast() {
         points--;
     }
