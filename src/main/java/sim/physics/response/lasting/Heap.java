@@ -246,7 +246,7 @@ final class Heap implements Serializable {
             if (!regains) {
                 system.regainNothing();
             }
-            scale = driving.drive(heap, until - tau, scale, regains);
+            scale = driving.search().drive(heap, until - tau, scale, regains);
         }
     }
 
@@ -398,7 +398,7 @@ final class Heap implements Serializable {
 
     private void solve(double tau) {
         scale = isDriven ? scale : Math.max(scale, scales.fastest(heap, system.v));
-        boolean done = isDriven ? driving.isRight()
+        boolean done = isDriven ? driving.search().isRight()
                 : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time(), isHalf);
         double[] from = isResumed && !system.isDrivenByBelts() ? courses.before() : system.free();
         if (!isEven() && !isRough && !large.judge(heap, system, done, scales.fastest(heap, system.v))) {
@@ -409,7 +409,7 @@ final class Heap implements Serializable {
             done = regainNothing(); // that must not add energy
             by.afford(heap, HeapEnergy.gained(system, from));
         }
-        if (isDriven && driving.isReleased()) {
+        if (isDriven && driving.search().isReleased()) {
             notes.letBe(detection);
         }
         notes.press(given(until - tau));
@@ -429,7 +429,7 @@ final class Heap implements Serializable {
     }
 
     private boolean regainNothing() {
-        return isDriven ? driving.regainNothing(scale) : isRubbed ? system.solve(scale, false) : free.regainNothing(scale, regain.time());
+        return isDriven ? driving.search().regainNothing(scale) : isRubbed ? system.solve(scale, false) : free.regainNothing(scale, regain.time());
     }
 
     /** Whether something has happened to a body of a heap that stands still. */
