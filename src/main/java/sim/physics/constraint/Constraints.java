@@ -336,14 +336,18 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
+    public int tire(IntList bodies, double step, int evaluations) {
+        return Creep.tire(of(bodies), state, step, evaluations);
+    }
+
+    @Override
     public void creep(IntList bodies, double h) {
         Creep.advance(of(bodies), state, solver, projection, h);
     }
 
     @Override
     public void prepareImpact(IntList bodies) {
-        Island one = of[bodies.values[0]].switches.evaluateReleased(state);
-        solver.prepare(one, state.w().values());
+        solver.prepare(of[bodies.values[0]].switches.evaluateReleased(state), state.w().values());
     }
 
     @Override
@@ -433,11 +437,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean decide(IntList bodies, double time) {
-        boolean hits = false;
-        for (Island island : of(bodies)) {
-            hits |= projection.decide(island, state, solver, time);
-        }
-        return hits;
+        return projection.decide(of(bodies), state, solver, time);
     }
 
     @Override

@@ -36,11 +36,26 @@ final class Creep implements Serializable {
      */
     private static final int FEW_HALVINGS = 6;
 
+    /**
+     * Evaluations which a method that chooses its steps may make in a step of the engine for next to no way. Its strides are as short as
+     * what swings there is fast, and none says that it is too long. And how many when it is tried again; and how many times as many where
+     * motors or stops act, since it is not known there which rows depend on others always.
+     */
+    private static final int MOST_IN_VAIN = 2000;
+
+    private static final int FEW_IN_VAIN = 250;
+    private static final int SWITCHED = 32;
+
     private final Island island;
     private double[] x = {};
     private double[] v = {};
     private int failures;
     private int left;
+
+    /** The step of the engine in which evaluations were made in vain last, and how many. */
+    private double vainIn;
+
+    private int vain;
 
     /** What pulled it when it stood still the last time, where it is in {@link #x}, and for how long; 0 if it has moved since. */
     private double[] stoodUnder = {};
@@ -79,6 +94,36 @@ final class Creep implements Serializable {
     }
 
     /**
+     * Takes note of evaluations that were made in a step of the engine for next to no way; returns how many may be yet, or the greatest
+     * number if no singular pose is near.
+     */
+    static int tire(List<Island> those, State state, double step, int evaluations) {
+        int spare = Integer.MAX_VALUE;
+        for (int k = 0; k < those.size(); k++) {
+            Passage passage = those.get(k).passage;
+            boolean isWeak = those.get(k).factor.pivots.isWeakHere() && passage.sight.isWeak(state.w().values());
+            spare = isWeak ? Math.min(spare, passage.creep.tire(step, evaluations)) : spare;
+        }
+        return spare;
+    }
+
+    private int tire(double step, int evaluations) {
+        vain = vainIn == step ? vain + evaluations : evaluations;
+        vainIn = step;
+        int most = (failures > 0 ? FEW_IN_VAIN : MOST_IN_VAIN) * (island.switches.isEmpty() ? 1 : SWITCHED);
+        if (vain < most) {
+            return most - vain;
+        }
+        fail();
+        return 0;
+    }
+
+    private void fail() {
+        failures = Math.min(failures + 1, MOST_PATIENCE);
+        left = 1 << failures;
+    }
+
+    /**
      * Goes on for a time, with all islands of a group.
      *
      * @param state where the accelerations that were noted last are those without constraints
@@ -100,8 +145,7 @@ final class Creep implements Serializable {
 
     private void advance(State state, ConstraintSolver solver, Projection projection, double h) {
         if (left == 0) {
-            failures = Math.min(failures + 1, MOST_PATIENCE);
-            left = 1 << failures;
+            fail();
         }
         left--;
         int n = State.BLOCK * island.bodies.size;

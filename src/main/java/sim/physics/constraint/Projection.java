@@ -223,6 +223,15 @@ final class Projection implements Serializable {
         return Math.max(way / island.leastSize, turn);
     }
 
+    /** The same of some islands. */
+    boolean decide(List<Island> islands, State state, ConstraintSolver solver, double time) {
+        boolean hits = false;
+        for (int k = 0; k < islands.size(); k++) {
+            hits |= decide(islands.get(k), state, solver, time);
+        }
+        return hits;
+    }
+
     /**
      * Decides which motors and stops act, and gives the bodies the velocities that these ask for; returns whether these may
      * have changed. Stops that are driven against others by this are decided again.

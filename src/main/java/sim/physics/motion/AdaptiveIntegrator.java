@@ -98,13 +98,15 @@ public abstract class AdaptiveIntegrator implements Integrator {
      * Advances a group in some coordinates, which have begun where the state vectors have it.
      *
      * @param isOpen whether the step need not end where the engine's does
-     * @return the time advanced
+     * @return the time advanced; 0 if no step is short enough, and it may give up
      */
     final double advance(
             Coordinates coordinates, EquationsOfMotion equations, State state, IntList bodies, double t, double h, boolean isOpen,
             Path path) {
         path.ensure(State.BLOCK * state.size());
         Stages stages = path.stages;
+        boolean mayGiveUp = stages.mayGiveUp;
+        stages.mayGiveUp = false;
         stages.load(coordinates, state, bodies, tolerance, ROUNDING);
         stages.isOpen = isOpen;
         stages.begin(t, path);
@@ -140,10 +142,18 @@ public abstract class AdaptiveIntegrator implements Integrator {
             length = hold(state, bodies, path, t, h, Math.min(proposal, 0.9 * length), rejections);
             wanted = 0;
             if (!(length > SMALLEST * Math.abs(h)) && rejections > 8) {
-                throw new IllegalStateException("tolerance is " + tolerance + ": " + this
-                        + " cannot meet it at time " + t + ", where the forces are not smooth or not finite");
+                if (mayGiveUp) {
+                    return 0;
+                }
+                throw failure(t);
             }
         }
+    }
+
+    /** What there is to say where no step is short enough. */
+    final IllegalStateException failure(double t) {
+        return new IllegalStateException("tolerance is " + tolerance + ": " + this
+                + " cannot meet it at time " + t + ", where the forces are not smooth or not finite");
     }
 
     /** Shortens a step in which something would grow that vibrates and is not followed. */

@@ -125,13 +125,12 @@ final class DrivenMotion implements Serializable {
         }
         double tau = trajectories.offset(first);
         double rest = trajectories.h() - tau;
-        boolean chooses = motion.getIntegrator().isAdaptive();
-        double known = fineLength[first];
+        double known = motion.getIntegrator().isAdaptive() && !strides.follows(group) ? 0 : fineLength[first];
         path.knowsFirst = isProbed ? probed.knowsFirst() : path.knowsFirst;
         boolean isKnown = !isProbed && known > 0 && known < rest && done != Ahead.STRIDE && areNear(group, neighbours);
         double length = done == Ahead.STRIDE ? ahead.length(first) : isProbed ? rest : isKnown ? stride(group, tau, known) : goOn(group, tau, rest);
         double error = done == Ahead.STRIDE ? ahead.error(first) : pathError(group, length);
-        double shortest = chooses ? 0 : LEAST * trajectories.h();
+        double shortest = strides.follows(group) ? 0 : LEAST * trajectories.h();
         while (error > 1 && length > shortest && areNear(group, neighbours)) {
             length = stride(group, tau, length * PathError.root(error));
             error = pathError(group, length);
@@ -140,7 +139,7 @@ final class DrivenMotion implements Serializable {
         boolean isCut = isKnown && length < known && error <= 1; // the path says nothing against longer ones
         fineLength[first] = isCut ? Math.max(known, fine) : fine;
         isCoarse = error > 1;
-        double step = chooses ? Math.min(trajectories.h(), Math.max(length, path.next[first])) : trajectories.h();
+        double step = shortest == 0 ? Math.min(trajectories.h(), Math.max(length, path.next[first])) : trajectories.h();
         for (int k = 0; k < group.size; k++) {
             pace[group.values[k]] = step;
         }

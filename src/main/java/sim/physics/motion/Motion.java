@@ -25,6 +25,9 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     private Integrator integrator = new RungeKutta4();
     double time;
 
+    /** How often accelerations were asked for. */
+    int evaluations;
+
     /** Driven bodies in ascending order; bodies with an applied force in this step. */
     private final IntList driven;
     private final IntList pushed;
@@ -451,6 +454,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     @Override
     public void acceleration(IntList bodies, double t, double[] a) {
+        evaluations++;
         load(bodies, t, a);
         if (isTiedGroup(bodies)) {
             ties.accelerate(bodies, a); // (34)–(41)

@@ -114,6 +114,13 @@ public final class Path implements Serializable {
         next = other.next;
     }
 
+    /** Forgets how long the last steps of a group were, which say nothing of the next ones. */
+    void forgetSteps(int first) {
+        next[first] = 0;
+        proposed[first] = 0;
+        made[first] = 0;
+    }
+
     /** Takes the accelerations of the stage for those at the start, unless these are known. */
     void takeFirst(IntList bodies) {
         for (int k = 0; k < bodies.size && !knowsFirst; k++) {

@@ -76,6 +76,9 @@ final class Stages implements Serializable {
     /** Whether the step was tried before, longer. */
     boolean isRetry;
 
+    /** Whether the next step, if it cannot be short enough, is none: who asks for it can go on otherwise. */
+    boolean mayGiveUp;
+
     /** The length in which ties bend the bodies' ways, for the next step alone; else infinite. */
     double bend = Double.POSITIVE_INFINITY;
 

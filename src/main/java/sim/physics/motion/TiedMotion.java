@@ -33,6 +33,12 @@ final class TiedMotion implements Serializable {
     /** Part of a step in which the correction at its end does not matter to the path. */
     private static final double SHORT = 1e-3;
 
+    /** Way of a stride, in rad or relative to the size of a body, that is next to none: what moves otherwise makes longer ones. */
+    private static final double NO_WAY = 1e-5;
+
+    /** More evaluations than may ever be made in vain. */
+    private static final int ALL = 1 << 20;
+
     private final State state;
     private final Trajectories trajectories;
     private final Ties ties;
@@ -41,6 +47,11 @@ final class TiedMotion implements Serializable {
     private double[] startV = {};
     private double[] strideX = {};
     private double[] strideV = {};
+    private double[] pieceX = {};
+    private double[] pieceV = {};
+
+    /** Whether the method found no step that was short enough. */
+    private boolean hasGivenUp;
 
     /** Whether the accelerations at the start of the path at hand are known, as they will be found there again. */
     private boolean isStartKnown;
@@ -62,6 +73,8 @@ final class TiedMotion implements Serializable {
         startV = first.startV;
         strideX = first.strideX;
         strideV = first.strideV;
+        pieceX = first.pieceX;
+        pieceV = first.pieceV;
     }
 
     boolean isRefused() {
@@ -161,6 +174,8 @@ final class TiedMotion implements Serializable {
             startV = Arrays.copyOf(startV, state.x().length);
             strideX = Arrays.copyOf(strideX, state.x().length);
             strideV = Arrays.copyOf(strideV, state.x().length);
+            pieceX = Arrays.copyOf(pieceX, state.x().length);
+            pieceV = Arrays.copyOf(pieceV, state.x().length);
         }
     }
 
@@ -194,42 +209,85 @@ final class TiedMotion implements Serializable {
         return isThere ? tied : null;
     }
 
-    /** One step of a method that chooses it; a shorter one if its correction is rough. Returns how far. */
+    /**
+     * One step of a method that chooses it; a shorter one if its correction is rough. In a pose that lets nothing pass steps get ever
+     * shorter: there it goes on until the end, or creeps all of the way. Returns how far.
+     */
     private double chosenStride(Motion motion, IntList group, double t, double length, Path path) {
         copy(group, state.x(), strideX);
         copy(group, state.v(), strideV);
         int most = ties.halvings(group, MOST_HALVINGS);
-        if (most < 0) {
-            creep(motion, group, t, length, path);
-            return length;
-        }
-        TiedCoordinates tied = coordinates(motion, group, path);
+        TiedCoordinates tied = most < 0 ? null : coordinates(motion, group, path);
         if (tied != null) {
             double done = ((AdaptiveIntegrator) motion.getIntegrator()).advance(tied, motion, state, group, t, length, false, path);
             tied.end();
             return done;
         }
+        double done = 0;
+        while (most >= 0) {
+            double left = length - done;
+            int before = motion.evaluations;
+            double piece = piece(motion, group, t + done, left, most, path);
+            done = piece == left ? length : done + piece;
+            if (piece != 0 && (done == length || !isNextToNoWay(group))) {
+                return done;
+            }
+            if (piece == 0) {
+                motion.acceleration(group, t + done, path.stage); // the last attempt may have ended anywhere
+            }
+            int spare = ties.tire(group, trajectories.step(), piece == 0 ? ALL : motion.evaluations - before);
+            if (spare == Integer.MAX_VALUE && piece != 0) {
+                return done;
+            }
+            if (spare == Integer.MAX_VALUE && hasGivenUp) {
+                throw ((AdaptiveIntegrator) motion.getIntegrator()).failure(t + done);
+            }
+            most = piece == 0 || spare == 0 ? -1 : most;
+        }
+        copy(group, strideX, state.x());
+        copy(group, strideV, state.v());
+        creep(motion, group, t, length, path);
+        return length;
+    }
+
+    /** One step of a method that chooses it; 0 if none is short enough. */
+    private double piece(Motion motion, IntList group, double t, double length, int most, Path path) {
+        copy(group, state.x(), pieceX);
+        copy(group, state.v(), pieceV);
         double limit = length;
         for (int halvings = 0; ; halvings++) {
             ties.begin(group, !motion.hasForces());
             path.stages.bend = ties.bend(group);
+            path.stages.mayGiveUp = true;
             double done = motion.getIntegrator().advance(motion, state, group, t, limit, path);
-            if (ties.project(group)) {
+            hasGivenUp = done == 0;
+            if (done != 0 && ties.project(group)) {
                 return done;
             }
             boolean isTiny = halvings >= FEW_HALVINGS && Math.abs(done) <= trajectories.h() / MOST_PARTS; // or it went on for ever
-            boolean isLast = halvings == most || isTiny;
-            if (isLast && ties.force(group)) {
+            boolean isLast = hasGivenUp || halvings == most || isTiny;
+            if (isLast && !hasGivenUp && ties.force(group)) {
                 return done;
             }
-            copy(group, strideX, state.x());
-            copy(group, strideV, state.v());
+            copy(group, pieceX, state.x());
+            copy(group, pieceV, state.v());
             if (isLast) {
-                creep(motion, group, t, length, path);
-                return length;
+                return 0;
             }
             limit = HALF * done;
         }
+    }
+
+    /** Whether a group has hardly moved in its last piece of a stride. */
+    private boolean isNextToNoWay(IntList group) {
+        double way = 0;
+        for (int k = 0; k < group.size; k++) {
+            int b = State.BLOCK * group.values[k];
+            double moved = Math.abs(state.x()[b] - pieceX[b]) + Math.abs(state.x()[b + 1] - pieceX[b + 1]);
+            double turned = Math.abs(state.x()[b + State.THETA] - pieceX[b + State.THETA]);
+            way = Math.max(way, moved / state.body(group.values[k]).getShape().boundingRadius() + turned);
+        }
+        return way < NO_WAY;
     }
 
     /**
@@ -250,10 +308,11 @@ final class TiedMotion implements Serializable {
         for (int halvings = 0; halvings <= FEW_HALVINGS; halvings++) {
             ties.begin(group, !motion.hasForces());
             path.stages.bend = ties.bend(group);
+            path.stages.mayGiveUp = true;
             double done = halvings == 0
                     ? method.goOn(motion, state, group, t, wanted, path)
                     : method.advance(motion, state, group, t, limit, path);
-            if (ties.project(group)) {
+            if (done != 0 && ties.project(group)) {
                 int first = group.values[0];
                 path.proposed[first] = halvings == 0 ? path.proposed[first] : Math.min(path.proposed[first], LONGER * done);
                 join(motion, group, done, path);
@@ -261,6 +320,7 @@ final class TiedMotion implements Serializable {
             }
             again(group);
             limit = HALF * done;
+            halvings = done == 0 ? FEW_HALVINGS : halvings;
         }
         path.proposed[group.values[0]] = limit;
         return 0;
@@ -272,6 +332,7 @@ final class TiedMotion implements Serializable {
         path.ensure(state.x().length);
         motion.acceleration(group, t, path.stage);
         ties.creep(group, length);
+        path.forgetSteps(group.values[0]);
         for (int k = 0; k < group.size; k++) {
             if (!ties.isTied(group.values[k])) {
                 fly(State.BLOCK * group.values[k], path.stage, length);

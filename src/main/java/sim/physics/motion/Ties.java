@@ -152,6 +152,17 @@ public interface Ties extends Serializable {
     int halvings(IntList bodies, int most);
 
     /**
+     * Takes note of evaluations of the accelerations that were made for next to no way. Where there are too many in one step of the
+     * engine, near a pose that lets nothing pass, the group is left to {@link #creep} from now on.
+     *
+     * @param bodies all bodies of an island, or of several and others, where accelerations were asked for last, or near to it
+     * @param step number of the engine's step
+     * @param evaluations how many
+     * @return how many may be made yet, 0 if it is left to that; {@link Integer#MAX_VALUE} if no such pose is near
+     */
+    int tire(IntList bodies, double step, int evaluations);
+
+    /**
      * Advances islands for which steps are too long however short they are: to the nearest place to where they would be
      * without their ties.
      *
