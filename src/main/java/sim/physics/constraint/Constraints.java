@@ -234,7 +234,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public double bend(IntList bodies) {
-        return Grouping.bend(of(bodies));
+        return Grouping.bend(of(bodies), state.w().values());
     }
 
     @Override

@@ -18,6 +18,9 @@ import sim.physics.motion.State;
  * true of some of them together.
  */
 final class Grouping {
+    /** Ratio of masses from which a coarse tolerance lets light bodies vibrate about a heavy one as far as it reaches. */
+    private static final double UNLIKE = 1e7;
+
     private Grouping() {}
 
     /** The islands, in the order of their first constraints. */
@@ -87,10 +90,14 @@ final class Grouping {
         return yes;
     }
 
-    /** The least length in which a joint bends the way of a body. */
-    static double bend(List<Island> islands) {
+    /**
+     * The least length in which a joint bends the way of a body; where masses are unlike enough that joints are as good as stiff springs,
+     * the size of the bodies, which these throw about by whatever steps leave of them.
+     */
+    static double bend(List<Island> islands, double[] w) {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < islands.size(); k++) {
+            least = islands.get(k).spread(w) > UNLIKE ? Math.min(least, islands.get(k).leastSize) : least;
             List<Constraint> joints = islands.get(k).inOrder;
             for (int m = 0; m < joints.size(); m++) {
                 least = joints.get(m) instanceof Joint joint ? Math.min(least, joint.bend()) : least;
