@@ -63,6 +63,9 @@ final class ContactRows implements Serializable {
     static final int REGAIN = 4;
     static final int BELT = 5;
 
+    /** Part of its friction that a pair may lack which has just met. */
+    private static final double RUBBED = 0.1;
+
     private final State state;
 
     int count;
@@ -367,6 +370,27 @@ final class ContactRows implements Serializable {
         mean[1] = ny;
         mean[2] = part * normal;
         mean[3] = part * tangent;
+    }
+
+    /** The speed of a point's surfaces on one another. */
+    double slip(int k, int p, double[] v) {
+        int a = State.BLOCK * first(k);
+        int b = State.BLOCK * second(k);
+        double ux = v[b] - points[p + BY] * v[b + 2] - v[a] + points[p + AY] * v[a + 2];
+        double uy = v[b + 1] + points[p + BX] * v[b + 2] - v[a + 1] - points[p + AX] * v[a + 2];
+        return normals[PAIR * k] * uy - normals[PAIR * k + 1] * ux + normals[PAIR * k + BELT];
+    }
+
+    /** Whether friction of a pair would be another one if it was solved for once more. */
+    boolean isHardlyRubbed(int k, double[] v) {
+        boolean is = false;
+        for (int p = begin(k); p < end(k); p += STRIDE) {
+            double most = normals[PAIR * k + FRICTION] * points[p + NORMAL];
+            double old = points[p + TANGENT];
+            double now = Math.max(-most, Math.min(most, old - points[p + TANGENT_MASS] * slip(k, p, v)));
+            is |= Math.abs(now - old) > RUBBED * Math.max(most, Math.abs(old));
+        }
+        return is;
     }
 
     /** Whether surfaces that move drive the bodies of a pair. */

@@ -54,6 +54,9 @@ final class ContactSolver implements Serializable {
     /** Way of the ends of arms, relative to them, up to which what they take is as it was. */
     private static final double FAR = 1e-3;
 
+    /** How often a pair that has just met is solved at most, for its friction. */
+    private static final int STRUCK = 4;
+
     private final State state;
     private final ContactRows rows;
 
@@ -125,8 +128,16 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    /** Solves the points of a pair. Velocities wait in locals, as each impulse needs what the one before has made of them. */
+    /** Solves the points of a pair: once, but for one that has just met until it is rubbed with about what it bears, as that is gone in the next substep. */
     private void solve(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
+        solveOnce(v, w, k, softness, regains, h);
+        for (int again = 0; !regains && !hasPressed(k) && again < STRUCK && rows.isHardlyRubbed(k, v); again++) {
+            solveOnce(v, w, k, softness, false, h);
+        }
+    }
+
+    /** Solves the points of a pair. Velocities wait in locals, as each impulse needs what the one before has made of them. */
+    private void solveOnce(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
         double[] points = this.points;
         int a = State.BLOCK * rows.first(k);
         int b = State.BLOCK * rows.second(k);
@@ -466,7 +477,15 @@ final class ContactSolver implements Serializable {
         double by = points[p + RESTORED] * Math.max(0, points[p + NORMAL_SUM] - pull);
         points[p + NORMAL] = 0; // the two part
         points[p + NORMAL_SUM] += by;
-        push(v, w, State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), p, normals[PAIR * k] * by, normals[PAIR * k + 1] * by);
+        int a = State.BLOCK * rows.first(k);
+        int b = State.BLOCK * rows.second(k);
+        double nx = normals[PAIR * k];
+        double ny = normals[PAIR * k + 1];
+        push(v, w, a, b, p, nx * by, ny * by);
+        double most = normals[PAIR * k + FRICTION] * by; // what restitution gives rubs as what compression has taken
+        double along = Math.max(-most, Math.min(most, -points[p + TANGENT_MASS] * rows.slip(k, p, v)));
+        points[p + TANGENT_SUM] += along;
+        push(v, w, a, b, p, -ny * along, nx * along);
     }
 
     private boolean hasPressed(int k) {

@@ -55,6 +55,41 @@ class SteppedFrictionTest {
         assertThat((block.getVelocityX() - v) / 4).isCloseTo(a, within(1e-6 * a));
     }
 
+    /** What strikes while it slides loses μ times what it gets across, whatever it bounces with, and a disc spins by that. */
+    @ParameterizedTest
+    @CsvSource({"0, true, 4", "0.5, true, 4", "1, true, 4", "0, false, 4", "0.5, false, 4", "1, false, 4", "0.5, true, 1", "0, true, 16"})
+    void anImpactRubsAsCoulombSays(double restitution, boolean isDisc, int substeps) {
+        PhysicsEngine engine = Stepped.engine(STEP, substeps);
+        Body ground = Stepped.rough(engine.add(Body.fixed(new Rectangle(100, 1)).at(0, -0.5)));
+        Body body = Stepped.rough(engine.add(new Body(isDisc ? new Circle(0.5) : new Rectangle(1, 1)).at(0, 0.8).moving(4, -2)));
+        ground.setFriction(0.1);
+        ground.setRestitution(1);
+        body.setFriction(0.1);
+        body.setRestitution(restitution);
+        Stepped.run(engine, 11);
+        double along = 0.1 * (1 + restitution) * 2;
+        assertThat(body.getVelocityY()).isCloseTo(2 * restitution, within(0.01));
+        assertThat(body.getVelocityX()).isCloseTo(4 - along, within((isDisc ? 0.01 : 0.2) * along)); // a box rattles
+        if (isDisc) {
+            assertThat(body.getAngularVelocity()).isCloseTo(-along / 0.25, within(0.05 * along / 0.25)); // its arm is taken where the step begins
+        }
+    }
+
+    /** A box that falls flat, under weight: half of it was lost where an impact lasted for more than a substep. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void whatFallsAndSlidesOnIsBrakedByItsFall(boolean isDisc) {
+        PhysicsEngine engine = Stepped.engine(STEP, 4);
+        engine.add(new Gravity(0, -10));
+        Stepped.rough(engine.add(Body.fixed(new Rectangle(100, 1)).at(0, -0.5))).setFriction(0.2);
+        Body body = Stepped.rough(engine.add(new Body(isDisc ? new Circle(0.5) : new Rectangle(1, 1)).at(0, 0.8).moving(9, 0)));
+        body.setFriction(0.2);
+        Stepped.run(engine, 30);
+        double fallen = Math.sqrt(2 * 10 * 0.3);
+        double left = 0.5 - fallen / 10;
+        assertThat(body.getVelocityX()).isCloseTo(9 - 0.2 * (fallen + 10 * left), within(0.05));
+    }
+
     /** What slides to rest is off by less in shorter substeps: v² / 2 μ g. */
     @Test
     void theWayOfABlockThatSlidesToRestIsOfFirstOrder() {
