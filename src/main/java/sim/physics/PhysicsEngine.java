@@ -672,10 +672,12 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Adds a source of forces.
      *
+     * @param <G> its class
      * @param generator not null
+     * @return the generator
      * @throws IllegalStateException if it was added before
      */
-    public void add(ForceGenerator generator) {
+    public <G extends ForceGenerator> G add(G generator) {
         Objects.requireNonNull(generator, "generator");
         state.requireOpen();
         asksAuthors = true;
@@ -683,6 +685,7 @@ public final class PhysicsEngine implements Steppable {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
         }
         touch(motion.groups().bodies(generator));
+        return generator;
     }
 
     /**
@@ -853,7 +856,7 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Sets how the constraint forces, (41), are solved for.
      *
-     * @param solver not null
+     * @param solver not null; it works in memory of its own, so engines of different threads each need one
      * @throws IllegalStateException within a step
      */
     public void setConstraintSolver(ConstraintSolver solver) {
@@ -1195,7 +1198,7 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Sets how the equations of an impact are solved.
      *
-     * @param solver not null
+     * @param solver not null; engines of different threads each need one, as it may have memory of its own
      */
     public void setImpulseSolver(ImpulseSolver solver) {
         state.requireOpen();
@@ -1220,12 +1223,13 @@ public final class PhysicsEngine implements Steppable {
      * Chooses the broad phase, which the engine else chooses by the number of bodies: the write-up's is
      * {@link sim.physics.collision.broad.SortAndSweep}.
      *
-     * @param broadPhase one that is not in use
-     * @throws IllegalStateException within a step
+     * @param broadPhase a new one
+     * @throws IllegalStateException within a step, or if it is or was that of an engine, be it this one
      */
     public void setBroadPhase(BroadPhase broadPhase) {
         Objects.requireNonNull(broadPhase, "broadPhase");
         requireBetweenSteps("the broad phase was set");
+        broadPhase.claim();
         broadPhaseIsChosen = true;
         detection.setBroadPhase(broadPhase);
     }

@@ -16,6 +16,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.collision.broad.BroadPhase;
+import sim.physics.collision.broad.BruteForce;
+import sim.physics.collision.broad.CellGrid;
+import sim.physics.collision.broad.SortAndSweep;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.PinJoint;
@@ -223,6 +227,29 @@ class RefusalTest {
         body.moving(4, 0);
         engine.step();
         assertThat(one.told[0]).isEqualTo(1); // it was told as often as it was added
+    }
+
+    /** Two engines with one broad phase ran out of their arrays, or of memory. */
+    @ParameterizedTest
+    @MethodSource("broadPhases")
+    void aBroadPhaseThatIsInUse(BroadPhase broadPhase) {
+        engine.setBroadPhase(broadPhase);
+        illegal("that an engine uses or has used", () -> new PhysicsEngine().setBroadPhase(broadPhase));
+        illegal("that an engine uses or has used", () -> engine.setBroadPhase(broadPhase));
+        engine.setBroadPhase(new BruteForce());
+        illegal("that an engine uses or has used", () -> engine.setBroadPhase(broadPhase));
+        engine.step();
+    }
+
+    static Stream<BroadPhase> broadPhases() {
+        return Stream.of(new BruteForce(), new CellGrid(), new SortAndSweep());
+    }
+
+    @Test
+    void whatIsAddedIsGivenBack() {
+        Gravity gravity = engine.add(new Gravity(0, -1));
+        Spring spring = engine.add(new Spring(body, 0, 0, wall, 0, 0, 1, 1, 0));
+        assertThat(engine.allForceGenerators()).containsExactly(gravity, spring);
     }
 
     @Test

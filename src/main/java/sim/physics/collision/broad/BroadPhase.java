@@ -11,6 +11,16 @@ import java.io.Serializable;
 public interface BroadPhase extends Serializable {
 
     /**
+     * Takes note that an engine is to use it, before the first body is added. It keeps what it knows of the bodies, so another engine
+     * would be given pairs of bodies that are not its own.
+     *
+     * @throws IllegalStateException if an engine uses it, or has used it; not thrown unless it is overridden
+     */
+    default void claim() {
+        // one without a memory may be shared
+    }
+
+    /**
      * Takes a body in whose box has been set, and begins its pairs.
      *
      * @param body index

@@ -13,6 +13,8 @@ import sim.physics.internal.IntList;
 public final class BruteForce implements BroadPhase {
     private static final long serialVersionUID = 1L;
 
+    private final Claim claim = new Claim();
+
     private final IntList bodies = new IntList();
 
     /** Which bodies are pairs already of the body that is looked at: those marked with the present number. */
@@ -26,6 +28,11 @@ public final class BruteForce implements BroadPhase {
     /** Makes one that knows of no body. */
     public BruteForce() {
         // bodies come by add
+    }
+
+    @Override
+    public void claim() {
+        claim.take(this);
     }
 
     @Override

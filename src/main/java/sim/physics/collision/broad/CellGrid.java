@@ -18,7 +18,9 @@ import sim.physics.internal.IntList;
  * boxes do not fit, the grid is laid anew.
  */
 public final class CellGrid implements BroadPhase {
-    private static final long serialVersionUID = 5L;
+    private static final long serialVersionUID = 6L;
+
+    private final Claim claim = new Claim();
 
     /** After the last body of a cell. */
     private static final int NONE = 0;
@@ -76,6 +78,11 @@ public final class CellGrid implements BroadPhase {
     /** Makes an empty grid; the first boxes decide the size of its cells. */
     public CellGrid() {
         // bodies come by add
+    }
+
+    @Override
+    public void claim() {
+        claim.take(this);
     }
 
     @Override

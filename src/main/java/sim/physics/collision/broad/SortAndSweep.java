@@ -16,6 +16,8 @@ import java.util.Arrays;
 public final class SortAndSweep implements BroadPhase {
     private static final long serialVersionUID = 1L;
 
+    private final Claim claim = new Claim();
+
     /** End points of one dimension: values in ascending order, and whose they are. */
     private static final class Axis implements java.io.Serializable {
         private static final long serialVersionUID = 1L;
@@ -125,6 +127,11 @@ public final class SortAndSweep implements BroadPhase {
     /** Makes an empty broad phase. */
     public SortAndSweep() {
         // bodies come by add
+    }
+
+    @Override
+    public void claim() {
+        claim.take(this);
     }
 
     @Override
