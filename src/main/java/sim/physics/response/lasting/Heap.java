@@ -400,12 +400,15 @@ final class Heap implements Serializable {
         scale = isDriven ? scale : Math.max(scale, scales.fastest(heap, system.v));
         boolean done = isDriven ? driving.search().isRight()
                 : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time(), isHalf);
-        double[] from = isResumed && !system.isDrivenByBelts() ? courses.before() : system.free();
+        double[] from = isResumed && system.fastestBelt() == 0 ? courses.before() : system.free();
         if (!isEven() && !isRough && !large.judge(heap, system, done, scales.fastest(heap, system.v))) {
             isRough = true;
             done = free.solveRoughly(regain.time());
         }
         if (isDriven ? effort.isOver() : !by.afford(heap, HeapEnergy.gained(system, from))) {
+            if (isDriven) {
+                system.stopBelts();
+            }
             done = regainNothing(); // that must not add energy
             by.afford(heap, HeapEnergy.gained(system, from));
         }

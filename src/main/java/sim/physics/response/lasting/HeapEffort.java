@@ -45,7 +45,7 @@ final class HeapEffort implements Serializable {
      * @param step of the engine
      */
     boolean isTooMuch(HeapSystem s, double[] before, HeapPull pulls, IntList heap, double time, double step) {
-        work = HeapEnergy.work(s, before);
+        work = HeapEnergy.work(s, before) - given(s, before, pulls, heap, time, step);
         isOver = false;
         if (!(work > 0)) {
             return false;
@@ -58,6 +58,20 @@ final class HeapEffort implements Serializable {
         shorter = time * Math.max(LEAST, Math.min(GREATEST, most / work));
         isOver = work > most;
         return isOver && time > SHORT * step;
+    }
+
+    /**
+     * What moving surfaces give, but no more than makes all bodies of the heap as fast as the fastest of them in a step, or than these rub off
+     * under their weight: what they wedge would be given any amount.
+     */
+    private double given(HeapSystem s, double[] before, HeapPull pulls, IntList heap, double time, double step) {
+        double fastest = s.fastestBelt();
+        double most = 0;
+        for (int k = 0; k < heap.size && fastest > 0; k++) {
+            double pull = Math.max(pulls.of(heap.values[k]), gained(s.free(), before, 3 * k) / time);
+            most += s.w[2 * k] == 0 ? 0 : fastest * time * (fastest / step + pull) / s.w[2 * k];
+        }
+        return fastest == 0 ? 0 : Math.min(most, HeapEnergy.given(s));
     }
 
     /** How fast a body's centre would become without contacts. */

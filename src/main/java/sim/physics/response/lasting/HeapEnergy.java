@@ -11,11 +11,16 @@ final class HeapEnergy {
      * and of moving surfaces.
      */
     static double gained(HeapSystem s, double[] from) {
-        double belts = 0;
+        return gainedOrLost(s, from) - 2 * given(s);
+    }
+
+    /** The work of moving surfaces. */
+    static double given(HeapSystem s) {
+        double work = 0;
         for (int p = 0; p < s.contacts(); p++) {
-            belts += s.belt(p) == 0 ? 0 : 2 * s.tangentImpulse(p) * s.belt(p);
+            work -= s.belt(p) == 0 ? 0 : s.tangentImpulse(p) * s.belt(p);
         }
-        return belts + gainedOrLost(s, from);
+        return work;
     }
 
     private static double gainedOrLost(HeapSystem s, double[] from) {
@@ -29,7 +34,7 @@ final class HeapEnergy {
         return s.isTied() ? sum : gainedAlone(s, from);
     }
 
-    /** The work of contacts and stops, without that of moving surfaces, over a time in which velocities change evenly from some to those of the system. */
+    /** The work of contacts and stops over a time in which velocities change evenly from some to those of the system. */
     static double work(HeapSystem s, double[] from) {
         double sum = 0;
         for (int p = 0; p < s.size(); p++) {
@@ -37,7 +42,7 @@ final class HeapEnergy {
             double jt = s.tangentImpulse(p);
             ContactRows rows = p < s.contacts() ? s.pressing() : s.rows();
             sum += jn == 0 ? 0 : jn * (rows.normal(p, s.v) + rows.normal(p, from));
-            sum += jt == 0 ? 0 : jt * (rows.tangent(p, s.v) + rows.tangent(p, from) + 2 * s.belt(p));
+            sum += jt == 0 ? 0 : jt * (rows.tangent(p, s.v) + rows.tangent(p, from));
         }
         return 0.5 * sum;
     }

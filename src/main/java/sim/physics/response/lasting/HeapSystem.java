@@ -183,13 +183,20 @@ final class HeapSystem extends HeapPoints {
         points++;
     }
 
-    /** Whether surfaces move on one another beside the bodies: what they give would else count as gained for nothing. */
-    boolean isDrivenByBelts() {
-        boolean yes = false;
-        for (int p = 0; p < contacts && !yes; p++) {
-            yes = belt(p) != 0;
+    /** How fast surfaces move on one another beside the bodies: what they give would else count as gained for nothing. */
+    double fastestBelt() {
+        double most = 0;
+        for (int p = 0; p < contacts; p++) {
+            most = Math.max(most, Math.abs(belt(p)));
         }
-        return yes;
+        return most;
+    }
+
+    /** Lets no surface move from now on: what belts have wedged has no forces that would let them go on. */
+    void stopBelts() {
+        for (int p = 0; p < contacts; p++) {
+            data[STRIDE * p + BELT] = 0;
+        }
     }
 
     void removeLast() {
