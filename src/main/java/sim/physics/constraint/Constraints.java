@@ -336,8 +336,8 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public int tire(IntList bodies, double step, int evaluations) {
-        return Creep.tire(of(bodies), state, step, evaluations);
+    public int tire(IntList bodies, double step, int evaluations, boolean isTorn) {
+        return Creep.tire(of(bodies), state, step, evaluations, isTorn);
     }
 
     @Override

@@ -97,11 +97,11 @@ final class Creep implements Serializable {
      * Takes note of evaluations that were made in a step of the engine for next to no way; returns how many may be yet, or the greatest
      * number if no singular pose is near.
      */
-    static int tire(List<Island> those, State state, double step, int evaluations) {
+    static int tire(List<Island> those, State state, double step, int evaluations, boolean isTorn) {
         int spare = Integer.MAX_VALUE;
         for (int k = 0; k < those.size(); k++) {
             Passage passage = those.get(k).passage;
-            boolean isWeak = those.get(k).factor.pivots.isWeakHere() && passage.sight.isWeak(state.w().values());
+            boolean isWeak = (isTorn || those.get(k).factor.pivots.isWeakHere()) && passage.sight.isWeak(state.w().values());
             spare = isWeak ? Math.min(spare, passage.creep.tire(step, evaluations)) : spare;
         }
         return spare;

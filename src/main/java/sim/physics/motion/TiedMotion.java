@@ -36,6 +36,9 @@ final class TiedMotion implements Serializable {
     /** Way of a stride, in rad or relative to the size of a body, that is next to none: what moves otherwise makes longer ones. */
     private static final double NO_WAY = 1e-5;
 
+    /** Halvings of what a method has chosen that are not those of a motion which goes on. */
+    private static final int MANY_TEARS = 4;
+
     /** More evaluations than may ever be made in vain. */
     private static final int ALL = 1 << 20;
 
@@ -49,6 +52,9 @@ final class TiedMotion implements Serializable {
     private double[] strideV = {};
     private double[] pieceX = {};
     private double[] pieceV = {};
+
+    /** How often the last piece of a stride was too long for the ties. */
+    private int tears;
 
     /** Whether the method found no step that was short enough. */
     private boolean hasGivenUp;
@@ -229,13 +235,14 @@ final class TiedMotion implements Serializable {
             int before = motion.evaluations;
             double piece = piece(motion, group, t + done, left, most, path);
             done = piece == left ? length : done + piece;
-            if (piece != 0 && (done == length || !isNextToNoWay(group))) {
+            boolean isTorn = tears >= MANY_TEARS;
+            if (piece != 0 && (done == length || !isTorn && !isNextToNoWay(group))) {
                 return done;
             }
             if (piece == 0) {
                 motion.acceleration(group, t + done, path.stage); // the last attempt may have ended anywhere
             }
-            int spare = ties.tire(group, trajectories.step(), piece == 0 ? ALL : motion.evaluations - before);
+            int spare = ties.tire(group, trajectories.step(), piece == 0 ? ALL : motion.evaluations - before, isTorn);
             if (spare == Integer.MAX_VALUE && piece != 0) {
                 return done;
             }
@@ -255,6 +262,7 @@ final class TiedMotion implements Serializable {
         copy(group, state.x(), pieceX);
         copy(group, state.v(), pieceV);
         double limit = length;
+        tears = 0;
         for (int halvings = 0; ; halvings++) {
             ties.begin(group, !motion.hasForces());
             path.stages.bend = ties.bend(group);
@@ -264,6 +272,7 @@ final class TiedMotion implements Serializable {
             if (done != 0 && ties.project(group)) {
                 return done;
             }
+            tears = halvings + 1;
             boolean isTiny = halvings >= FEW_HALVINGS && Math.abs(done) <= trajectories.h() / MOST_PARTS; // or it went on for ever
             boolean isLast = hasGivenUp || halvings == most || isTiny;
             if (isLast && !hasGivenUp && ties.force(group)) {

@@ -158,9 +158,10 @@ public interface Ties extends Serializable {
      * @param bodies all bodies of an island, or of several and others, where accelerations were asked for last, or near to it
      * @param step number of the engine's step
      * @param evaluations how many
+     * @param isTorn whether that was too much for the ties again and again: then rows that seem to follow from others always do not
      * @return how many may be made yet, 0 if it is left to that; {@link Integer#MAX_VALUE} if no such pose is near
      */
-    int tire(IntList bodies, double step, int evaluations);
+    int tire(IntList bodies, double step, int evaluations, boolean isTorn);
 
     /**
      * Advances islands for which steps are too long however short they are: to the nearest place to where they would be

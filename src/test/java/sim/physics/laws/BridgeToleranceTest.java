@@ -3,12 +3,14 @@
 package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.RodJoint;
 import sim.physics.motion.AdaptiveIntegrator;
 import sim.physics.motion.Automatic;
 import sim.physics.motion.Body;
@@ -123,6 +125,31 @@ class BridgeToleranceTest {
         }
         for (int k = count; k < count + 3; k++) {
             assertThat(engine.bodies().get(k).getY()).isGreaterThan(4.35);
+        }
+    }
+
+    /** Two bodies that a pin between them and a rod along it hold straight fly, as one: they are in such a pose wherever they go. */
+    @ParameterizedTest
+    @CsvSource({"DOP853, 1e-2", "DOP853, 1e-6", "GBS, 1e-10", "Radau, 1e-6", "Automatic, 1e-4"})
+    void aStraightPairFlies(String name, double tolerance) {
+        engine.setTimeStep(1 / 60.0);
+        engine.setIntegrator(method(name, tolerance));
+        engine.add((ForceGenerator) (body, time, forces) -> {
+            asked++;
+            forces.add(body, 0, -G * body.getMass());
+        });
+        Body one = engine.add(new Body(new Rectangle(1.2, 0.4)).moving(1, 2, 0.5));
+        Body other = engine.add(new Body(new Circle(0.3)).at(1, 0.5).moving(-0.5, 3, -1));
+        engine.add(new RodJoint(one, 0, 0, other, 1, 0.5));
+        engine.add(new PinJoint(one, other, 0.5, 0.25));
+        double most = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < 60; k++) {
+            asked = 0;
+            engine.step();
+            assertThat(asked / 2).as("step %s", k).isLessThan(50_000);
+            assertThat(energy()).as("step %s", k).isLessThan(most);
+            assertThat(StrictMath.hypot(one.getX() - other.getX(), one.getY() - other.getY())).isCloseTo(StrictMath.sqrt(1.25), within(1e-12));
+            most = energy() + 1e-6;
         }
     }
 
