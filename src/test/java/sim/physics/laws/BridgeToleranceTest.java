@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.RodJoint;
+import sim.physics.constraint.SliderJoint;
 import sim.physics.motion.AdaptiveIntegrator;
 import sim.physics.motion.Automatic;
 import sim.physics.motion.Body;
@@ -128,28 +129,36 @@ class BridgeToleranceTest {
         }
     }
 
-    /** Two bodies that a pin between them and a rod along it hold straight fly, as one: they are in such a pose wherever they go. */
+    /**
+     * Two bodies that a pin between them and a rod along it hold straight, hung from a slider and rods: they are in such a pose wherever they
+     * go, and rows that depend on others all the way are still not implied by them.
+     */
     @ParameterizedTest
-    @CsvSource({"DOP853, 1e-2", "DOP853, 1e-6", "GBS, 1e-10", "Radau, 1e-6", "Automatic, 1e-4"})
-    void aStraightPairFlies(String name, double tolerance) {
+    @CsvSource({"DOP853, 1e-2", "GBS, 1e-2", "Radau, 1e-2", "Radau, 1e-6"})
+    void aStraightPairMovesOn(String name, double tolerance) {
         engine.setTimeStep(1 / 60.0);
         engine.setIntegrator(method(name, tolerance));
         engine.add((ForceGenerator) (body, time, forces) -> {
             asked++;
             forces.add(body, 0, -G * body.getMass());
         });
-        Body one = engine.add(new Body(new Rectangle(1.2, 0.4)).moving(1, 2, 0.5));
-        Body other = engine.add(new Body(new Circle(0.3)).at(1, 0.5).moving(-0.5, 3, -1));
-        engine.add(new RodJoint(one, 0, 0, other, 1, 0.5));
-        engine.add(new PinJoint(one, other, 0.5, 0.25));
-        double most = Double.POSITIVE_INFINITY;
+        Body disc = engine.add(new Body(new Circle(0.2)).at(-3.3, 3.8).moving(1, -1, 0));
+        Body one = engine.add(new Body(new Rectangle(1.2, 0.4)).at(-2.1, 4.4).moving(1, -2, 0));
+        Body other = engine.add(new Body(new Rectangle(0.3, 0.4)).at(-0.9, 6.1).moving(-1, 2, 0));
+        for (Body body : engine.bodies()) {
+            body.setCollisionGroup(1, 0);
+        }
+        engine.add(new PinJoint(one, other, -1.5, 5.25));
+        engine.add(new RodJoint(other, -0.9, 6.1, one, -2.1, 4.4));
+        engine.add(new RodJoint(disc, -3.3, 3.8, other, -0.9, 6.1));
+        engine.add(new RodJoint(disc, -3.2, 3.8, null, -2.3, 5.2));
+        engine.add(new SliderJoint(other, null, -0.9, 6.1, 1, -0.7));
+        double length = StrictMath.hypot(1.2, 1.7);
         for (int k = 0; k < 60; k++) {
             asked = 0;
             engine.step();
-            assertThat(asked / 2).as("step %s", k).isLessThan(50_000);
-            assertThat(energy()).as("step %s", k).isLessThan(most);
-            assertThat(StrictMath.hypot(one.getX() - other.getX(), one.getY() - other.getY())).isCloseTo(StrictMath.sqrt(1.25), within(1e-12));
-            most = energy() + 1e-6;
+            assertThat(asked / 3).as("step %s", k).isLessThan(50_000);
+            assertThat(StrictMath.hypot(one.getX() - other.getX(), one.getY() - other.getY())).isCloseTo(length, within(1e-10));
         }
     }
 
