@@ -374,11 +374,21 @@ final class ContactRows implements Serializable {
 
     /** The speed of a point's surfaces on one another. */
     double slip(int k, int p, double[] v) {
+        return speed(k, p, v, -normals[PAIR * k + 1], normals[PAIR * k]) + normals[PAIR * k + BELT];
+    }
+
+    /** The speed at which a point opens. */
+    double opening(int k, int p, double[] v) {
+        return speed(k, p, v, normals[PAIR * k], normals[PAIR * k + 1]);
+    }
+
+    /** The velocity of the second body at a point against that of the first one, in a direction. */
+    private double speed(int k, int p, double[] v, double dx, double dy) {
         int a = State.BLOCK * first(k);
         int b = State.BLOCK * second(k);
         double ux = v[b] - points[p + BY] * v[b + 2] - v[a] + points[p + AY] * v[a + 2];
         double uy = v[b + 1] + points[p + BX] * v[b + 2] - v[a + 1] - points[p + AX] * v[a + 2];
-        return normals[PAIR * k] * uy - normals[PAIR * k + 1] * ux + normals[PAIR * k + BELT];
+        return dx * ux + dy * uy;
     }
 
     /** Whether friction of a pair would be another one if it was solved for once more. */

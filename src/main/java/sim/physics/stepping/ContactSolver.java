@@ -276,13 +276,6 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    /** The speed along the normal at which a point opens. */
-    private double opening(double[] v, int a, int b, int p, double nx, double ny) {
-        double ux = v[b] - points[p + BY] * v[b + 2] - v[a] + points[p + AY] * v[a + 2];
-        double uy = v[b + 1] + points[p + BX] * v[b + 2] - v[a + 1] - points[p + AX] * v[a + 2];
-        return nx * ux + ny * uy;
-    }
-
     /** Finds the gaps where the bodies are now, along the normals of the start; arms turned to second order. */
     void measure() {
         for (int k = 0; k < rows.count; k++) {
@@ -449,13 +442,6 @@ final class ContactSolver implements Serializable {
         return any;
     }
 
-    /** The speed at which a point opens. */
-    double opening(int k, int p) {
-        int a = State.BLOCK * rows.first(k);
-        int b = State.BLOCK * rows.second(k);
-        return opening(state.v(), a, b, p, normals[PAIR * k], normals[PAIR * k + 1]);
-    }
-
     /** Gives an impulse along the normal. */
     void give(int k, int p, double by) {
         double jx = normals[PAIR * k] * by;
@@ -466,7 +452,7 @@ final class ContactSolver implements Serializable {
     /** Takes a part of what is left of a point's approach, with an impulse that is kept among its values; whether there was anything. */
     boolean compress(int k, int p, int impulse, double part) {
         double old = points[p + impulse];
-        double now = Math.max(0, old - part * points[p + NORMAL_MASS] * opening(k, p));
+        double now = Math.max(0, old - part * points[p + NORMAL_MASS] * rows.opening(k, p, state.v()));
         points[p + impulse] = now;
         give(k, p, now - old);
         return Math.abs(now - old) > SETTLED * (now + old);

@@ -102,7 +102,7 @@ final class Reflections implements Serializable {
         boolean any = false;
         for (int row = 0; row < rows.count; row++) {
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                boolean approaches = contacts.opening(row, p) < -NEGLIGIBLE * fastest;
+                boolean approaches = rows.opening(row, p, state.v()) < -NEGLIGIBLE * fastest;
                 rows.points[p + NORMAL] = approaches && rows.points[p + RESTORED] > 0 ? 0 : -1;
                 any |= rows.points[p + NORMAL] == 0;
             }

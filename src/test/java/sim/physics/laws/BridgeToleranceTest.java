@@ -4,6 +4,7 @@ package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static sim.physics.laws.Methods.method;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -12,13 +13,9 @@ import sim.physics.PhysicsEngine;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.SliderJoint;
-import sim.physics.motion.AdaptiveIntegrator;
 import sim.physics.motion.Automatic;
 import sim.physics.motion.Body;
-import sim.physics.motion.DormandPrince853;
 import sim.physics.motion.ForceGenerator;
-import sim.physics.motion.GraggBulirschStoer;
-import sim.physics.motion.RadauIIA;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -32,15 +29,6 @@ class BridgeToleranceTest {
     private final PhysicsEngine engine = new PhysicsEngine();
     private long asked;
     private int planks;
-
-    private static AdaptiveIntegrator method(String name, double tolerance) {
-        return switch (name) {
-            case "DOP853" -> new DormandPrince853(tolerance);
-            case "GBS" -> new GraggBulirschStoer(tolerance);
-            case "Radau" -> new RadauIIA(tolerance);
-            default -> new Automatic(tolerance);
-        };
-    }
 
     private void bridge(int count, String name, double tolerance) {
         planks = count;

@@ -5,6 +5,7 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static sim.physics.laws.Methods.method;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -12,13 +13,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.PinJoint;
-import sim.physics.motion.AdaptiveIntegrator;
 import sim.physics.motion.Automatic;
 import sim.physics.motion.Body;
-import sim.physics.motion.DormandPrince853;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
-import sim.physics.motion.GraggBulirschStoer;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Integrator;
 import sim.physics.motion.RadauIIA;
@@ -45,15 +43,6 @@ class HeavyTipTest {
         public void addForce(Body body, double time, Forces forces) {
             evaluations += body.index() == 0 ? 1 : 0;
         }
-    }
-
-    private static AdaptiveIntegrator method(String name, double tolerance) {
-        return switch (name) {
-            case "DOP853" -> new DormandPrince853(tolerance);
-            case "GBS" -> new GraggBulirschStoer(tolerance);
-            case "Radau" -> new RadauIIA(tolerance);
-            default -> new Automatic(tolerance);
-        };
     }
 
     /** The chain at 45°, and a disc at its end; one of them is heavy. */

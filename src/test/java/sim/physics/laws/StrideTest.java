@@ -4,6 +4,7 @@ package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static sim.physics.laws.Methods.method;
 
 import java.io.Serializable;
 import org.junit.jupiter.api.Test;
@@ -20,10 +21,8 @@ import sim.physics.motion.Body;
 import sim.physics.motion.DormandPrince853;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
-import sim.physics.motion.GraggBulirschStoer;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Integrator;
-import sim.physics.motion.RadauIIA;
 import sim.physics.motion.RungeKutta4;
 import sim.physics.motion.Spring;
 import sim.physics.shape.Circle;
@@ -33,15 +32,6 @@ import sim.physics.shape.Rectangle;
 class StrideTest {
     private static final double G = 9.81;
     private static final int OUTPUTS = 8;
-
-    private static Integrator method(String name, double tolerance) {
-        return switch (name) {
-            case "DOP853" -> new DormandPrince853(tolerance);
-            case "GBS" -> new GraggBulirschStoer(tolerance);
-            case "Radau" -> new RadauIIA(tolerance);
-            default -> new Automatic(tolerance);
-        };
-    }
 
     /** The pull of a sun, which counts how often it is asked. */
     private static final class Sun implements ForceGenerator {
