@@ -46,6 +46,12 @@ final class Machine {
         ALL.get(name).accept(this);
     }
 
+    /** Bodies that fall into a bin, in any number. */
+    Machine(int bodies, MachineWorld world) {
+        this.world = world;
+        pile(bodies, 0.5);
+    }
+
     /** What the controller does before a step. */
     void control(int step) {
         for (int k = 0; k < hinges.length; k++) {
@@ -172,7 +178,7 @@ final class Machine {
     private void pile(int n, double discs) {
         int columns = (int) StrictMath.ceil(StrictMath.sqrt(n));
         double width = 1.25 * columns;
-        ground(0.5);
+        world.box(Math.max(400, 4 * width), 2, 0, -1, 0.5, true);
         world.box(1, 4 * width, -0.5, 2 * width, 0.5, true);
         world.box(1, 4 * width, width + 0.5, 2 * width, 0.5, true);
         Random random = new Random(7);

@@ -91,6 +91,12 @@ public final class Boxes implements Serializable {
         data[o + 3] = maxY;
     }
 
+    /** The longer side of a body's box. */
+    double extent(int body) {
+        int o = STRIDE * body;
+        return Math.max(data[o + 2] - data[o], data[o + 3] - data[o + 1]);
+    }
+
     /**
      * Whether the boxes of two bodies overlap and one of the bodies is movable.
      *

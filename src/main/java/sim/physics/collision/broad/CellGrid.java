@@ -8,17 +8,17 @@ import sim.physics.internal.IntList;
 
 /**
  * A broad phase for crowds: a grid of square cells, each body filed in the one cell that holds the centre of its box,
- * so that a box can only overlap boxes of its own cell and of the eight around it. Bodies whose box is larger than a
- * cell (walls) are kept in a list of their own that everybody looks at. The cost of a change does not grow with the
+ * so that a box can only overlap boxes of its own cell and of the eight around it. The cost of a change does not grow with the
  * number of bodies.
  *
- * <p>The cells lie one after the other along a row, and the rows are wound round one ring of buckets with an odd step
- * near the golden section, so the world needs no bounds and its shape does not matter. Cells far apart may share a
- * bucket, which costs a look and nothing else. The cell size follows the boxes: when the crowd has grown, or too many
- * boxes do not fit, the grid is laid anew.
+ * <p>Where sizes are very unlike there is a {@link CellLevel} of cells for each class of them, chosen by {@link CellLayout}, and
+ * a body looks at nine cells of each coarser one (hierarchical grids: Mirtich, <i>Efficient algorithms for two-phase collision
+ * detection</i>, 1997), and of the finer ones at their {@link CellShadow} in its own. The few largest (walls) are kept in a list of
+ * their own that everybody looks at. The levels follow the boxes: when the crowd has grown, too many boxes do not fit, or a look
+ * finds too many, the grid is laid anew.
  */
 public final class CellGrid implements BroadPhase {
-    private static final long serialVersionUID = 6L;
+    private static final long serialVersionUID = 7L;
 
     private final Claim claim = new Claim();
 
@@ -30,32 +30,25 @@ public final class CellGrid implements BroadPhase {
 
     private static final int LARGE = -3;
 
-    private static final int SMALLEST = 256;
-
     /** Room for the four bodies that are taken out of a cell at once, and one more; the least room for bodies that are found. */
     private static final int USUAL = 5;
 
     private static final int LEAST = 64;
 
-    /** Bodies from which on a bucket has less room to spare, since memory then costs more than a look. */
-    private static final int CROWD = 10_000;
+    /** Bodies that a look may find in the mean of many, and looks from which on that is a mean. */
+    private static final int TOLERABLE = 64;
 
-    /** A box counts as fitting only with a margin for the rounding of cell numbers. */
-    private static final double MARGIN = 0.999;
+    private static final int MANY = 256;
 
-    private double cell;
-    private double perCell;
-    private int mask = SMALLEST - 1;
+    /** The levels, from the finest one on, and which of them is that of most movable bodies. */
+    private CellLevel[] levels = {};
 
-    /** From a cell's bucket to that of the cell above. */
-    private int rowStep = stepFor(SMALLEST);
-
-    /** The first body of each cell's bucket, plus 1. */
-    private int[] head = new int[SMALLEST];
+    private int usual;
 
     /** The body that follows another one in its cell, plus 1, at the place of the other one plus 1. */
     private int[] next = new int[9];
 
+    /** Number of each body's cell, with that of its level. */
     private int[] bucket = filled(8, OUTSIDE);
 
     /** Which bodies are pairs already of the body that is looked at: those marked with the present number. */
@@ -68,9 +61,18 @@ public final class CellGrid implements BroadPhase {
 
     private final IntList large = new IntList();
     private int count;
+
+    /** Movable bodies that do not fit the usual level. */
     private int largeMovable;
+
     private int changesSinceLayout;
     private int countAtLayout = 8;
+
+    /** Looks of late, bodies that they have found, and how many may be found in the mean. */
+    private int looksOfLate;
+
+    private long foundOfLate;
+    private double tolerable = TOLERABLE;
 
     /** Boxes looked at so far, and bodies filed anew. */
     private long looks;
@@ -91,6 +93,7 @@ public final class CellGrid implements BroadPhase {
         count++;
         endAndMark(body, boxes, pairs, null);
         file(body, place(body, boxes), boxes);
+        shade(body, boxes);
         layAnewIfNeeded(boxes);
         collect(body, boxes, pairs);
     }
@@ -115,6 +118,9 @@ public final class CellGrid implements BroadPhase {
             unfile(body, boxes);
             file(body, b, boxes);
         }
+        if (levels.length > 1) {
+            shade(body, boxes);
+        }
         layAnewIfNeeded(boxes);
         collect(body, boxes, pairs);
         if (departures != null) {
@@ -128,6 +134,7 @@ public final class CellGrid implements BroadPhase {
             pairs.end(pairs.of(body, 0));
         }
         unfile(body, boxes);
+        shade(body, boxes);
         count--;
     }
 
@@ -136,13 +143,33 @@ public final class CellGrid implements BroadPhase {
         return looks;
     }
 
-    /** Lays the grid anew when it is crowded or too many movable bodies do not fit; seldom enough to cost little. */
+    /** Number of sizes of cells. */
+    int levels() {
+        return levels.length;
+    }
+
+    /** Lays the grid anew when it is crowded, too many movable bodies do not fit, or looks find too many; seldom enough to cost little. */
     private void layAnewIfNeeded(Boxes boxes) {
         changesSinceLayout++;
         boolean tooFine = largeMovable > 8 + count / 8 && changesSinceLayout > count;
-        if (tooFine || count > 2 * countAtLayout) {
+        if (tooFine || count > 2 * countAtLayout || looksOfLate > MANY && findsTooMany()) {
             layAnew(boxes);
         }
+    }
+
+    /**
+     * Whether looks found more than they may, in the mean of as many as there are bodies, or before that more than those may in
+     * all. What a new layout does not mend it is not asked to mend again.
+     */
+    private boolean findsTooMany() {
+        boolean isTooMany = foundOfLate > tolerable * Math.max(count, MANY);
+        if (isTooMany || looksOfLate > count) {
+            double mean = foundOfLate / (double) looksOfLate;
+            tolerable = isTooMany ? 2 * mean : Math.max(TOLERABLE, Math.min(tolerable, 4 * mean));
+            looksOfLate = 0;
+            foundOfLate = 0;
+        }
+        return isTooMany;
     }
 
     /** Ends the pairs of a body whose boxes are apart now, and marks the partners in the others. */
@@ -179,31 +206,103 @@ public final class CellGrid implements BroadPhase {
     /** Begins the pairs of a body with all whose boxes overlap its box, but for those that are marked. */
     private void collect(int body, Boxes boxes, Pairs pairs) {
         mark[body] = marking;
-        int near = around(body);
+        int near = around(body, boxes);
         looks += near;
+        looksOfLate++;
+        foundOfLate += near;
         int count = fresh(body, near, boxes);
         for (int k = 0; k < count; k++) {
             int other = found[k];
-            if (!(boxes.isFixed(body) && boxes.isFixed(other))) {
+            if (mark[other] != marking && !(boxes.isFixed(body) && boxes.isFixed(other))) {
+                mark[other] = marking; // it may have been found twice, in cells that share a bucket
                 pairs.beginNew(body, other);
             }
         }
     }
 
-    /** Finds the large bodies, and those in the nine cells around a body's, or all if it is large; how many there are. */
-    private int around(int body) {
-        int centre = bucket[body];
-        if (centre == LARGE) {
+    /** Finds the large bodies, and those in the cells that a body's box may reach, or all if that is less; how many there are. */
+    private int around(int body, Boxes boxes) {
+        if (found.length < large.size + LEAST) {
+            found = new int[2 * large.size + LEAST];
+        }
+        System.arraycopy(large.values, 0, found, 0, large.size);
+        int own = bucket[body];
+        if (own == LARGE) {
+            return aroundLarge(body, boxes, large.size);
+        }
+        CellLevel level = levels[CellLevel.of(own)];
+        int size = around(level, level.head, next, own, large.size);
+        return levels.length == 1 ? size : inOtherLevels(body, boxes, CellLevel.of(own), size);
+    }
+
+    private int aroundLarge(int body, Boxes boxes, int size) {
+        double cells = 0;
+        for (CellLevel level : levels) {
+            cells += level.reached(body, boxes);
+        }
+        if (cells > count) {
             return all();
         }
-        int[] list = found.length < large.size + LEAST ? new int[2 * large.size + LEAST] : found;
-        int[] after = next;
-        int count = large.size;
-        for (int k = 0; k < count; k++) {
-            list[k] = large.values[k];
+        int count = size;
+        for (CellLevel level : levels) {
+            count = within(level, body, boxes, count);
         }
+        return count;
+    }
+
+    private int inOtherLevels(int body, Boxes boxes, int own, int size) {
+        int count = size;
+        int finer = 0;
+        for (int k = 0; k < own; k++) {
+            finer += levels[k].count;
+        }
+        if (finer > 0) {
+            CellLevel level = levels[own];
+            CellShadow shadow = shadow(level, own, boxes);
+            count = around(level, shadow.head, shadow.next, bucket[body], count);
+        }
+        for (int k = own + 1; k < levels.length; k++) {
+            if (levels[k].count > 0) {
+                count = around(levels[k], levels[k].head, next, levels[k].place(body, boxes), count);
+            }
+        }
+        return count;
+    }
+
+    /** The shadow of the finer levels in one; it is cast when a body of that level looks at it first. */
+    private CellShadow shadow(CellLevel level, int number, Boxes boxes) {
+        if (level.shadow == null) {
+            level.shadow = new CellShadow(level, bucket.length);
+            looks += count;
+            for (int body = 0; body < bucket.length; body++) {
+                if (bucket[body] >= 0 && CellLevel.of(bucket[body]) < number) {
+                    level.shadow.put(body, boxes);
+                }
+            }
+        }
+        return level.shadow;
+    }
+
+    /** Casts the shadow of a body anew, after it has been filed or taken out. */
+    private void shade(int body, Boxes boxes) {
+        int own = bucket[body] >= 0 ? CellLevel.of(bucket[body]) : levels.length;
+        for (int k = 0; k < levels.length; k++) {
+            CellShadow shadow = levels[k].shadow;
+            if (shadow != null && own < k) {
+                shadow.put(body, boxes);
+            } else if (shadow != null) {
+                shadow.drop(body);
+            }
+        }
+    }
+
+    /** Those in the nine cells around one, in the chains of a level or its shadow. */
+    private int around(CellLevel level, int[] head, int[] after, int centre, int size) {
+        int mask = level.mask;
+        int[] list = found;
+        int count = size;
         for (int row = -1; row <= 1; row++) {
-            int first = centre + row * rowStep - 1;
+            int first = centre + row * level.rowStep - 1;
             for (int c = first; c <= first + 2; c++) {
                 if (count + USUAL >= list.length) {
                     list = Arrays.copyOf(list, 2 * list.length);
@@ -222,6 +321,31 @@ public final class CellGrid implements BroadPhase {
                 list[count] = e - 1;
                 count += -e >>> 31;
                 for (int other = after[e]; other != NONE; other = after[other]) {
+                    if (count + USUAL >= list.length) {
+                        list = Arrays.copyOf(list, 2 * list.length);
+                    }
+                    list[count++] = other - 1;
+                }
+            }
+        }
+        found = list;
+        return count;
+    }
+
+    /** Those in the cells of a level that the box of a large body may reach. */
+    private int within(CellLevel level, int body, Boxes boxes, int size) {
+        double[] d = boxes.data();
+        int o = Boxes.STRIDE * body;
+        int low = level.first(d[o]);
+        int columns = level.last(d[o + 2]) - low;
+        int lowest = level.first(d[o + 1]);
+        int rows = level.last(d[o + 3]) - lowest;
+        int[] list = found;
+        int count = size;
+        for (int row = 0; row <= rows; row++) {
+            int first = low + (lowest + row) * level.rowStep;
+            for (int c = first; c <= first + columns; c++) {
+                for (int other = level.head[c & level.mask]; other != NONE; other = next[other]) {
                     if (count + USUAL >= list.length) {
                         list = Arrays.copyOf(list, 2 * list.length);
                     }
@@ -266,46 +390,44 @@ public final class CellGrid implements BroadPhase {
         return n;
     }
 
-    /** The bucket where a body belongs by its box, or {@link #LARGE}. */
+    /** The cell where a body belongs by its box, in the finest level that it fits, or {@link #LARGE}. */
     private int place(int body, Boxes boxes) {
-        double[] d = boxes.data();
-        int o = Boxes.STRIDE * body;
-        double extent = Math.max(d[o + 2] - d[o], d[o + 3] - d[o + 1]);
-        if (cell == 0 && !boxes.isFixed(body)) {
-            setCell(1.25 * extent);
+        double extent = boxes.extent(body);
+        if (levels.length == 0 && !boxes.isFixed(body)) {
+            levels = new CellLevel[] {new CellLevel(0, 1.25 * extent, CellLevel.SMALLEST)};
         }
-        if (!(extent <= MARGIN * cell)) {
-            return LARGE;
+        for (CellLevel level : levels) {
+            if (extent <= level.largest) {
+                return level.place(body, boxes);
+            }
         }
-        return coordinate(d[o] + d[o + 2]) + coordinate(d[o + 1] + d[o + 3]) * rowStep & mask;
+        return LARGE;
     }
 
-    private void setCell(double size) {
-        cell = size;
-        perCell = 0.5 / size;
-    }
-
-    /** Number of a row or column from the sum of a box's bounds; beyond ±2³¹ all are one. */
-    private int coordinate(double sum) {
-        return (int) Math.floor(sum * perCell);
+    /** Whether a body in a cell, or in the list of large ones, is too large for the usual level, and movable. */
+    private int unusual(int body, int b, Boxes boxes) {
+        return (b == LARGE || CellLevel.of(b) > usual) && !boxes.isFixed(body) ? 1 : 0;
     }
 
     private void file(int body, int b, Boxes boxes) {
         bucket[body] = b;
+        largeMovable += unusual(body, b, boxes);
         if (b == LARGE) {
             large.add(body);
-            largeMovable += boxes.isFixed(body) ? 0 : 1;
-            return;
+        } else {
+            CellLevel level = levels[CellLevel.of(b)];
+            int at = b & level.mask;
+            next[body + 1] = level.head[at];
+            level.head[at] = body + 1;
+            level.count++;
         }
-        next[body + 1] = head[b];
-        head[b] = body + 1;
     }
 
     private void unfile(int body, Boxes boxes) {
         int b = bucket[body];
         bucket[body] = OUTSIDE;
+        largeMovable -= unusual(body, b, boxes);
         if (b == LARGE) {
-            largeMovable -= boxes.isFixed(body) ? 0 : 1;
             int place = 0;
             while (large.values[place] != body) {
                 place++;
@@ -313,44 +435,31 @@ public final class CellGrid implements BroadPhase {
             large.values[place] = large.values[--large.size];
             return;
         }
-        if (head[b] == body + 1) {
-            head[b] = next[body + 1];
+        CellLevel level = levels[CellLevel.of(b)];
+        level.count--;
+        int at = b & level.mask;
+        int before = level.head[at];
+        if (before == body + 1) {
+            level.head[at] = next[body + 1];
             return;
         }
-        int before = head[b]; // few are in a cell
-        while (next[before] != body + 1) {
+        while (next[before] != body + 1) { // few are in a cell
             before = next[before];
         }
         next[before] = next[body + 1];
     }
 
-    /** Chooses the cell size by the boxes of the movable bodies, and files everybody again. */
+    /** Chooses the levels by the boxes of all bodies, and files everybody again. */
     private void layAnew(Boxes boxes) {
-        double[] extents = new double[count];
-        int n = 0;
-        for (int body = 0; body < bucket.length; body++) {
-            if (bucket[body] != OUTSIDE && !boxes.isFixed(body)) {
-                double[] d = boxes.data();
-                int o = Boxes.STRIDE * body;
-                extents[n++] = Math.max(d[o + 2] - d[o], d[o + 3] - d[o + 1]);
-            }
-        }
-        if (n > 0) {
-            Arrays.sort(extents, 0, n);
-            setCell(Math.min(1.25 * extents[(n - 1) * 15 / 16], 1.05 * extents[n - 1]));
-        }
-        int size = mask + 1;
-        int least = count < CROWD ? 2 * count : count + count / 4;
-        while (size < least) {
-            size *= 2;
-        }
-        mask = size - 1;
-        rowStep = stepFor(size);
-        head = new int[size];
+        CellLayout layout = new CellLayout(boxes, bodies(), levels.length == 0 ? 0 : levels[usual].mask + 1);
+        levels = layout.levels();
+        usual = layout.usual();
         large.clear();
         largeMovable = 0;
         changesSinceLayout = 0;
         countAtLayout = count;
+        looksOfLate = 0;
+        foundOfLate = 0;
         looks += count;
         for (int body = 0; body < bucket.length; body++) {
             if (bucket[body] != OUTSIDE) {
@@ -359,8 +468,14 @@ public final class CellGrid implements BroadPhase {
         }
     }
 
-    private static int stepFor(int buckets) {
-        return (int) (0.6180339887498949 * buckets) | 1;
+    private int[] bodies() {
+        int[] bodies = new int[count];
+        for (int body = 0, n = 0; n < count; body++) {
+            if (bucket[body] != OUTSIDE) {
+                bodies[n++] = body;
+            }
+        }
+        return bodies;
     }
 
     private void ensure(int bodies) {
@@ -370,6 +485,9 @@ public final class CellGrid implements BroadPhase {
             next = Arrays.copyOf(next, length + 1);
             mark = Arrays.copyOf(mark, length);
             bucket = Arrays.copyOf(bucket, length);
+            for (CellLevel level : levels) {
+                level.shadow = null; // it is cast anew when it is wanted
+            }
             Arrays.fill(bucket, old, length, OUTSIDE);
         }
     }

@@ -11,7 +11,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Hard case G18: in scenes that are meant to be hard, the grid compares no more than 5 (n log₂ n + pairs) boxes in a step in
- * which all boxes change; and G04: that is so for dust about a planet, too.
+ * which all boxes change; and G04: that is so for dust about a planet, too. So it is where sizes are mixed, which a grid with cells of
+ * one size has to answer with a look at all that are larger, or at all that are crowded in a cell.
  */
 class BroadPhaseWorkTest {
     private static final int STEPS = 4;
@@ -92,5 +93,62 @@ class BroadPhaseWorkTest {
                     }
                 }))
                 .isLessThan(1);
+    }
+
+    /** A wall for each body: a list of walls would be looked at by all. */
+    @ParameterizedTest
+    @ValueSource(ints = {100, 1000, 30_000})
+    void aMaze(int n) {
+        double side = 5 * Math.sqrt(0.5 * n);
+        assertThat(work(n, body -> {
+                    double x = side * random.nextDouble();
+                    double y = side * random.nextDouble();
+                    boxes.setFixed(body, body % 2 == 0);
+                    boxes.set(body, x, y, x + (body % 2 == 0 ? 4 : 0.5), y + (body % 4 == 0 ? 4 : 0.5));
+                }))
+                .isLessThan(5);
+    }
+
+    /** One boulder for so many grains that are in clusters between them, as sand is. */
+    @ParameterizedTest
+    @ValueSource(ints = {5, 12, 40})
+    void boulders(int grains) {
+        int n = 20_000;
+        double side = Math.sqrt(n / (double) grains);
+        assertThat(work(n, body -> {
+                    double x = Math.floor(side * random.nextDouble());
+                    double y = Math.floor(side * random.nextDouble());
+                    if (body % grains == 0) {
+                        square(body, x, y, 1);
+                    } else {
+                        square(body, x + 0.2 * random.nextDouble(), y + 0.2 * random.nextDouble(), 0.01);
+                    }
+                }))
+                .isLessThan(5);
+    }
+
+    /** Three decades, as many in each. */
+    @ParameterizedTest
+    @ValueSource(ints = {100, 1000, 30_000})
+    void sizesOfAllKinds(int n) {
+        double side = 30 * Math.sqrt(n);
+        assertThat(work(n, body -> {
+                    double size = StrictMath.pow(10, 3 * random.nextDouble() - 2);
+                    square(body, side * random.nextDouble(), side * random.nextDouble(), size);
+                }))
+                .isLessThan(5);
+    }
+
+    /** Boxes grow with speeds: they fit the cells at first, and from some step on one in ten does not. */
+    @ParameterizedTest
+    @ValueSource(ints = {1000, 30_000})
+    void someGrow(int n) {
+        double side = 10 * Math.sqrt(n);
+        int[] changes = {0};
+        assertThat(work(n, body -> {
+                    boolean isFast = changes[0]++ > 2 * n && body % 10 == 0;
+                    square(body, side * random.nextDouble(), side * random.nextDouble(), isFast ? 3 : 1);
+                }))
+                .isLessThan(8);
     }
 }
