@@ -38,10 +38,11 @@ final class NearPairs implements Pairs.Listener, Serializable {
     /** Number of bodies from which a grid finds the pairs. */
     private static final int CROWD = 50;
 
-    /** Room of a box around a body in units of its size, and in steps of its way. */
+    /** Room of a box around a body in units of its size, and in steps of its way: fewer where that would be far. */
     private static final double ROOM = 0.1;
 
     private static final double STEPS = 3;
+    private static final double FAR = 4;
 
     private final State state;
     private final Poses poses;
@@ -79,7 +80,7 @@ final class NearPairs implements Pairs.Listener, Serializable {
         boxes.ensure(body + 1);
         pairs.ensure(body + 1);
         boxes.setFixed(body, state.body(body).isFixed());
-        bound(body, h, STEPS, ROOM);
+        bound(body, h, steps(body, h), ROOM);
         boxes.set(body, minX, minY, maxX, maxY);
         bodies++;
         broad.add(body, boxes, pairs);
@@ -104,7 +105,7 @@ final class NearPairs implements Pairs.Listener, Serializable {
 
     /** A body was written: its box is made anew, and its pairs may be others. */
     void written(int body, double h) {
-        bound(body, h, STEPS, ROOM);
+        bound(body, h, steps(body, h), ROOM);
         boxes.set(body, minX, minY, maxX, maxY);
         broad.update(body, boxes, pairs);
         for (int k = 0; k < pairs.countOf(body); k++) {
@@ -139,11 +140,20 @@ final class NearPairs implements Pairs.Listener, Serializable {
             int o = Boxes.STRIDE * body;
             boolean isOut = minX < d[o] || minY < d[o + 1] || maxX > d[o + 2] || maxY > d[o + 3];
             if (isOut) {
-                bound(body, h, STEPS, ROOM);
+                bound(body, h, steps(body, h), ROOM);
                 boxes.set(body, minX, minY, maxX, maxY);
                 broad.update(body, boxes, pairs);
             }
         }
+    }
+
+    /** For how many steps the box of a body is to do. */
+    private double steps(int body, double h) {
+        double[] v = state.v();
+        int b = State.BLOCK * body;
+        double way = h * (Math.abs(v[b]) + Math.abs(v[b + 1]));
+        double far = FAR * poses.hull(body).bounding;
+        return STEPS * way <= far ? STEPS : Math.max(1, far / way);
     }
 
     /** The box of a body and of its way in some steps, with some room. */
