@@ -11,7 +11,8 @@ import sim.physics.motion.State;
  * An index of where bodies are: a grid of square cells over where most of them are, each body filed in all cells that its
  * box meets. The cells at the border reach on without end, so that bodies which have flown away are filed as well and
  * nobody needs to ask whether a point is in the grid. Bodies that would be filed in a large part of all cells are kept in
- * a list of their own.
+ * a list of their own. Where many share a cell, as in clusters far from one another, rows and columns are narrower where more
+ * bodies are ({@link Lines}).
  *
  * <p>The grid is laid when it pays: a look at all bodies costs about a tenth of the laying, so the tenth question since the
  * bodies moved lays it, or the first one if there were so many before they moved. What is written afterwards between two
@@ -26,6 +27,14 @@ final class Cells {
 
     /** Number of cells per body. */
     private static final double CELLS = 1;
+
+    /** Bodies in a cell, in the mean of the bodies, from which on cells of one size will not do. */
+    private static final int CROWDED = 12;
+
+    /** Layings after which cells of one size are tried again, and bodies that are asked for each line where it is to be. */
+    private static final int AGAIN = 32;
+
+    private static final int ASKED = 4;
 
     /** So many bodies are asked where the crowd is. */
     private static final int SAMPLES = 64;
@@ -46,12 +55,14 @@ final class Cells {
     private final int few;
     private final int laying;
 
+    final Lines xs = new Lines();
+    final Lines ys = new Lines();
     int columns;
     int rows;
-    double lowX;
-    double lowY;
-    double side;
-    double perSide;
+    private double side;
+
+    /** How often cells of different size are to be laid before those of one size are tried again. */
+    private int dense;
 
     /** The bodies of cell c are {@code filed[first[c]] … filed[first[c + 1] - 1]}, ascending. */
     int[] first = {};
@@ -84,13 +95,8 @@ final class Cells {
     /** Looks at bodies that were written since the grid was laid. */
     private long looks;
 
-    /** Where most bodies are. */
-    private double width;
-
-    private double height;
-
     private final IntList placed = new IntList();
-    private final double[] sample = new double[SAMPLES];
+    private double[] sample = new double[SAMPLES];
     private final Outline outline = new Outline();
 
     /** First and last column, first and last row of each body; first behind last: none. */
@@ -174,11 +180,11 @@ final class Cells {
     }
 
     int column(double x) {
-        return Math.max(0, Math.min(columns - 1, (int) ((x - lowX) * perSide)));
+        return xs.at(x);
     }
 
     int row(double y) {
-        return Math.max(0, Math.min(rows - 1, (int) ((y - lowY) * perSide)));
+        return ys.at(y);
     }
 
     private void lay() {
@@ -188,8 +194,16 @@ final class Cells {
             spans = new int[SPAN * (n + n / 2)];
         }
         measure();
-        while (count() > 6L * n + 64) {
-            setSide(2 * side); // they lie upon one another
+        if (dense == 0 || --dense == 0) {
+            while (count() > 6L * n + 64) {
+                setSide(2 * side); // they lie upon one another
+            }
+            dense = areCrowded() ? AGAIN : 0;
+        }
+        if (dense > 0 && !countDense()) {
+            dense = 0;
+            setSide(side);
+            count();
         }
         int cells = columns * rows;
         for (int c = 1; c <= cells; c++) {
@@ -207,45 +221,90 @@ final class Cells {
 
     /** Chooses region and size of the cells. */
     private void measure() {
-        width = extent(State.X);
-        lowX = sample[0];
-        height = extent(State.Y);
-        lowY = sample[0];
-        reach = Math.abs(lowX) + Math.abs(lowY) + width + height;
+        extent(State.X, xs);
+        extent(State.Y, ys);
+        reach = Math.abs(xs.low) + Math.abs(ys.low) + xs.length + ys.length;
         double cells = CELLS * census.size;
-        double least = Math.max(1e-6 * reach, Double.MIN_NORMAL);
-        setSide(Math.max(least, Math.max(Math.sqrt(width * height / cells), (width + height) / cells)));
+        setSide(Math.max(least(), Math.max(Math.sqrt(xs.length * ys.length / cells), (xs.length + ys.length) / cells)));
+    }
+
+    /** The least side that a cell may have. */
+    private double least() {
+        return Math.max(1e-6 * reach, Double.MIN_NORMAL);
     }
 
     private void setSide(double length) {
         side = length;
-        perSide = 1 / length;
-        columns = 1 + (int) (width * perSide);
-        rows = 1 + (int) (height * perSide);
+        xs.even(length);
+        ys.even(length);
+        columns = xs.count;
+        rows = ys.count;
     }
 
-    /** Where most centres are along one axis: returns the length, and leaves the lower end in sample[0]. */
-    private double extent(int axis) {
-        double[] x = census.state.x();
-        int n = census.size;
-        int count = 0;
-        for (int k = 0; k < SAMPLES; k++) {
-            int i = (int) ((long) k * n / SAMPLES);
-            if (census.bodies[i] != null) {
-                sample[count++] = x[State.BLOCK * i + axis];
-            }
+    /** Whether a body shares its cell with many, in the mean of all; asked while {@code first} has their numbers. */
+    private boolean areCrowded() {
+        long sum = 0;
+        long squares = 0;
+        for (int c = 0; c < columns * rows; c++) {
+            sum += first[c];
+            squares += (long) first[c] * first[c];
         }
+        return squares > CROWDED * sum;
+    }
+
+    /** Lays lines where bodies are dense, and counts; false if that would be too many entries. */
+    private boolean countDense() {
+        int each = (int) Math.sqrt(CELLS * census.size) + 1;
+        int across = Math.min(each, room(ys));
+        dense(xs, State.X, Math.min(room(xs), (int) (CELLS * census.size / across) + 1));
+        dense(ys, State.Y, across);
+        columns = xs.count;
+        rows = ys.count;
+        return count() <= 6L * census.size + 64;
+    }
+
+    /** Columns or rows that there may be. */
+    private int room(Lines lines) {
+        return (int) Math.max(1, Math.min(census.size, lines.length / least()));
+    }
+
+    private void dense(Lines lines, int axis, int columns) {
+        int asked = sample(axis, ASKED * columns);
+        lines.dense(columns, sample, asked, least());
+    }
+
+    /** Where most centres are along one axis. */
+    private void extent(int axis, Lines lines) {
+        int count = sample(axis, SAMPLES);
         if (count == 0) {
-            sample[0] = 0;
-            return 0;
+            lines.low = 0;
+            lines.length = 0;
+            return;
         }
         Arrays.sort(sample, 0, count);
         int cut = count / 20;
         double low = sample[cut];
         double length = sample[count - 1 - cut] - low;
         double beyond = length * (cut + 1) / (count - 2 * cut); // as dense as between
-        sample[0] = low - beyond;
-        return length + 2 * beyond;
+        lines.low = low - beyond;
+        lines.length = length + 2 * beyond;
+    }
+
+    /** Asks some bodies, evenly chosen, for the coordinates of their centres; returns how many these are. */
+    private int sample(int axis, int most) {
+        if (sample.length < most) {
+            sample = new double[most + most / 2];
+        }
+        double[] x = census.state.x();
+        int n = census.size;
+        int count = 0;
+        for (int k = 0; k < most; k++) {
+            int i = (int) ((long) k * n / most);
+            if (census.bodies[i] != null) {
+                sample[count++] = x[State.BLOCK * i + axis];
+            }
+        }
+        return count;
     }
 
     /** Finds the cells of all bodies; leaves the numbers of bodies in {@code first}, and returns their sum. */
@@ -348,10 +407,10 @@ final class Cells {
     }
 
     private boolean meets(int column, int row, double margin) {
-        double left = column == 0 ? Double.NEGATIVE_INFINITY : lowX + column * side - margin;
-        double right = column == columns - 1 ? Double.POSITIVE_INFINITY : lowX + (column + 1) * side + margin;
-        double lower = row == 0 ? Double.NEGATIVE_INFINITY : lowY + row * side - margin;
-        double upper = row == rows - 1 ? Double.POSITIVE_INFINITY : lowY + (row + 1) * side + margin;
+        double left = column == 0 ? Double.NEGATIVE_INFINITY : xs.line(column) - margin;
+        double right = column == columns - 1 ? Double.POSITIVE_INFINITY : xs.line(column + 1) + margin;
+        double lower = row == 0 ? Double.NEGATIVE_INFINITY : ys.line(row) - margin;
+        double upper = row == rows - 1 ? Double.POSITIVE_INFINITY : ys.line(row + 1) + margin;
         return outline.meets(left, lower, right, upper);
     }
 }

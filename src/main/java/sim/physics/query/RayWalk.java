@@ -132,11 +132,11 @@ final class RayWalk {
 
     /** Where the ray leaves a column, relative to its start. */
     private double borderX(int column, int step) {
-        return cells.lowX + (step > 0 ? column + 1 : column) * cells.side - x;
+        return cells.xs.line(step > 0 ? column + 1 : column) - x;
     }
 
     private double borderY(int row, int step) {
-        return cells.lowY + (step > 0 ? row + 1 : row) * cells.side - y;
+        return cells.ys.line(step > 0 ? row + 1 : row) - y;
     }
 
     private void look(int i, int question) {

@@ -177,16 +177,16 @@ final class Surroundings {
         }
         double clear = Double.POSITIVE_INFINITY; // to the nearest side of the square of cells within the ring
         if (column - ring >= 0) {
-            clear = Math.min(clear, x - (cells.lowX + (column - ring + 1) * cells.side));
+            clear = Math.min(clear, x - cells.xs.line(column - ring + 1));
         }
         if (column + ring < cells.columns) {
-            clear = Math.min(clear, cells.lowX + (column + ring) * cells.side - x);
+            clear = Math.min(clear, cells.xs.line(column + ring) - x);
         }
         if (row - ring >= 0) {
-            clear = Math.min(clear, y - (cells.lowY + (row - ring + 1) * cells.side));
+            clear = Math.min(clear, y - cells.ys.line(row - ring + 1));
         }
         if (row + ring < cells.rows) {
-            clear = Math.min(clear, cells.lowY + (row + ring) * cells.side - y);
+            clear = Math.min(clear, cells.ys.line(row + ring) - y);
         }
         return clear == Double.POSITIVE_INFINITY
                 || found == count && distances[count - 1] + cells.margin() < clear;

@@ -44,6 +44,7 @@ class QueryWaysTest {
         FAR,
         FLOWN,
         CLUSTERS,
+        VILLAGES,
         HEAP,
         LINE
     }
@@ -70,6 +71,7 @@ class QueryWaysTest {
             case FAR -> body.at(1e7 + x, y - 3e6, random.nextDouble(-4, 4));
             case FLOWN -> body.at(k % 40 == 0 ? x * 1e4 : x, k % 50 == 0 ? y * 1e8 : y, random.nextDouble(-4, 4));
             case CLUSTERS -> body.at(k % 5 == 0 ? 50 * x : 0.1 * x, k % 5 == 0 ? 50 * y : 0.1 * y + 100, x);
+            case VILLAGES -> body.at(0.2 * x + (k % 7) * 4e3, 0.2 * y + (k % 7) * (k % 7) * 900, random.nextDouble(-4, 4));
             case HEAP -> body.at(3, 4, k % 2 == 0 ? 0 : x);
             case LINE -> body.at(x, 2, k % 2 == 0 ? 0 : y);
             default -> body.at(x, y, random.nextInt(4) == 0 ? 0 : random.nextDouble(-4, 4));
@@ -95,9 +97,9 @@ class QueryWaysTest {
     private double start(boolean horizontal) {
         Body body = any();
         double at = horizontal ? body.getX() : body.getY();
-        double low = horizontal ? cells.cells.lowX : cells.cells.lowY;
+        Lines lines = horizontal ? cells.cells.xs : cells.cells.ys;
         return switch (random.nextInt(7)) {
-            case 0 -> low + random.nextInt(12) * cells.cells.side;
+            case 0 -> lines.line(random.nextInt(1 + Math.min(12, lines.count)));
             case 1 -> at;
             case 2 -> at + body.getShape().boundingRadius();
             case 3 -> at + body.getShape().radius();
@@ -203,7 +205,7 @@ class QueryWaysTest {
                     extent = Math.max(extent, -body.getShape().vertexY(v));
                 }
             }
-            double border = grid.lowY + (1 + random.nextInt(grid.rows - 1)) * grid.side;
+            double border = grid.ys.line(1 + random.nextInt(grid.rows - 1));
             double y = border + extent + random.nextInt(-4, 5) * Math.ulp(border);
             double old = body.getY();
             body.at(body.getX(), y, 0);
@@ -215,7 +217,7 @@ class QueryWaysTest {
             hits += hit == null ? 0 : 1;
             assertThat(cells.rayCast(x, from, 1, slope, 1000, b -> b == body)).isEqualTo(hit);
             assertThat(cells.rayCast(x, from, 1, slope, 1000, null)).isEqualTo(all.rayCast(x, from, 1, slope, 1000, null));
-            double away = 15 * (Math.abs(grid.lowX) + Math.abs(grid.lowY));
+            double away = 15 * (Math.abs(grid.xs.low) + Math.abs(grid.ys.low));
             double over = from - body.getY() + body.getY();
             hit = all.rayCast(body.getX() - away, over - away * 1e-3, 1, 1e-3, 2 * away, b -> b == body);
             assertThat(cells.rayCast(body.getX() - away, over - away * 1e-3, 1, 1e-3, 2 * away, b -> b == body)).isEqualTo(hit);
@@ -370,5 +372,23 @@ class QueryWaysTest {
         assertThat(usual.cells.columns).isZero();
         usual.rayCast(0, 0, 1, 0, 5, null);
         assertThat(usual.cells.columns).isGreaterThan(3);
+    }
+
+    /** Of bodies in villages far from one another each shares its cell with few, though all of a village would be in one of even cells. */
+    @ParameterizedTest
+    @ValueSource(ints = {700, 7000})
+    void villagesAreNotInOneCell(int n) {
+        scatter(Scene.VILLAGES, n);
+        cells.rayCast(0, 0, 1, 1, 10, null);
+        Cells laid = cells.cells;
+        long sum = 0;
+        double squares = 0;
+        for (int c = 0; c < laid.columns * laid.rows; c++) {
+            long in = laid.first[c + 1] - laid.first[c];
+            sum += in;
+            squares += in * in;
+        }
+        double bodiesUnder = n / 7.0 * 2.2 / 64; // bodies over an area of one, in a village
+        assertThat(squares / sum).isLessThan(30 + 10 * bodiesUnder);
     }
 }
