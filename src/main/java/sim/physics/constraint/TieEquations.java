@@ -241,17 +241,18 @@ final class TieEquations implements Serializable {
         return speed;
     }
 
-    /** Whether the speeds of the rows count for something, compared with those of the bodies. */
+    /** Whether the speeds of the rows count for something, compared with those of the bodies; those of turns count at the size of a body. */
     boolean areOff(int k) {
         double[] v = state.v();
         double off = 0;
         double all = 0;
         for (int r = 0; r < rows[k]; r++) {
-            double speed = speed(k, r, v);
+            double arm = ties[k].isAngle(r) ? sizes[k] : 1;
+            double speed = arm * speed(k, r, v);
             off += speed * speed;
             for (int m = 0; m < BLOCK; m++) {
-                double first = j[J * k + BLOCK * r + m] * v[blocks[2 * k] + m];
-                double second = blocks[2 * k + 1] < 0 ? 0 : j[J * k + BLOCK * (ROWS + r) + m] * v[blocks[2 * k + 1] + m];
+                double first = arm * j[J * k + BLOCK * r + m] * v[blocks[2 * k] + m];
+                double second = blocks[2 * k + 1] < 0 ? 0 : arm * j[J * k + BLOCK * (ROWS + r) + m] * v[blocks[2 * k + 1] + m];
                 all += first * first + second * second;
             }
         }

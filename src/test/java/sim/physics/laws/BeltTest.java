@@ -341,6 +341,27 @@ class BeltTest {
         }
     }
 
+    /** A bar in a corner of belts that hold it faster than they let it go: no forces let it go on as they do, and none throw it out. */
+    @ParameterizedTest
+    @CsvSource({"0, -2, -2, 0.3", "0, -2, -2, -1.5665", "-1.6, 0, 0, 0.3", "-1.6, 0, -2, -1.5665", "-1.6, -2, -2, 0.3"})
+    void whatBeltsWedgeIsNotThrownAbout(double own, double wall, double floor, double angle) {
+        engine.setTimeStep(1.0 / 64);
+        engine.add(new Gravity(0, -G));
+        Body[] bodies = {
+            Body.fixed(new Rectangle(30, 1)).at(0, -8), Body.fixed(new Rectangle(1, 30)).at(8, 0), new Body(new Rectangle(0.75, 0.3)).at(7.3, -7.1, angle)
+        };
+        double[] speeds = {floor, wall, own};
+        for (int k = 0; k < bodies.length; k++) {
+            rough(bodies[k]).setFriction(1.5);
+            bodies[k].setBeltSpeed(speeds[k]);
+        }
+        for (int k = 0; k < 200; k++) {
+            engine.step();
+            double speed = Math.hypot(bodies[2].getVelocityX(), bodies[2].getVelocityY());
+            assertThat(speed + 0.4 * Math.abs(bodies[2].getAngularVelocity())).isLessThan(12);
+        }
+    }
+
     @Test
     void aSpeedThatIsNoneIsRefused() {
         Body body = new Body(new Circle(1));

@@ -10,8 +10,11 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.SliderJoint;
+import sim.physics.constraint.WeldJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.shape.Circle;
@@ -57,6 +60,36 @@ class SteppedScaleTest {
             assertThat(other.bodies().get(k).getY()).isEqualTo(length * engine.bodies().get(k).getY());
             assertThat(other.bodies().get(k).getAngle()).isEqualTo(engine.bodies().get(k).getAngle());
         }
+    }
+
+    /** How often joints are solved as something bounces depends on lengths and angles alike, whatever the unit of length is. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0x1p-10, 0x1p10})
+    void whatSlidesAndBouncesDoesSoInAnyUnit(double length) {
+        PhysicsEngine engine = slides(1);
+        PhysicsEngine other = slides(length);
+        for (int k = 0; k < 60; k++) {
+            engine.step();
+            other.step();
+            for (int m = 0; m < 4; m++) {
+                assertThat(other.bodies().get(m).getY() / length).isCloseTo(engine.bodies().get(m).getY(), within(1e-11));
+            }
+        }
+        assertThat(engine.getImpacts()).isGreaterThan(0);
+    }
+
+    private static PhysicsEngine slides(double length) {
+        PhysicsEngine engine = Stepped.engine(1.0 / 64, 4);
+        engine.add(new Gravity(0, -Stepped.G * length));
+        engine.add(Body.fixed(new Rectangle(64 * length, 2 * length)).at(0, -length));
+        Body[] boxes = new Body[3];
+        for (int k = 0; k < boxes.length; k++) {
+            boxes[k] = engine.add(new Body(new Rectangle(length, 0.5 * length)).at(1.5 * k * length, (1 + 0.5 * k) * length, 0.25 + k));
+            boxes[k].setRestitution(0.75);
+        }
+        engine.add(new SliderJoint(boxes[0], boxes[1], 0.75 * length, length, 1, 0.5));
+        engine.add(new WeldJoint(boxes[1], boxes[2], 2.25 * length, 1.75 * length));
+        return engine;
     }
 
     /** Left and right: the same where no pair has two points, which are solved one after the other. */

@@ -408,6 +408,8 @@ final class Heap implements Serializable {
         if (isDriven ? effort.isOver() : !by.afford(heap, HeapEnergy.gained(system, from))) {
             if (isDriven) {
                 system.stopBelts();
+            } else {
+                system.unwedge();
             }
             done = regainNothing(); // that must not add energy
             by.afford(heap, HeapEnergy.gained(system, from));

@@ -83,6 +83,10 @@ final class HeapEnd implements Serializable {
             HeapStart.temper(system);
         }
         system.solve(Math.max(scale, scales.fastest(heap, system.v)), true);
+        if (HeapEnergy.isWedged(system, system.free())) {
+            system.unwedge();
+            system.solve(scale, false);
+        }
         for (int p = 0; p < system.size(); p++) {
             ledger.strike(origin.values[p] / 2, origin.values[p] % 2, system.normalImpulse(p), system.tangentImpulse(p));
         }

@@ -8,10 +8,33 @@ final class HeapEnergy {
 
     /**
      * Twice the kinetic energy that the bodies have more than with other velocities, mostly those without impulses; without that of motors
-     * and of moving surfaces.
+     * and of moving surfaces, as far as bodies can bear it.
      */
     static double gained(HeapSystem s, double[] from) {
-        return gainedOrLost(s, from) - 2 * given(s);
+        double fastest = s.fastestBelt();
+        return gainedOrLost(s, from) - (fastest == 0 ? 0 : 2 * Math.min(given(s), bearable(s, from, fastest)));
+    }
+
+    /** Whether moving surfaces have wedged bodies: these have more from other velocities on than surfaces give that take them along. */
+    static boolean isWedged(HeapSystem s, double[] from) {
+        double fastest = s.fastestBelt();
+        return fastest > 0 && gainedOrLost(s, from) > 2 * bearable(s, from, fastest);
+    }
+
+    /**
+     * What surfaces give at most that make bodies as fast as the fastest of them, which had these velocities: bodies that they wedge
+     * would be given any amount.
+     */
+    private static double bearable(HeapSystem s, double[] from, double fastest) {
+        double sum = 0;
+        for (int k = 0; k < s.bodyCount(); k++) {
+            if (s.w[2 * k] > 0) {
+                double spin = from[3 * k + 2] * from[3 * k + 2] * s.w[2 * k] / s.w[2 * k + 1];
+                double speed = Math.sqrt(from[3 * k] * from[3 * k] + from[3 * k + 1] * from[3 * k + 1] + spin);
+                sum += fastest * (fastest + speed) / s.w[2 * k];
+            }
+        }
+        return sum;
     }
 
     /** The work of moving surfaces. */

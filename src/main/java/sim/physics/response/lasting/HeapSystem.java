@@ -199,6 +199,15 @@ final class HeapSystem extends HeapPoints {
         }
     }
 
+    /** The same, if one does, and forgets the impulses: bodies between two surfaces bear any. */
+    void unwedge() {
+        if (fastestBelt() > 0) {
+            stopBelts();
+            startFromNothing();
+            restart();
+        }
+    }
+
     void removeLast() {
         points--;
     }
