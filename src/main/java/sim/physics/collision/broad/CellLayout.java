@@ -16,6 +16,7 @@ final class CellLayout {
     private static final double SMALL = 0.125;
 
     private static final int FEW_SMALL = 64;
+    private static final int MOST_FINER = CellLevel.MOST_LEVELS / 2;
 
     /** Small ones in one cell, in the mean of them, from which on they are a crowd. */
     private static final int CROWDED = 8;
@@ -69,7 +70,7 @@ final class CellLayout {
 
     private void choose(double[] most) {
         double size = Math.max(size(most, 0, most.length), Double.MIN_NORMAL); // points may have a level, too
-        finer(size);
+        finer(size, MOST_FINER);
         usual = count;
         add(size);
         coarser(size);
@@ -87,12 +88,12 @@ final class CellLayout {
         return Math.min(ROOM * sorted[from + (last - from) * 15 / 16], ROOM_FOR_ALL * sorted[last]);
     }
 
-    /** Levels for what is crowded in cells of a size, the finest one first. */
-    private void finer(double size) {
+    /** Levels for what is crowded in cells of a size, the finest one first, and no more than some. */
+    private void finer(double size, int most) {
         int small = above(SMALL * size);
-        if (small > FEW_SMALL && size > Double.MIN_NORMAL && areCrowded(size)) {
+        if (most > 0 && small > FEW_SMALL && size > Double.MIN_NORMAL && areCrowded(size)) {
             double finer = Math.max(size(extents, 0, small), Double.MIN_NORMAL);
-            finer(finer);
+            finer(finer, most - 1);
             add(finer);
         }
     }
