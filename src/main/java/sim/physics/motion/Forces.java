@@ -12,6 +12,9 @@ public final class Forces implements Serializable {
     /** A place or speed that no model means: with its square's square a force may overflow. */
     private static final double HUGE = 1e75;
 
+    /** A speed, relative to that up to which friction grows, from which on it is all there. */
+    private static final double FAST = 1e4;
+
     private final State state;
 
     /** For a generator, while it is asked for one force. */
@@ -20,8 +23,33 @@ public final class Forces implements Serializable {
     /** The body about which generators are asked; null while none are. */
     private Body asked;
 
+    /** Time in which friction of the plane takes the speed away up to which it grows, 0 if it does not; and what that way may be. */
+    private double soft;
+
+    private double way;
+
     Forces(State state) {
         this.state = state;
+    }
+
+    /** Sets for how long, and for which way at most, bodies come to rest under friction of the plane that becomes less; 0: it stays as it is. */
+    void soften(double time, double most) {
+        soft = time;
+        way = most;
+    }
+
+    /**
+     * What is left of the friction of the plane on a body of this speed, which would be decelerated by so much: it grows with the speed up to
+     * that which it takes away in the time. For methods with a tolerance it does so smoothly, as they see corners.
+     */
+    double left(double speed, double deceleration) {
+        double slow = deceleration * Math.min(soft, Math.sqrt(2 * way / deceleration));
+        if (!(speed < FAST * slow)) {
+            return 1;
+        }
+        double ratio = speed / slow;
+        double square = ratio * ratio;
+        return way < Double.POSITIVE_INFINITY ? ratio / Math.sqrt(Math.sqrt(1 + square * square)) : Math.min(ratio, 1);
     }
 
     /** Generators are asked about a body, or about none any more. */

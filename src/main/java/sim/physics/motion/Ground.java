@@ -82,6 +82,18 @@ public final class Ground implements Serializable {
         System.arraycopy(all, State.BLOCK * body, a, at, State.BLOCK);
     }
 
+    /**
+     * Lets the friction of bodies that move together grow from rest on: which of them is held there, and by how much, depends on all of
+     * them, and friction that turned round at once would never let them rest. Bodies that move alone stop as {@link Sliding} finds.
+     */
+    void soften(Forces forces, boolean areTogether) {
+        boolean isSoft = areTogether && isRough();
+        Integrator method = motion.getIntegrator();
+        double step = method instanceof RungeKutta4 ? 0.5 * motion.step() : motion.step(); // the others would turn it round
+        double way = isSoft && method instanceof AdaptiveIntegrator chosen ? 0.25 * chosen.getTolerance() : Double.POSITIVE_INFINITY;
+        forces.soften(isSoft ? step : 0, way);
+    }
+
     /** The friction that acts on a body which moves alone, or null. */
     SurfaceFriction surfaceUnder(IntList group) {
         SurfaceFriction surface = motion.generators.surface;

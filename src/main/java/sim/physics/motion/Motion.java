@@ -466,6 +466,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         if (fields() != null) {
             generators.fall(bodies, a);
         } else {
+            ground.soften(forces, bodies.size > 1 || isTiedGroup(bodies));
             generators.accelerate(state, bodies, t, forces, a);
             support.add(bodies, a);
         }

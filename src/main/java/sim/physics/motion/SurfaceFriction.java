@@ -9,8 +9,11 @@ import sim.physics.internal.Check;
  *
  * <p>The weight m g presses on the plane with uniform pressure, and every patch of the body rubs against its own
  * velocity, so sliding and spinning are coupled ({@link SurfacePatch}). Kinetic friction stops a body exactly and never
- * turns it back; a body at rest stays at rest while static friction can hold the other forces. The coefficients are
- * the bodies' own, {@link Body#setSurfaceFriction(double, double)}; a body whose coefficients are 0 pays nothing.
+ * turns it back; a body at rest stays at rest while static friction can hold the other forces. The friction of bodies that
+ * joints tie or springs connect grows from rest on, up to a speed of half of μ g times the step with RK4, of μ g times the
+ * step with other methods of fixed step, and of √(μ g · tolerance / 2) at most: they come to rest as well, and creep no faster
+ * than that under what static friction would bear. The coefficients are the bodies' own,
+ * {@link Body#setSurfaceFriction(double, double)}; a body whose coefficients are 0 pays nothing.
  */
 public final class SurfaceFriction implements ForceGenerator {
     private static final long serialVersionUID = 1L;
@@ -48,9 +51,14 @@ public final class SurfaceFriction implements ForceGenerator {
     @Override
     public void addForce(Body body, double time, Forces forces) {
         double[] f = forces.workspace;
-        friction(body, body.getVelocityX(), body.getVelocityY(), body.getAngularVelocity(), body.getAngle(), f);
-        forces.add(body, f[State.X], f[State.Y]);
-        forces.addTorque(body, f[State.THETA]);
+        double vx = body.getVelocityX();
+        double vy = body.getVelocityY();
+        double omega = body.getAngularVelocity();
+        friction(body, vx, vy, omega, body.getAngle(), f);
+        double speed = Math.sqrt(vx * vx + vy * vy + omega * omega * body.getInertia() / body.getMass());
+        double left = forces.left(speed, body.getSurfaceFriction() * gravity);
+        forces.add(body, left * f[State.X], left * f[State.Y]);
+        forces.addTorque(body, left * f[State.THETA]);
     }
 
     /** Takes the force and torque on a body to out. */
