@@ -1372,6 +1372,7 @@ public final class PhysicsEngine implements Steppable {
      *
      * @param schedule MASON's schedule
      * @return stops the engine
+     * @throws IllegalStateException if the schedule has come to its end, as one does on which nothing is left
      */
     public Repeating scheduleOn(Schedule schedule) {
         Objects.requireNonNull(schedule, "schedule");
@@ -1379,7 +1380,10 @@ public final class PhysicsEngine implements Steppable {
             scheduled.stop();
         }
         scheduled = new Repeating(this, ORDERING, 1);
-        schedule.scheduleOnce(schedule.getTime() < Schedule.EPOCH ? Schedule.EPOCH : schedule.getTime() + 1, ORDERING, scheduled);
+        double next = schedule.getTime() < Schedule.EPOCH ? Schedule.EPOCH : schedule.getTime() + 1;
+        if (!schedule.scheduleOnce(next, ORDERING, scheduled)) {
+            throw new IllegalStateException("the schedule is at its end, as nothing was left on it: it takes the engine after reset(), or SimState.start()");
+        }
         return scheduled;
     }
 

@@ -3,6 +3,7 @@
 package sim.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
@@ -362,6 +363,24 @@ class LifeOfBodiesTest {
             state.schedule.step(state);
         }
         assertThat(body.getX()).isEqualTo(5);
+        state.finish();
+    }
+
+    /** MASON ends a schedule on which nothing is left, and takes nothing any more: an engine would silently never step. */
+    @Test
+    void aScheduleThatIsAtItsEndIsRefused() {
+        SimState state = new SimState(1);
+        state.start();
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.scheduleOn(state.schedule).stop();
+        while (state.schedule.step(state)) {
+            assertThat(engine.getSteps()).isZero();
+        }
+        assertThatIllegalStateException().isThrownBy(() -> engine.scheduleOn(state.schedule)).withMessageContaining("at its end");
+        state.schedule.reset();
+        engine.scheduleOn(state.schedule);
+        state.schedule.step(state);
+        assertThat(engine.getSteps()).isEqualTo(1);
         state.finish();
     }
 
