@@ -49,7 +49,8 @@ final class Companions implements Serializable {
             for (int m = 0; m < pairs.countOf(body); m++) {
                 int pair = pairs.of(body, m);
                 if (boxes.isFixed(pairs.other(pair, body))
-                        && !together.contains(pair)
+                        && mayTouch(pair, tau)
+                        && !together.contains(pair) // last: all may land together
                         && touches(pair, tau, pairs.time(pair))) {
                     pairs.setTime(pair, Double.NaN);
                     together.add(pair);
@@ -58,13 +59,20 @@ final class Companions implements Serializable {
         }
     }
 
+    /** Whether an impact of a pair is planned for now, or may be for the beginning of the next step. */
+    private boolean mayTouch(int pair, double tau) {
+        double until = until(tau);
+        return pairs.time(pair) <= until || until >= trajectories.h() && !marks.isUnseen(pair);
+    }
+
+    private double until(double tau) {
+        return tau + Tolerances.SOON * trajectories.h();
+    }
+
     private boolean touches(int pair, double tau, double planned) {
-        double until = tau + Tolerances.SOON * trajectories.h();
+        double until = until(tau);
         if (planned <= until) {
             return narrowPhase.touches(pair, tau);
-        }
-        if (until < trajectories.h() || marks.isUnseen(pair)) {
-            return false;
         }
         // it would be an impact of the next step
         double start = narrowPhase.boundingCircles(pair, tau);

@@ -39,6 +39,9 @@ public final class CollisionResponse implements Serializable {
     private final Impact impact = new Impact();
     private final FreeBounce freeBounce;
     private final SimultaneousImpact simultaneous;
+    private final SimultaneousImpact part;
+    private final ApartImpacts apart;
+    private final Meetings meetings = new Meetings();
 
     /** Null while nothing ties bodies together. */
     private JointedBodies jointed;
@@ -75,6 +78,8 @@ public final class CollisionResponse implements Serializable {
         this.listeners = new Listeners(state, trajectories);
         this.loader = new ContactLoader(state, trajectories, detection, listeners);
         this.simultaneous = new SimultaneousImpact(state);
+        this.part = new SimultaneousImpact(state);
+        this.apart = new ApartImpacts(simultaneous, part);
         this.freeBounce = new FreeBounce(state, trajectories, detection.narrowPhase(), loader);
         this.bounces = new Bounces(trajectories, motion);
         ContactLedger ledger = new ContactLedger(trajectories);
@@ -154,6 +159,7 @@ public final class CollisionResponse implements Serializable {
     public void setTies(Ties ties) {
         jointed = ties == null ? null : new JointedBodies(state, trajectories, motion, ties);
         simultaneous.setTies(ties);
+        part.setTies(ties);
         heaps.setTies(ties);
     }
 
@@ -335,7 +341,9 @@ public final class CollisionResponse implements Serializable {
      * @param solver not null
      */
     public void setSolver(ImpulseSolver solver) {
-        simultaneous.setBordered(Objects.requireNonNull(solver, "solver") instanceof BorderedImpulse);
+        boolean isBordered = Objects.requireNonNull(solver, "solver") instanceof BorderedImpulse;
+        simultaneous.setBordered(isBordered);
+        part.setBordered(isBordered);
         this.solver = solver;
     }
 
@@ -390,13 +398,14 @@ public final class CollisionResponse implements Serializable {
 
     private void respondToSeveral(IntList touching, double tau) {
         simultaneous.clear();
+        meetings.count(touching, pairs, state.size());
         for (int k = 0; k < touching.size; k++) {
             collect(touching, touching.values[k], tau);
         }
         if (simultaneous.pointCount() == 0) {
             return;
         }
-        simultaneous.solve();
+        apart.solve();
         for (int k = 0; k < simultaneous.bodyCount(); k++) {
             double[] v = simultaneous.velocity(k);
             setVelocity(simultaneous.body(k), v[0], v[1], v[2]);
@@ -438,7 +447,7 @@ public final class CollisionResponse implements Serializable {
         bounces.count(pair);
         bounces.writeOff(pair);
         int body = state.body(a).isFixed() ? b : a;
-        boolean canRest = canRest(pair, a, b, tau, touching.size == 1 || pairs.isOnly(touching, body));
+        boolean canRest = canRest(pair, a, b, tau, meetings.isOnly(body));
         boolean lies = isLocked || !rattles && !canRest && startsToLie(pair, a, b);
         restsNow &= !lies;
         for (int point = 0; point < manifold.count; point++) {

@@ -4,6 +4,7 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
@@ -23,16 +24,10 @@ import sim.physics.motion.Ties;
  * row of touching balls. Where points are redundant the λ of least norm is taken.
  *
  * <p>Sums over the points of a body and residuals are formed with twice the precision, so that the result does not
- * depend on the order of the points.
+ * depend on the order of the points. Points that no movable body connects are problems of their own ({@link ApartImpacts}).
  */
 final class SimultaneousImpact implements Serializable {
     private static final long serialVersionUID = 1L;
-
-    /** Weight that makes redundant systems solvable; refinement removes its effect. */
-    private static final double REGULARIZATION = 1e-9;
-
-    private static final int REFINEMENTS = 4;
-    private static final int MAX_CHANGES = 60;
 
     private final State state;
     private int points;
@@ -44,12 +39,13 @@ final class SimultaneousImpact implements Serializable {
     private int[] body = new int[8];
     private double[][] velocity = new double[8][3];
 
-    private double[] matrix = new double[64];
-    private double[] factor = new double[64];
-    private double[] rhs = new double[8];
-    private double[] lambda = new double[8];
-    private double[] correction = new double[8];
-    private boolean[] active = new boolean[8];
+    /** The place of each body of the state among them, plus 1; 0 if it is not there. */
+    private transient int[] places;
+
+    private final PushingPoints pushing = new PushingPoints();
+
+    /** Velocity along the normal before the impact, by point. */
+    private double[] before = new double[8];
 
     /** Null while nothing ties bodies together; and whether a body of this impact is tied. */
     private Ties ties;
@@ -72,6 +68,13 @@ final class SimultaneousImpact implements Serializable {
     }
 
     void clear() {
+        if (places == null || places.length < state.size()) {
+            places = new int[places == null ? state.size() : Growth.length(places.length, state.size())];
+        } else {
+            for (int k = 0; k < bodies; k++) {
+                places[body[k]] = 0;
+            }
+        }
         points = 0;
         bodies = 0;
         tied = false;
@@ -103,7 +106,7 @@ final class SimultaneousImpact implements Serializable {
 
     /** Speed at which the surfaces approached at a point. */
     double approach(int k) {
-        return -rhs[k];
+        return -before[k];
     }
 
     double normalImpulse(int k) {
@@ -165,16 +168,42 @@ final class SimultaneousImpact implements Serializable {
         velocity[bodies][0] = vx;
         velocity[bodies][1] = vy;
         velocity[bodies][2] = omega;
-        bodies++;
+        places[index] = ++bodies;
     }
 
+    /** The place of a body, −1 if it is fixed. */
     private int place(int index) {
-        for (int k = 0; k < bodies; k++) {
-            if (body[k] == index) {
-                return k;
-            }
+        return places[index] - 1;
+    }
+
+    /** The place of a body, or that of the first of those that are tied to it; −1 if it is fixed. */
+    int placeOfIsland(int index) {
+        return place(tied && ties.isTied(index) ? ties.island(index).values[0] : index);
+    }
+
+    boolean isOfOnePair() {
+        boolean yes = true;
+        for (int k = 1; yes && k < points; k++) {
+            yes = bodyA[k] == bodyA[0] && bodyB[k] == bodyB[0];
         }
-        return -1;
+        return yes;
+    }
+
+    /** Adds a point of these to others. */
+    void give(int k, SimultaneousImpact to) {
+        to.add(bodyA[k], bodyB[k], impacts[k]);
+    }
+
+    /** Takes the impulses of a point that was solved among others. */
+    void take(int k, SimultaneousImpact from, int m) {
+        impacts[k].copy(from.impacts[m]);
+        before[k] = from.before[m];
+    }
+
+    void takeVelocities(SimultaneousImpact from) {
+        for (int k = 0; k < from.bodies; k++) {
+            System.arraycopy(from.velocity[k], 0, velocity[place(from.body[k])], 0, 3);
+        }
     }
 
     /** Chooses the write-up's bordered system for impacts of one point without friction on jointed bodies. */
@@ -186,7 +215,7 @@ final class SimultaneousImpact implements Serializable {
     void solve() {
         Impact only = impacts[0];
         if (bordered != null && tied && points == 1 && only.friction == 0 && !only.sticky) {
-            rhs[0] = only.normalVelocity();
+            before[0] = only.normalVelocity();
             bordered.solve(only, bodyA[0], bodyB[0], body, velocity, bodies, state, ties);
             return;
         }
@@ -195,7 +224,7 @@ final class SimultaneousImpact implements Serializable {
             solvePlastic();
             return;
         }
-        activeSet();
+        pushing.solve();
         double least = impacts[0].restitution;
         boolean uniform = true;
         for (int k = 0; k < points; k++) {
@@ -205,12 +234,12 @@ final class SimultaneousImpact implements Serializable {
         }
         for (int k = 0; k < points; k++) {
             double e = impacts[k].restitution;
-            impacts[k].jn = (1 + e) * lambda[k];
+            impacts[k].jn = (1 + e) * pushing.lambda[k];
             impacts[k].jt = 0;
         }
         if (!uniform && energyGain() > allowance()) {
             for (int k = 0; k < points; k++) {
-                impacts[k].jn = (1 + Math.min(1, least)) * lambda[k];
+                impacts[k].jn = (1 + Math.min(1, least)) * pushing.lambda[k];
             }
         }
         apply();
@@ -233,6 +262,8 @@ final class SimultaneousImpact implements Serializable {
 
     /** A = J W Jᵀ over the points, b = J v. */
     private void assemble() {
+        pushing.begin(points);
+        double[] matrix = pushing.matrix;
         if (tied) {
             replies.begin(bodies, body, state, ties);
             for (int k = 0; k < points; k++) {
@@ -240,7 +271,8 @@ final class SimultaneousImpact implements Serializable {
             }
         }
         for (int i = 0; i < points; i++) {
-            rhs[i] = impacts[i].normalVelocity();
+            before[i] = impacts[i].normalVelocity();
+            pushing.rhs[i] = before[i];
             for (int j = 0; j < points; j++) {
                 matrix[i * points + j] = coupling(i, j);
             }
@@ -254,12 +286,14 @@ final class SimultaneousImpact implements Serializable {
 
     /** Takes a point out that ties hold: it neither approaches nor can be given an impulse. */
     private void hold(int k) {
+        double[] matrix = pushing.matrix;
         for (int j = 0; j < points; j++) {
             matrix[k * points + j] = 0;
             matrix[j * points + k] = 0;
         }
         matrix[k * points + k] = impacts[k].normalMobility();
-        rhs[k] = 0;
+        before[k] = 0;
+        pushing.rhs[k] = 0;
     }
 
     private double coupling(int i, int j) {
@@ -289,127 +323,12 @@ final class SimultaneousImpact implements Serializable {
         return w * (px * qx + py * qy) + i * (lp * lq);
     }
 
-    /** Finds the points that push: starts with those that approach, then lets go of and adds all that are wrong. */
-    private void activeSet() {
-        double scale = 0;
-        for (int k = 0; k < points; k++) {
-            scale = Math.max(scale, Math.abs(rhs[k]));
-            active[k] = rhs[k] < 0;
-        }
-        for (int change = 0; change < MAX_CHANGES; change++) {
-            solveActive();
-            boolean done = true;
-            for (int k = 0; k < points; k++) {
-                if (active[k] && lambda[k] < 0) {
-                    active[k] = false;
-                    done = false;
-                }
-            }
-            for (int k = 0; k < points && done; k++) {
-                if (!active[k] && residual(k) < -1e-12 * scale) {
-                    addViolated(1e-12 * scale);
-                    done = false;
-                }
-            }
-            if (done) {
-                return;
-            }
-        }
-        relax();
-    }
-
-    private void addViolated(double tolerance) {
-        for (int k = 0; k < points; k++) {
-            if (!active[k] && residual(k) < -tolerance) {
-                active[k] = true;
-            }
-        }
-    }
-
-    /** (A λ + b) of one row, with the products exact and the sum compensated. */
-    private double residual(int i) {
-        double sum = rhs[i];
-        double low = 0;
-        for (int j = 0; j < points; j++) {
-            double a = matrix[i * points + j];
-            double product = a * lambda[j];
-            low += Math.fma(a, lambda[j], -product);
-            double next = sum + product;
-            double part = next - sum;
-            low += (sum - (next - part)) + (product - part);
-            sum = next;
-        }
-        return sum + low;
-    }
-
-    /** Solves A λ = −b on the active points, λ = 0 elsewhere. */
-    private void solveActive() {
-        factorize();
-        Arrays.fill(lambda, 0, points, 0);
-        for (int pass = 0; pass <= REFINEMENTS; pass++) {
-            for (int k = 0; k < points; k++) {
-                correction[k] = active[k] ? -residual(k) : 0;
-            }
-            substitute();
-            for (int k = 0; k < points; k++) {
-                lambda[k] += correction[k];
-            }
-        }
-    }
-
-    /** Cholesky factors of the active part of A, a little heavier on the diagonal. */
-    private void factorize() {
-        double trace = 0;
-        for (int k = 0; k < points; k++) {
-            trace = Math.max(trace, matrix[k * points + k]);
-        }
-        for (int i = 0; i < points; i++) {
-            for (int j = 0; j <= i; j++) {
-                double sum = active[i] && active[j] ? matrix[i * points + j] : i == j ? 1 : 0;
-                if (i == j && active[i]) {
-                    sum += REGULARIZATION * trace;
-                }
-                for (int k = 0; k < j; k++) {
-                    sum -= factor[i * points + k] * factor[j * points + k];
-                }
-                factor[i * points + j] = i == j ? Math.sqrt(sum) : sum / factor[j * points + j];
-            }
-        }
-    }
-
-    private void substitute() {
-        for (int i = 0; i < points; i++) {
-            double sum = correction[i];
-            for (int k = 0; k < i; k++) {
-                sum -= factor[i * points + k] * correction[k];
-            }
-            correction[i] = sum / factor[i * points + i];
-        }
-        for (int i = points - 1; i >= 0; i--) {
-            double sum = correction[i];
-            for (int k = i + 1; k < points; k++) {
-                sum -= factor[k * points + i] * correction[k];
-            }
-            correction[i] = sum / factor[i * points + i];
-        }
-    }
-
-    /** Projected relaxation, for the rare system on which the active sets go round in a circle. */
-    private void relax() {
-        Arrays.fill(lambda, 0, points, 0);
-        for (int sweep = 0; sweep < 2000; sweep++) {
-            for (int k = 0; k < points; k++) {
-                lambda[k] = Math.max(0, lambda[k] - residual(k) / matrix[k * points + k]);
-            }
-        }
-    }
-
     /** Energy that bounces may add which are kept from getting too short; 0 where no restitution is above 1. */
     private double allowance() {
         double sum = 0;
         for (int k = 0; k < points; k++) {
             double e = impacts[k].restitution;
-            sum += Math.max(0, e * e - 1) * rhs[k] * rhs[k] / (2 * matrix[k * points + k]);
+            sum += Math.max(0, e * e - 1) * before[k] * before[k] / (2 * pushing.matrix[k * points + k]);
         }
         return sum;
     }
@@ -419,9 +338,9 @@ final class SimultaneousImpact implements Serializable {
         for (int i = 0; i < points; i++) {
             double half = 0;
             for (int j = 0; j < points; j++) {
-                half += matrix[i * points + j] * impacts[j].jn;
+                half += pushing.matrix[i * points + j] * impacts[j].jn;
             }
-            gain += impacts[i].jn * (rhs[i] + 0.5 * half);
+            gain += impacts[i].jn * (before[i] + 0.5 * half);
         }
         return gain;
     }
@@ -489,11 +408,6 @@ final class SimultaneousImpact implements Serializable {
         bodyA = Arrays.copyOf(bodyA, n);
         bodyB = Arrays.copyOf(bodyB, n);
         impacts = Arrays.copyOf(impacts, n);
-        matrix = new double[n * n];
-        factor = new double[n * n];
-        rhs = new double[n];
-        lambda = new double[n];
-        correction = new double[n];
-        active = new boolean[n];
+        before = new double[n];
     }
 }
