@@ -3,7 +3,6 @@
 package sim.physics;
 
 import java.io.Serializable;
-import java.util.ArrayList;
 import java.util.List;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.Overlaps;
@@ -37,7 +36,7 @@ final class Admission implements Presence, Serializable {
     private final CollisionDetection detection;
     private final RestingContacts resting;
     private final Heaps heaps;
-    private final List<Body> leaving = new ArrayList<>();
+    private final Leavers leaving = new Leavers();
 
     /** Null until the first constraint is added. */
     private Constraints constraints;
@@ -55,6 +54,10 @@ final class Admission implements Presence, Serializable {
     private TimeStepping stepped;
 
     private final IslandRounds rounds = new IslandRounds();
+
+    /** Accelerations, of bodies whose joints are asked about. */
+    private transient double[] work;
+
     private final WrittenBlocks written;
 
     Admission(
@@ -122,9 +125,7 @@ final class Admission implements Presence, Serializable {
 
     /** Removes a body at the next {@link #admit(double)}. */
     void leave(Body body) {
-        if (!leaving.contains(body)) {
-            leaving.add(body);
-        }
+        leaving.add(body);
     }
 
     /**
@@ -223,7 +224,7 @@ final class Admission implements Presence, Serializable {
     /** Cuts the constraints of bodies that leave, and tells the others of bodies that were written. */
     private void tellConstraints(double tau) {
         for (int k = 0; k < leaving.size(); k++) {
-            untie(leaving.get(k));
+            constraints.removeAll(leaving.get(k));
         }
         for (int k = 0; k < state.touchedCount(); k++) {
             Body body = state.body(state.touched(k));
@@ -370,15 +371,6 @@ final class Admission implements Presence, Serializable {
         }
     }
 
-    /** Cuts the constraints of a body that leaves. */
-    private void untie(Body body) {
-        for (Constraint c : constraints.all()) {
-            if (c.getBodyA() == body || c.getBodyB() == body) {
-                constraints.remove(c);
-            }
-        }
-    }
-
     /** Cuts the joints that break under the load that they have at the start of a step; true if one did. */
     boolean breakJoints(double time) {
         if (constraints == null || !constraints.isBreakable()) {
@@ -399,41 +391,48 @@ final class Admission implements Presence, Serializable {
     Reaction reaction(Constraint constraint, double time) {
         if (constraints.isChanged()) {
             regroup();
-        } else {
-            regroupCoupled(0);
         }
         Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
-        motion.acceleration(constraints.island(body.index()), time, new double[state.x().length]);
+        if (motion.groups().mayCouple()) {
+            regroupCoupled(0);
+        } else {
+            review(constraints.island(body.index())); // not all that was written: others are asked about, too
+        }
+        int length = state.x().length;
+        work = work == null || work.length < length ? new double[length] : work; // of its island it is all written
+        motion.acceleration(constraints.island(body.index()), time, work);
         return constraints.reaction(constraint);
     }
 
     /** Forms islands anew between steps, when the vectors hold where all bodies are. */
     private void regroup() {
-        IntList concerned = constraints.concerned();
-        for (int k = 0; k < concerned.size; k++) {
-            state.touch(concerned.values[k]);
-        }
+        touchAll(constraints.concerned());
         constraints.regroup();
-        regroupCoupled(0);
+    }
+
+    private void review(IntList bodies) {
+        for (int k = 0; k < bodies.size; k++) {
+            motion.groups().review(state.body(bodies.values[k]));
+        }
+    }
+
+    private void touchAll(IntList bodies) {
+        for (int k = 0; k < bodies.size; k++) {
+            state.touch(bodies.values[k]);
+        }
     }
 
     /** Adds constraints between steps and closes them; if that cannot be, all is as before. */
     void assemble(Constraint... those) {
-        double[] x = state.x().clone();
-        double[] v = state.v().clone();
         for (Constraint c : those) {
             constraints.add(c);
         }
         regroup();
+        IslandPlaces before = new IslandPlaces(state, constraints, those);
         try {
-            for (Constraint c : those) {
-                Body body = c.getBodyA().isFixed() ? c.getBodyB() : c.getBodyA();
-                constraints.assemble(constraints.island(body.index()));
-            }
+            before.assemble();
         } catch (RuntimeException e) { // also what a constraint of an author throws
-            System.arraycopy(x, 0, state.x(), 0, x.length);
-            System.arraycopy(v, 0, state.v(), 0, v.length);
-            state.placedAll();
+            before.putBack();
             for (Constraint c : those) {
                 constraints.remove(c);
             }
@@ -471,10 +470,7 @@ final class Admission implements Presence, Serializable {
     void drop(Body body) {
         cutSprings(body);
         if (constraints != null) {
-            untie(body);
-            if (constraints.isChanged()) {
-                regroup();
-            }
+            touchAll(constraints.cut(body)); // they form islands anew when all that is written between steps is let in
         }
         int index = body.index();
         motion.groups().leave(index);

@@ -72,7 +72,11 @@ public final class PhysicsEngine implements Steppable {
     private Repeating scheduled;
 
     private final IntList changed = new IntList();
+
+    /** Groups of driven bodies that are to follow new paths; and which those are. */
     private final IntList groups = new IntList();
+
+    private final IslandRounds noted = new IslandRounds();
 
     /** Driven bodies whose new paths detection has not been told of. */
     private final IntList entering = new IntList();
@@ -262,6 +266,7 @@ public final class PhysicsEngine implements Steppable {
 
     /** Motion, (5)–(15): driven bodies get their paths over the step; all others are on their way already. */
     private void drive() {
+        clearGroups();
         boolean isFree = response.isFree() && constraints == null && audit == null;
         if (isFree && !admission.isNeeded() && !motion.isPushed()) {
             response.begin(); // nobody has changed anything, and all go on as they did
@@ -284,7 +289,6 @@ public final class PhysicsEngine implements Steppable {
         if (audit != null) {
             audit.open();
         }
-        groups.clear();
         for (int k = 0; k < changed.size; k++) {
             unpushed(changed.values[k]);
             moved(changed.values[k], 0, false, -1);
@@ -299,7 +303,7 @@ public final class PhysicsEngine implements Steppable {
             settleHeaps(0);
         }
         followAll();
-        groups.clear();
+        clearGroups();
     }
 
     /** A force acts no more which was applied to a body for the step before: what bore the body with it bears something else now. */
@@ -414,14 +418,19 @@ public final class PhysicsEngine implements Steppable {
                 follow(groups.values[k], Entry.BODY_AND_PAIRS);
             }
         }
-        groups.clear();
+        clearGroups();
     }
 
     private void noteGroup(int body) {
-        int first = motion.companions(body).values[0];
-        if (!groups.contains(first)) {
-            groups.add(first);
+        IntList group = motion.companions(body);
+        if (noted.isFirst(group)) {
+            groups.add(group.values[0]);
         }
+    }
+
+    private void clearGroups() {
+        groups.clear();
+        noted.begin();
     }
 
     /** Collision response, (16)–(24), at the next impact; then the bodies concerned go on. */
@@ -623,6 +632,9 @@ public final class PhysicsEngine implements Steppable {
         if (stepping) {
             admission.leave(body);
         } else {
+            if (constraints != null) {
+                makeLatePaths(); // while islands are what they were in the last step
+            }
             admission.drop(body);
         }
     }

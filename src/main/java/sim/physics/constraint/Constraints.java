@@ -4,8 +4,6 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.internal.IntList;
@@ -25,8 +23,7 @@ public final class Constraints implements Ties, Serializable {
     private static final long serialVersionUID = 1L;
 
     private final State state;
-    private final LinkedHashSet<Constraint> constraints = new LinkedHashSet<>();
-    private final LinkedHashSet<Constraint> changed = new LinkedHashSet<>();
+    private final Register register = new Register();
     private List<Island> islands = new ArrayList<>();
 
     /** The island of each body. */
@@ -93,13 +90,9 @@ public final class Constraints implements Ties, Serializable {
         this.stabilization = Objects.requireNonNull(stabilization, "stabilization");
     }
 
-    /**
-     * The constraints.
-     *
-     * @return a copy, in the order in which they were added
-     */
+    /** {@return the constraints: a copy, in the order in which they were added} */
     public List<Constraint> all() {
-        return new ArrayList<>(constraints);
+        return new ArrayList<>(register.all);
     }
 
     /**
@@ -109,7 +102,7 @@ public final class Constraints implements Ties, Serializable {
      * @return true from add to remove
      */
     public boolean contains(Constraint constraint) {
-        return constraints.contains(constraint);
+        return register.all.contains(constraint);
     }
 
     @Override
@@ -128,7 +121,7 @@ public final class Constraints implements Ties, Serializable {
      * @throws IllegalArgumentException if no body of it can move, or its rows are not 1 to 3, or are not satisfied
      */
     public void check(Constraint constraint, boolean closed) {
-        if (constraints.contains(constraint)) {
+        if (register.all.contains(constraint)) {
             throw new IllegalStateException("constraint is " + constraint + ": it was added already");
         }
         Admissible.check(constraint, closed);
@@ -140,8 +133,7 @@ public final class Constraints implements Ties, Serializable {
      * @param constraint not null
      */
     public void add(Constraint constraint) {
-        constraints.add(constraint);
-        changed.add(constraint);
+        register.add(constraint);
     }
 
     /**
@@ -151,9 +143,30 @@ public final class Constraints implements Ties, Serializable {
      * @return false if it was not there
      */
     public boolean remove(Constraint constraint) {
-        boolean was = constraints.remove(constraint);
-        changed.addAll(was ? List.of(constraint) : List.of());
-        return was;
+        return register.remove(constraint);
+    }
+
+    /**
+     * Removes the constraints of a body that leaves.
+     *
+     * @param body of the state
+     */
+    public void removeAll(Body body) {
+        register.of(body).forEach(register::remove);
+    }
+
+    /**
+     * The same where the body leaves at once: what it was tied to forms no island until {@link #regroup()}.
+     *
+     * @param body of the state
+     * @return the movable bodies that this concerns
+     */
+    public IntList cut(Body body) {
+        IntList concerned = Grouping.cut(body, register, state, of);
+        if (concerned.size > 0) {
+            changeIslands();
+        }
+        return concerned;
     }
 
     /**
@@ -164,53 +177,32 @@ public final class Constraints implements Ties, Serializable {
     public void touched(Body body) {
         version++;
         if (body.isFixed()) {
-            constraints.stream().filter(c -> c.getBodyA() == body || c.getBodyB() == body).forEach(changed::add);
+            register.changed.addAll(register.of(body));
         } else if (isTied(body.index())) {
             of[body.index()].forget();
         }
     }
 
-    /**
-     * Whether constraints were added, removed or moved since the last {@link #regroup()}.
-     *
-     * @return true if there is something to do
-     */
+    /** {@return whether constraints were added, removed or moved since the last {@link #regroup()}} */
     public boolean isChanged() {
-        return !changed.isEmpty();
+        return !register.changed.isEmpty();
     }
 
-    /**
-     * The movable bodies that the changes concern, with those that are tied to them so far.
-     *
-     * @return indices in ascending order
-     */
+    /** {@return the movable bodies that the changes concern, with those that are tied to them so far; ascending} */
     public IntList concerned() {
-        return Concerned.by(changed, state, this);
+        return Concerned.by(register.changed, state, this);
     }
 
     /** Forms the islands anew that changes concern. */
     public void regroup() {
+        changeIslands();
+        of = Grouping.renew(islands, register, state, of);
+    }
+
+    private void changeIslands() {
         version++;
         grouping++;
         several.forget();
-        if (of.length < state.size()) {
-            of = Arrays.copyOf(of, Math.max(2 * of.length, state.size()));
-        }
-        LinkedHashSet<Constraint> open = new LinkedHashSet<>();
-        for (Constraint c : changed) {
-            open.addAll(Grouping.dissolve(c.getBodyA(), state, of));
-            open.addAll(Grouping.dissolve(c.getBodyB(), state, of));
-            open.add(c);
-        }
-        open.retainAll(constraints);
-        changed.clear();
-        islands.removeIf(island -> island.isDissolved);
-        for (Island island : Grouping.islands(new ArrayList<>(open), state.size())) {
-            islands.add(island);
-            for (int k = 0; k < island.bodies.size; k++) {
-                of[island.bodies.values[k]] = island;
-            }
-        }
     }
 
     @Override
@@ -408,7 +400,7 @@ public final class Constraints implements Ties, Serializable {
 
     /** {@return the number of rows that depend on others, as the last solves found them} */
     public int redundant() {
-        return islands.stream().mapToInt(island -> island.switches.active(state).redundantRows).sum();
+        return islands.stream().filter(island -> !island.isDissolved).mapToInt(island -> island.switches.active(state).redundantRows).sum();
     }
 
     /**

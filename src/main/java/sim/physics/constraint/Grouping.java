@@ -4,7 +4,9 @@ package sim.physics.constraint;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
@@ -23,13 +25,62 @@ final class Grouping {
 
     private Grouping() {}
 
-    /** The islands, in the order of their first constraints. */
-    static List<Island> islands(List<Constraint> constraints, int bodies) {
-        if (constraints.isEmpty()) {
-            return List.of();
+    /** Forms the islands anew that changes concern; returns the island of each body. */
+    static Island[] renew(List<Island> islands, Register register, State state, Island[] of) {
+        Island[] by = of.length < state.size() ? Arrays.copyOf(of, Math.max(2 * of.length, state.size())) : of;
+        LinkedHashSet<Constraint> open = new LinkedHashSet<>();
+        for (Constraint c : register.changed) {
+            open.addAll(dissolve(c.getBodyA(), register, state, by));
+            open.addAll(dissolve(c.getBodyB(), register, state, by));
+            open.add(c);
         }
-        int[] parent = new int[bodies];
-        Arrays.setAll(parent, k -> k);
+        open.retainAll(register.all);
+        register.changed.clear();
+        if (register.isSomeDissolved) {
+            islands.removeIf(island -> island.isDissolved);
+            register.isSomeDissolved = false;
+        }
+        for (Island island : islands(open, register.sets(state.size()))) {
+            islands.add(island);
+            for (int k = 0; k < island.bodies.size; k++) {
+                by[island.bodies.values[k]] = island;
+            }
+        }
+        return by;
+    }
+
+    /**
+     * Removes the constraints of a body that leaves, and dissolves the islands that they are in; returns the bodies of those and of
+     * constraints that were in none yet.
+     */
+    static IntList cut(Body body, Register register, State state, Island[] of) {
+        IntList concerned = new IntList();
+        for (Constraint c : register.of(body)) {
+            cut(c.getBodyA(), register, state, of, concerned);
+            cut(c.getBodyB(), register, state, of, concerned);
+            register.remove(c);
+        }
+        return concerned;
+    }
+
+    private static void cut(Body end, Register register, State state, Island[] of, IntList concerned) {
+        if (!isMovable(end) || end.state() != state) {
+            return;
+        }
+        concerned.add(end.index());
+        IntList island = end.index() < of.length && of[end.index()] != null ? of[end.index()].bodies : new IntList();
+        for (int k = 0; k < island.size; k++) {
+            concerned.add(island.values[k]);
+        }
+        register.changed.addAll(dissolve(end, register, state, of));
+    }
+
+    /** The islands, in the order of their first constraints; with room for sets of bodies. */
+    static List<Island> islands(Collection<Constraint> constraints, int[] parent) {
+        for (Constraint c : constraints) { // a few of very many bodies, it may be
+            single(parent, c.getBodyA());
+            single(parent, c.getBodyB());
+        }
         for (Constraint c : constraints) {
             if (isMovable(c.getBodyA()) && isMovable(c.getBodyB())) {
                 DisjointSets.join(parent, c.getBodyA().index(), c.getBodyB().index());
@@ -47,14 +98,21 @@ final class Grouping {
         return islands;
     }
 
+    private static void single(int[] parent, Body body) {
+        if (isMovable(body)) {
+            parent[body.index()] = body.index();
+        }
+    }
+
     /** Lets the island of a body be one no more; returns its constraints. */
-    static List<Constraint> dissolve(Body body, State state, Island[] of) {
+    private static List<Constraint> dissolve(Body body, Register register, State state, Island[] of) {
         boolean isThere = isMovable(body) && body.state() == state && body.index() < of.length;
         Island island = isThere ? of[body.index()] : null;
         if (island == null) {
             return List.of();
         }
         island.isDissolved = true;
+        register.isSomeDissolved = true;
         for (int k = 0; k < island.bodies.size; k++) {
             of[island.bodies.values[k]] = null;
         }

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import sim.physics.internal.Growth;
+import sim.physics.motion.Body;
+
+/** The constraints of an engine, those that changes have come to since islands were formed, and by bodies which are theirs. */
+final class Register implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    final LinkedHashSet<Constraint> all = new LinkedHashSet<>();
+    final LinkedHashSet<Constraint> changed = new LinkedHashSet<>();
+
+    /** Whether islands have been dissolved since islands were formed. */
+    boolean isSomeDissolved;
+
+    /** Only while islands are formed: sets of bodies. */
+    private transient int[] sets;
+
+    /** By fixed body, and by movable body, its constraints; null until somebody asks: who never removes a body needs no more. */
+    private transient Map<Body, LinkedHashSet<Constraint>> ofFixed;
+
+    private transient Map<Body, LinkedHashSet<Constraint>> ofMovable;
+
+    void add(Constraint constraint) {
+        all.add(constraint);
+        changed.add(constraint);
+        list(ofFixed, true, constraint);
+        list(ofMovable, false, constraint);
+    }
+
+    boolean remove(Constraint constraint) {
+        if (!all.remove(constraint)) {
+            return false;
+        }
+        changed.add(constraint);
+        unlist(constraint.getBodyA(), constraint);
+        unlist(constraint.getBodyB(), constraint);
+        return true;
+    }
+
+    /** Room for sets of bodies, by index. */
+    int[] sets(int bodies) {
+        if (sets == null || sets.length < bodies) {
+            sets = new int[Growth.length(sets == null ? 0 : sets.length, bodies)];
+        }
+        return sets;
+    }
+
+    /** The constraints of a body, as a copy in the order of adding. */
+    List<Constraint> of(Body body) {
+        if (all.isEmpty()) {
+            return List.of();
+        }
+        if (map(body) == null) {
+            index(body.isFixed());
+        }
+        Collection<Constraint> those = map(body).get(body);
+        return those == null ? List.of() : new ArrayList<>(those);
+    }
+
+    private Map<Body, LinkedHashSet<Constraint>> map(Body body) {
+        return body.isFixed() ? ofFixed : ofMovable;
+    }
+
+    private void index(boolean fixed) {
+        Map<Body, LinkedHashSet<Constraint>> map = new IdentityHashMap<>();
+        for (Constraint constraint : all) {
+            list(map, fixed, constraint);
+        }
+        ofFixed = fixed ? map : ofFixed;
+        ofMovable = fixed ? ofMovable : map;
+    }
+
+    private static void list(Map<Body, LinkedHashSet<Constraint>> map, boolean fixed, Constraint constraint) {
+        list(map, fixed, constraint.getBodyA(), constraint);
+        list(map, fixed, constraint.getBodyB(), constraint);
+    }
+
+    private static void list(
+            Map<Body, LinkedHashSet<Constraint>> map, boolean fixed, Body body, Constraint constraint) {
+        if (map != null && body != null && body.isFixed() == fixed) {
+            map.computeIfAbsent(body, b -> new LinkedHashSet<>(4)).add(constraint);
+        }
+    }
+
+    private void unlist(Body body, Constraint constraint) {
+        Map<Body, LinkedHashSet<Constraint>> map = body == null ? null : map(body);
+        LinkedHashSet<Constraint> those = map == null ? null : map.get(body);
+        if (those != null && those.remove(constraint) && those.isEmpty()) {
+            map.remove(body);
+        }
+    }
+}
