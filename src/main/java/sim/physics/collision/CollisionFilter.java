@@ -3,8 +3,9 @@
 package sim.physics.collision;
 
 import java.io.Serializable;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Arrays;
+import sim.physics.internal.Growth;
+import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
@@ -13,8 +14,9 @@ import sim.physics.motion.Ties;
 public final class CollisionFilter implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    private final List<Body> excludedA = new ArrayList<>();
-    private final List<Body> excludedB = new ArrayList<>();
+    /** By body those with which its author has excluded it, in ascending order; null for none, and empty if nobody ever was. */
+    private IntList[] excluded = {};
+
 
     /** Null while nothing ties bodies together. */
     private Ties ties;
@@ -34,13 +36,13 @@ public final class CollisionFilter implements Serializable {
     public boolean allows(Body a, Body b) {
         return (a.getCategory() & b.getCollidesWith()) != 0
                 && (b.getCategory() & a.getCollidesWith()) != 0
-                && find(a, b) < 0
+                && !isExcluded(a.index(), b.index())
                 && (ties == null || !ties.areTied(a, b));
     }
 
     /** Whether two bodies of a state do not collide. Where all bodies do, they are not looked at: they lie far off in memory. */
     boolean forbids(State state, int a, int b) {
-        boolean isOpen = ties == null && excludedA.isEmpty() && !state.isGrouped();
+        boolean isOpen = ties == null && excluded.length == 0 && !state.isGrouped();
         return !isOpen && !allows(state.body(a), state.body(b));
     }
 
@@ -61,37 +63,46 @@ public final class CollisionFilter implements Serializable {
      * @param collide false to exclude the pair
      */
     public void set(Body a, Body b, boolean collide) {
-        int k = find(a, b);
-        if (collide && k >= 0) {
-            excludedA.remove(k);
-            excludedB.remove(k);
-        } else if (!collide && k < 0) {
-            excludedA.add(a);
-            excludedB.add(b);
+        set(a.index(), b.index(), !collide);
+        set(b.index(), a.index(), !collide);
+    }
+
+    private void set(int body, int other, boolean exclude) {
+        if (exclude && excluded.length <= body) {
+            excluded = Arrays.copyOf(excluded, Growth.length(excluded.length, body + 1));
+        }
+        if (isExcluded(body, other) == exclude) {
+            return;
+        }
+        if (exclude) {
+            excluded[body] = excluded[body] == null ? new IntList() : excluded[body];
+            excluded[body].insert(other);
+            return;
+        }
+        excluded[body].takeOut(other);
+        if (excluded[body].size == 0) {
+            excluded[body] = null;
         }
     }
 
     /**
-     * Forgets a body that has been removed.
+     * Forgets a body that is about to be removed.
      *
-     * @param body any
+     * @param body one that is in its engine still
      */
     public void forget(Body body) {
-        for (int k = excludedA.size() - 1; k >= 0; k--) {
-            if (excludedA.get(k) == body || excludedB.get(k) == body) {
-                excludedA.remove(k);
-                excludedB.remove(k);
-            }
+        int index = body.index();
+        IntList others = index < excluded.length ? excluded[index] : null;
+        for (int k = 0; others != null && k < others.size; k++) {
+            set(others.values[k], index, false);
+        }
+        if (others != null) {
+            excluded[index] = null;
         }
     }
 
-    private int find(Body a, Body b) {
-        for (int k = 0; k < excludedA.size(); k++) {
-            boolean same = excludedA.get(k) == a && excludedB.get(k) == b;
-            if (same || excludedA.get(k) == b && excludedB.get(k) == a) {
-                return k;
-            }
-        }
-        return -1;
+    private boolean isExcluded(int body, int other) {
+        IntList others = body < excluded.length ? excluded[body] : null;
+        return others != null && Arrays.binarySearch(others.values, 0, others.size, other) >= 0;
     }
 }

@@ -117,10 +117,10 @@ public final class IntList implements Serializable {
     }
 
     private int place(int value) {
-        int k = size;
-        while (k > 0 && values[k - 1] >= value) {
-            k--;
+        if (size == 0 || values[size - 1] < value) {
+            return size; // mostly
         }
-        return k;
+        int k = Arrays.binarySearch(values, 0, size, value);
+        return k < 0 ? -1 - k : k;
     }
 }
