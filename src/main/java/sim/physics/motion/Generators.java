@@ -5,12 +5,13 @@ package sim.physics.motion;
 import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Set;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 
@@ -20,9 +21,11 @@ import sim.physics.internal.IntList;
  * that there are: it is made when the body, or a generator that may act on it, is admitted.
  */
 final class Generators implements Serializable {
-    private static final long serialVersionUID = 2L;
+    private static final long serialVersionUID = 3L;
 
     private static final Entry[] NONE = {};
+
+    private static final Comparator<Entry> BY_ORDER = Comparator.comparingLong(entry -> entry.order);
 
     /** A generator, and what it said when it was added or, of what may change, when it was asked last. */
     static final class Entry implements Serializable {
@@ -40,6 +43,9 @@ final class Generators implements Serializable {
         final List<Body> couples;
 
         boolean isCoupled;
+
+        /** Whether only the stepping thread may ask it, as it said last. */
+        private boolean isSequential;
 
         /** Whether time stepping solves for it, so that it is no force. */
         boolean isRow;
@@ -62,7 +68,8 @@ final class Generators implements Serializable {
         }
     }
 
-    private final List<ForceGenerator> all = new ArrayList<>();
+    /** In the order of adding. */
+    private final List<Entry> all = new ArrayList<>();
 
     /** Those that need the integrator; and of them those that are asked about every body. */
     private final List<Entry> driving = new ArrayList<>();
@@ -75,7 +82,7 @@ final class Generators implements Serializable {
     private final ArrayList<Entry> found = new ArrayList<>();
 
     /** The same as {@link #all}; and those of them that are not asked, by the bodies that they act on. Null if not known. */
-    private transient Set<ForceGenerator> known;
+    private transient Map<ForceGenerator, Entry> known;
 
     private transient Map<Body, List<Entry>> listed;
 
@@ -97,6 +104,11 @@ final class Generators implements Serializable {
     /** Whether several threads may ask for the forces on different bodies. */
     boolean concurrent = true;
 
+    /** How many generators couple bodies, and how many only the stepping thread may ask. */
+    private int couplings;
+
+    private int sequentials;
+
     /** Whether it has changed which bodies the generators couple. */
     boolean isCouplingNew;
 
@@ -108,24 +120,26 @@ final class Generators implements Serializable {
     }
 
     List<ForceGenerator> copy() {
-        return new ArrayList<>(all);
+        List<ForceGenerator> copy = new ArrayList<>(all.size());
+        all.forEach(entry -> copy.add(entry.generator));
+        return copy;
     }
 
     boolean add(ForceGenerator generator) {
         Objects.requireNonNull(generator, "generator");
         index();
-        if (known.contains(generator)) {
+        if (known.containsKey(generator)) {
             return false;
         }
-        Entry entry = generator instanceof Gravity ? null : new Entry(generator, orders); // first: an author's code may throw
-        known.add(generator);
-        all.add(generator);
+        Entry entry = new Entry(generator, orders); // first: an author's code may throw
+        known.put(generator, entry);
+        all.add(entry);
+        orders++;
         if (generator instanceof Gravity field) {
             gravityX += field.getX();
             gravityY += field.getY();
             return true;
         }
-        orders++;
         driving.add(entry);
         drives = true;
         sortOut(entry);
@@ -138,29 +152,35 @@ final class Generators implements Serializable {
     }
 
     boolean remove(ForceGenerator generator) {
-        int k = all.indexOf(generator);
-        if (k < 0) {
+        index();
+        Entry entry = known.remove(generator);
+        if (entry == null) {
             return false;
         }
-        ForceGenerator own = all.remove(k);
-        known = null;
-        for (int m = driving.size() - 1; m >= 0; m--) {
-            Entry entry = driving.get(m);
-            if (entry.generator == own) {
-                driving.remove(m);
-                asked.remove(entry);
-                unlist(entry);
+        takeOut(all, entry);
+        if (entry.generator instanceof Gravity) {
+            gravityX = 0;
+            gravityY = 0;
+            for (Entry e : all) {
+                gravityX += e.generator instanceof Gravity field ? field.getX() : 0;
+                gravityY += e.generator instanceof Gravity field ? field.getY() : 0;
             }
-        }
-        gravityX = 0;
-        gravityY = 0;
-        for (ForceGenerator g : all) {
-            gravityX += g instanceof Gravity field ? field.getX() : 0;
-            gravityY += g instanceof Gravity field ? field.getY() : 0;
+        } else {
+            takeOut(driving, entry);
+            asked.remove(entry);
+            unlist(entry);
         }
         isCouplingNew |= coupled;
-        sortOut();
+        if (entry.generator instanceof SurfaceFriction) {
+            sortOut(); // there may be another one
+        } else if (!(entry.generator instanceof Gravity)) {
+            count(entry, -1);
+        }
         return true;
+    }
+
+    private static void takeOut(List<Entry> ordered, Entry entry) {
+        ordered.remove(Collections.binarySearch(ordered, entry, BY_ORDER));
     }
 
     /** The bodies at the ends of a body's springs, which are removed if it leaves. */
@@ -183,15 +203,14 @@ final class Generators implements Serializable {
 
     /** The only bodies that a generator acts on, as it said when it was added; null if it is asked, or is not there. */
     List<Body> bodies(ForceGenerator generator) {
-        for (int k = driving.size() - 1; k >= 0; k--) {
-            if (driving.get(k).generator.equals(generator)) {
-                return driving.get(k).bodies;
-            }
-        }
-        return null;
+        index();
+        Entry entry = known.get(generator);
+        return entry == null || entry.generator instanceof Gravity ? null : entry.bodies;
     }
 
     private void sortOut() {
+        couplings = 0;
+        sequentials = 0;
         coupled = false;
         concurrent = true;
         surface = null;
@@ -201,10 +220,17 @@ final class Generators implements Serializable {
     }
 
     private void sortOut(Entry entry) {
-        coupled |= entry.isCoupled;
+        entry.isSequential = !entry.generator.isConcurrent() || entry.isCoupled;
         isCouplingNew |= entry.isCoupled;
-        concurrent &= entry.generator.isConcurrent() && !entry.isCoupled;
         surface = entry.generator instanceof SurfaceFriction s ? s : surface;
+        count(entry, 1);
+    }
+
+    private void count(Entry entry, int change) {
+        couplings += entry.isCoupled ? change : 0;
+        sequentials += entry.isSequential ? change : 0;
+        coupled = couplings > 0;
+        concurrent = sequentials == 0;
     }
 
     /** Asks all generators again whether they couple bodies. */
@@ -224,7 +250,8 @@ final class Generators implements Serializable {
 
     private void index() {
         if (known == null) {
-            known = new HashSet<>(all);
+            known = new HashMap<>();
+            all.forEach(entry -> known.put(entry.generator, entry));
         }
     }
 
