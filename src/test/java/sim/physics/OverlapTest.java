@@ -7,16 +7,21 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.tuple;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.collision.CollisionFilter;
 import sim.physics.collision.Overlap;
+import sim.physics.collision.Overlaps;
 import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
 
 /** Bodies that overlap are reported, and parted on request. */
 class OverlapTest {
@@ -31,6 +36,48 @@ class OverlapTest {
         assertThat(engine.overlaps()).isEmpty();
         // the lighter body went the farther, and the common centre of mass stayed
         assertThat(Math.abs(a.getX()) / (b.getX() - 1.75)).isCloseTo(b.getMass() / a.getMass(), within(1e-6));
+    }
+
+    /** Some bodies of very unlike size anywhere in a square, or in a column. */
+    private static List<Body> strewn(PhysicsEngine engine, int n, double width, double height) {
+        SplittableRandom random = new SplittableRandom(7);
+        List<Body> bodies = new ArrayList<>();
+        for (int k = 0; k < n; k++) {
+            double size = k % 50 == 0 ? 8 : 0.25 + random.nextDouble();
+            Shape shape = k % 3 == 0 ? new Rectangle(size, 0.5 * size) : new Circle(0.5 * size);
+            Body body = k % 7 == 0 ? Body.fixed(shape) : new Body(shape);
+            body.setAngle(k);
+            bodies.add(engine.add(body.at(width * random.nextDouble(), height * random.nextDouble())));
+        }
+        return bodies;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"20, 20", "0, 200", "200, 1e9"})
+    void whatIsFoundAmongManyIsFoundPairByPair(double width, double height) {
+        PhysicsEngine engine = new PhysicsEngine();
+        List<Body> bodies = strewn(engine, 300, width, height);
+        Overlaps one = new Overlaps(new CollisionFilter());
+        List<Overlap> pairs = new ArrayList<>();
+        for (int k = 0; k < bodies.size(); k++) {
+            for (int m = 0; m < k; m++) {
+                pairs.addAll(one.find(List.of(bodies.get(m), bodies.get(k))));
+            }
+        }
+        pairs.sort((p, q) -> Double.compare(q.depth(), p.depth()));
+        assertThat(engine.overlaps()).isEqualTo(pairs);
+    }
+
+    /** As pairs of 150,000 bodies, these would not be done with before the tests' time is over. */
+    @Test
+    void aCrowdIsParted() {
+        PhysicsEngine engine = new PhysicsEngine();
+        for (int k = 0; k < 150_000; k++) {
+            engine.add(new Body(new Circle(0.5)).at(2 * (k % 400) + 1e-3 * (k % 7), 1.2 * (k / 400) + 0.25 * (k % 11 / 10)));
+        }
+        assertThat(engine.overlaps()).isNotEmpty();
+        assertThat(engine.separate()).isPositive();
+        assertThat(engine.overlaps()).isEmpty();
     }
 
     @Test

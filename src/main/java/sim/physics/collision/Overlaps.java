@@ -36,15 +36,18 @@ public final class Overlaps {
      * @return one entry a pair, deepest first
      */
     public List<Overlap> find(List<Body> bodies) {
+        return find(new CirclePairs(bodies));
+    }
+
+    private List<Overlap> find(CirclePairs pairs) {
         List<Overlap> found = new ArrayList<>();
-        for (int i = 0; i < bodies.size(); i++) {
-            for (int j = 0; j < i; j++) {
-                Body a = bodies.get(j);
-                Body b = bodies.get(i);
-                double depth = depth(a, b);
-                if (depth > 0) {
-                    found.add(new Overlap(a, b, depth));
-                }
+        int count = pairs.find();
+        for (int k = 0; k < count; k++) {
+            Body a = pairs.earlier(k);
+            Body b = pairs.later(k);
+            double depth = depth(a, b);
+            if (depth > 0) {
+                found.add(new Overlap(a, b, depth));
             }
         }
         found.sort((p, q) -> Double.compare(q.depth(), p.depth()));
@@ -53,9 +56,7 @@ public final class Overlaps {
 
     private double depth(Body a, Body b) {
         double size = a.getShape().boundingRadius() + b.getShape().boundingRadius();
-        double dx = b.getX() - a.getX();
-        double dy = b.getY() - a.getY();
-        if (dx * dx + dy * dy >= size * size || a.isFixed() && b.isFixed() || !filter.allows(a, b)) {
+        if (!CirclePairs.doOverlap(a, b) || a.isFixed() && b.isFixed() || !filter.allows(a, b)) {
             return 0;
         }
         double gap = distance.between(a, b);
@@ -71,8 +72,9 @@ public final class Overlaps {
      * @throws IllegalStateException if there is no room; the bodies stay where the attempt left them
      */
     public int separate(List<Body> bodies) {
+        CirclePairs pairs = new CirclePairs(bodies);
         for (int sweep = 0; sweep < MAX_SWEEPS; sweep++) {
-            List<Overlap> found = find(bodies);
+            List<Overlap> found = find(pairs);
             if (found.isEmpty()) {
                 return sweep;
             }
