@@ -12,7 +12,7 @@ import sim.physics.motion.Ties;
 
 /** Which bodies collide: those whose categories allow it and that no author has excluded as a pair. */
 public final class CollisionFilter implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     /** By body those with which its author has excluded it, in ascending order; null for none, and empty if nobody ever was. */
     private IntList[] excluded = {};

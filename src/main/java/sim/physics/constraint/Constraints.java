@@ -20,7 +20,7 @@ import sim.physics.motion.Ties;
  * integrators the accelerations of (37).
  */
 public final class Constraints implements Ties, Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     private final State state;
     private final Register register = new Register();

@@ -24,7 +24,7 @@ import sim.physics.response.lasting.RestingContacts;
  * solved together by {@link SimultaneousImpact}.
  */
 public final class CollisionResponse implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     private final State state;
     private final Trajectories trajectories;

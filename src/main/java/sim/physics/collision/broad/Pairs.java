@@ -122,21 +122,6 @@ public final class Pairs implements Serializable {
     }
 
     /**
-     * Whether a body has part in no more than one of some pairs.
-     *
-     * @param those numbers of pairs
-     * @param body its index
-     * @return false from two on
-     */
-    public boolean isOnly(IntList those, int body) {
-        int count = 0;
-        for (int k = 0; k < those.size && count < 2; k++) {
-            count += first(those.values[k]) == body || second(those.values[k]) == body ? 1 : 0;
-        }
-        return count < 2;
-    }
-
-    /**
      * The partner of a body in a pair.
      *
      * @param pair number
