@@ -3,91 +3,72 @@
 package sim.physics.collision;
 
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
+import sim.physics.collision.broad.Boxes;
+import sim.physics.collision.broad.CellGrid;
+import sim.physics.collision.broad.Pairs;
 import sim.physics.motion.Body;
 
-/** The pairs of bodies whose bounding circles may overlap, by a sweep along the axis on which the bodies are spread out more. */
+/** The pairs of bodies whose bounding circles overlap, unless both are fixed: those of a broad phase of their own that do. */
 final class CirclePairs {
-    /** What a circle covers of the axis, and a little more than rounding leaves of that. */
-    private static final class Span {
-        private final int body;
-        private double low;
-        private double high;
-
-        Span(int body) {
-            this.body = body;
-        }
-
-        double low() {
-            return low;
-        }
-
-        void set(double centre, double radius) {
-            double margin = 4 * Math.ulp(Math.abs(centre) + radius);
-            low = centre - radius - margin;
-            high = centre + radius + margin;
-        }
-    }
-
-    private static final Comparator<Span> BY_LOW = Comparator.comparingDouble(Span::low);
-
     private final List<Body> bodies;
-    private final Span[] spans;
-    private final Span[] open;
+    private final Boxes boxes = new Boxes();
+    private final Pairs near = new Pairs();
+    private final CellGrid grid = new CellGrid();
     private long[] pairs = new long[16];
     private int count;
 
     CirclePairs(List<Body> bodies) {
         this.bodies = bodies;
-        spans = new Span[bodies.size()];
-        open = new Span[spans.length];
-        Arrays.setAll(spans, Span::new);
+        boxes.ensure(bodies.size());
+        near.ensure(bodies.size());
+        for (int k = 0; k < bodies.size(); k++) {
+            boxes.setFixed(k, bodies.get(k).isFixed());
+            enclose(k);
+            grid.add(k, boxes, near);
+        }
     }
 
     /** Looks where the bodies are now; returns the number of pairs, which are in the order of their later bodies, then their earlier. */
     int find() {
-        count = 0;
-        boolean alongX = spread(true) >= spread(false);
-        for (Span span : spans) {
-            Body body = bodies.get(span.body);
-            span.set(alongX ? body.getX() : body.getY(), body.getShape().boundingRadius());
-        }
-        Arrays.sort(spans, BY_LOW); // hardly changed since the last look
-        int opened = 0;
-        for (Span span : spans) {
-            int kept = 0;
-            for (int k = 0; k < opened; k++) {
-                if (open[k].high >= span.low) {
-                    add(span.body, open[k].body);
-                    open[kept++] = open[k];
-                }
+        for (int k = 0; k < bodies.size(); k++) {
+            if (enclose(k)) {
+                grid.update(k, boxes, near);
             }
-            open[kept] = span;
-            opened = kept + 1;
+        }
+        count = 0;
+        for (int k = 0; k < bodies.size(); k++) {
+            for (int m = 0; m < near.countOf(k); m++) {
+                add(k, near.other(near.of(k, m), k));
+            }
         }
         Arrays.sort(pairs, 0, count);
         return count;
     }
 
-    private double spread(boolean alongX) {
-        double least = Double.POSITIVE_INFINITY;
-        double most = Double.NEGATIVE_INFINITY;
-        for (Body body : bodies) {
-            least = Math.min(least, alongX ? body.getX() : body.getY());
-            most = Math.max(most, alongX ? body.getX() : body.getY());
-        }
-        return most - least;
+    /** Sets the box around a body's circle, a little larger than rounding could make of it; returns whether it is another one. */
+    private boolean enclose(int k) {
+        Body body = bodies.get(k);
+        double radius = body.getShape().boundingRadius();
+        double x = body.getX();
+        double y = body.getY();
+        double wide = radius + 4 * Math.ulp(Math.abs(x) + radius);
+        double high = radius + 4 * Math.ulp(Math.abs(y) + radius);
+        double[] d = boxes.data();
+        int o = Boxes.STRIDE * k;
+        boolean isNew = d[o] != x - wide || d[o + 1] != y - high || d[o + 2] != x + wide || d[o + 3] != y + high;
+        boxes.set(k, x - wide, y - high, x + wide, y + high);
+        return isNew;
     }
 
-    private void add(int i, int j) {
-        if (!doOverlap(bodies.get(i), bodies.get(j))) {
+    private void add(int later, int earlier) {
+        if (earlier > later || !doOverlap(bodies.get(later), bodies.get(earlier))) {
             return;
         }
         if (count == pairs.length) {
             pairs = Arrays.copyOf(pairs, 2 * count);
         }
-        pairs[count++] = (long) Math.max(i, j) << Integer.SIZE | Math.min(i, j);
+        pairs[count++] = (long) later << Integer.SIZE | earlier;
     }
 
     static boolean doOverlap(Body a, Body b) {

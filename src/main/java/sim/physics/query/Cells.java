@@ -194,17 +194,7 @@ final class Cells {
             spans = new int[SPAN * (n + n / 2)];
         }
         measure();
-        if (dense == 0 || --dense == 0) {
-            while (count() > 6L * n + 64) {
-                setSide(2 * side); // they lie upon one another
-            }
-            dense = areCrowded() ? AGAIN : 0;
-        }
-        if (dense > 0 && !countDense()) {
-            dense = 0;
-            setSide(side);
-            count();
-        }
+        divide();
         int cells = columns * rows;
         for (int c = 1; c <= cells; c++) {
             first[c] += first[c - 1];
@@ -217,6 +207,30 @@ final class Cells {
         }
         looks = 0;
         laid = true;
+    }
+
+    /** Divides the region into cells, and counts the bodies in them. */
+    private void divide() {
+        dense = Math.max(0, dense - 1);
+        if (dense > 0 && countDense()) {
+            return;
+        }
+        countEven();
+        dense = areCrowded() && countDense() ? AGAIN : 0;
+        if (dense == 0 && !xs.isEven()) {
+            countEven(); // lines that are dense were no good
+        }
+    }
+
+    private void countEven() {
+        setSide(side);
+        while (isTooMuch(count())) {
+            setSide(2 * side); // they lie upon one another
+        }
+    }
+
+    private boolean isTooMuch(long entries) {
+        return entries > 6L * census.size + 64;
     }
 
     /** Chooses region and size of the cells. */
@@ -260,7 +274,7 @@ final class Cells {
         dense(ys, State.Y, across);
         columns = xs.count;
         rows = ys.count;
-        return count() <= 6L * census.size + 64;
+        return !isTooMuch(count());
     }
 
     /** Columns or rows that there may be. */

@@ -36,6 +36,10 @@ final class Lines {
 
     private double perEntry;
 
+    boolean isEven() {
+        return isEven;
+    }
+
     /** Lines that are evenly spaced. */
     void even(double width) {
         isEven = true;

@@ -394,7 +394,7 @@ public final class CellGrid implements BroadPhase {
     private int place(int body, Boxes boxes) {
         double extent = boxes.extent(body);
         if (levels.length == 0 && !boxes.isFixed(body)) {
-            levels = new CellLevel[] {new CellLevel(0, 1.25 * extent, CellLevel.SMALLEST)};
+            levels = new CellLevel[] {new CellLevel(0, CellLayout.ROOM * extent, CellLevel.SMALLEST)};
         }
         for (CellLevel level : levels) {
             if (extent <= level.largest) {

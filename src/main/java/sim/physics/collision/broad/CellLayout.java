@@ -24,7 +24,9 @@ final class CellLayout {
     /** By how much the boxes in a level may differ at most, where it is not the usual one. */
     private static final double UNLIKE = 4;
 
-    private static final double ROOM = 1.25;
+    /** Size of a cell for a box. */
+    static final double ROOM = 1.25;
+
     private static final double ROOM_FOR_ALL = 1.05;
 
     /** Bodies from which on a bucket has less room to spare, since memory then costs more than a look. */
