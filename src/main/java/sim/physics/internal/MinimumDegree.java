@@ -103,7 +103,7 @@ public final class MinimumDegree {
             place[next] = k;
             IntList met = near[next];
             if (isSorted) {
-                Arrays.sort(met.values, 0, met.size);
+                met.sort();
             }
             for (int m = 0; m < met.size; m++) {
                 inherit(met.values[m], next, met);

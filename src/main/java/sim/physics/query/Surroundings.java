@@ -114,7 +114,7 @@ final class Surroundings {
                 collect(cells.filed[k], question);
             }
         }
-        Arrays.sort(candidates.values, 0, candidates.size);
+        candidates.sort();
         return true;
     }
 

@@ -146,7 +146,7 @@ public final class LastingContacts implements Serializable {
                 }
             }
         }
-        Arrays.sort(members.values, 0, members.size);
+        members.sort();
         IntList found = new IntList();
         Pairs pairs = detection.pairs();
         for (int k = 0; k < members.size; k++) {

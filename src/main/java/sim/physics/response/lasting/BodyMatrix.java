@@ -80,7 +80,7 @@ final class BodyMatrix {
             for (int k = 0; k < met.size; k++) {
                 later[count++] = order.place[met.values[k]];
             }
-            Arrays.sort(later, start[p], count);
+            IntList.sort(later, start[p], count);
         }
         start[n] = count;
         ensureBlocks(count);
