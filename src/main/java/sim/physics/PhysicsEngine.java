@@ -53,7 +53,7 @@ import sim.physics.stepping.TimeStepping;
  * serializable, and a restored one continues bit for bit.
  */
 public final class PhysicsEngine implements Steppable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     /** The ordering at which {@link #scheduleOn(Schedule)} runs the engine; agents that steer bodies come before. */
     public static final int ORDERING = 10;
@@ -80,6 +80,9 @@ public final class PhysicsEngine implements Steppable {
 
     /** Driven bodies whose new paths detection has not been told of. */
     private final IntList entering = new IntList();
+
+    /** Those of them that do not stand still, where some may. */
+    private final IntList moving = new IntList();
 
     /** How detection is told of new paths: of a body and its pairs, of a body, or later of all bodies. */
     private enum Entry {
@@ -343,11 +346,13 @@ public final class PhysicsEngine implements Steppable {
         }
     }
 
-    /** Gives all driven bodies new paths from the start of the step on. */
+    /** Gives all driven bodies new paths from the start of the step on, but for those that stand still as they did. */
     private void followAll() {
         IntList driven = motion.driven();
         boolean isShared = sharedMotion.advance();
+        boolean mayStay = !response.heaps().isEmpty(); // and nobody is late
         entering.clear();
+        moving.clear();
         try {
             for (int k = 0; k < driven.size; k++) {
                 int body = driven.values[k];
@@ -359,7 +364,9 @@ public final class PhysicsEngine implements Steppable {
                 if (motion.companions(body).values[0] != body) {
                     continue;
                 }
-                if (isShared && sharedMotion.isDone(body)) {
+                if (mayStay && stays(motion.companions(body))) {
+                    detection.setPathEnd(motion.companions(body), timeStep);
+                } else if (isShared && sharedMotion.isDone(body)) {
                     publish(body, motion.advance(body, detection), Entry.TOGETHER);
                     detection.endPath(body);
                 } else {
@@ -371,7 +378,18 @@ public final class PhysicsEngine implements Steppable {
         } finally {
             enter(); // also if a group cannot go on
         }
-        detection.lookAtGathered(driven);
+        detection.lookAtGathered(mayStay && moving.size < driven.size ? moving : driven);
+    }
+
+    /** Whether bodies that move together stand still and have paths that say so; takes note of those that do not. */
+    private boolean stays(IntList group) {
+        if (motion.areStaying(group)) {
+            return true;
+        }
+        for (int k = 0; k < group.size; k++) {
+            moving.add(group.values[k]);
+        }
+        return false;
     }
 
     private void enter() {

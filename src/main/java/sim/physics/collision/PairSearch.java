@@ -99,12 +99,16 @@ final class PairSearch implements Serializable {
         if (!trajectories.areStraight()) {
             marks.clearances().note(pair, depth > 0 ? Double.NaN : narrowPhase.clearance());
         }
-        found = LATER;
-        if (narrowPhase.isApart()) {
+        boolean isApart = narrowPhase.isApart();
+        if (!isApart && narrowPhase.isTouching() && t < end) {
+            found = IMPACT;
             return t;
         }
-        if (narrowPhase.isTouching() && t < end) {
-            found = IMPACT;
+        if (trajectories.stands(pairs.first(pair)) && trajectories.stands(pairs.second(pair))) {
+            return 0; // until one of them has another course
+        }
+        found = LATER;
+        if (isApart) {
             return t;
         }
         boolean driven = !narrowPhase.isContinuous()

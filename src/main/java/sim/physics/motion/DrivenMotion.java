@@ -149,7 +149,7 @@ final class DrivenMotion implements Serializable {
     /** Lets a group stay where it is, which rests. */
     private double stay(IntList group) {
         restore(group);
-        Repose.stay(group, state, path);
+        repose.stay(group, state, path);
         GroupPaths.set(pace, group, trajectories.h());
         isCoarse = false;
         return publish(group, trajectories.offset(group.values[0]), trajectories.h());

@@ -288,11 +288,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         drivenMotion.remove(body);
     }
 
-    /**
-     * The driven bodies.
-     *
-     * @return indices in ascending order; live
-     */
+    /** {@return the driven bodies: indices in ascending order, live} */
     public IntList driven() {
         return driven;
     }
@@ -322,20 +318,24 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         return drivenMotion.advance(companions(body), neighbours);
     }
 
-    /**
-     * Whether the paths that were set last may be farther from the motion than what is near others may be.
-     *
-     * @return false after a step of fixed length
-     */
+    /** {@return whether the last paths may be farther from the motion than what is near others may be; not after a step of fixed length} */
     public boolean isCoarse() {
         return drivenMotion.isCoarse();
     }
 
     /**
-     * From when on the motion of a body has been smooth, in a scene in which something is driven.
+     * {@return whether bodies that move together stand still under their contacts, as in the last step, and nobody audits it}
+     *
+     * @param group indices
+     */
+    public boolean areStaying(IntList group) {
+        return drivenMotion.repose.areStaying(group) && !drivenMotion.isObserved();
+    }
+
+    /**
+     * {@return offset in the present step of the last change of a body's velocity, where something is driven; 0 if there was none}
      *
      * @param body index
-     * @return offset in the present step of the last change of its velocity; 0 if there was none
      */
     public double smoothSince(int body) {
         return drivenMotion.smoothSince(body);

@@ -11,9 +11,14 @@ import sim.physics.internal.IntList;
  * came to rest. They stay there, and nothing is integrated, until something happens to one of them.
  */
 final class Repose implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
-    private boolean[] rests = {};
+    /** A body rests, and its path says so already. */
+    private static final byte STAYS = 2;
+
+    private static final byte RESTS = 1;
+
+    private byte[] rests = {};
 
     Repose() {
         // grows when one rests
@@ -26,18 +31,18 @@ final class Repose implements Serializable {
 
     void begin(int body) {
         rests = body < rests.length ? rests : Arrays.copyOf(rests, 2 * body + 1);
-        rests[body] = true;
+        rests[body] = RESTS;
     }
 
     /** Something happens to a body. */
     void end(int body) {
         if (body < rests.length) {
-            rests[body] = false;
+            rests[body] = 0;
         }
     }
 
     boolean has(int body) {
-        return body < rests.length && rests[body];
+        return body < rests.length && rests[body] != 0;
     }
 
     /** Whether all bodies of a group rest. */
@@ -49,10 +54,20 @@ final class Repose implements Serializable {
         return yes;
     }
 
-    /** The paths of bodies that stay where the state vectors have them. */
-    static void stay(IntList group, State state, Path path) {
+    /** Whether all bodies of a group rest, and have been given paths that say so since they do. */
+    boolean areStaying(IntList group) {
+        boolean yes = true;
+        for (int k = 0; yes && k < group.size; k++) {
+            yes = group.values[k] < rests.length && rests[group.values[k]] == STAYS;
+        }
+        return yes;
+    }
+
+    /** The paths of bodies that rest, and stay where the state vectors have them. */
+    void stay(IntList group, State state, Path path) {
         path.ensure(state.x().length);
         for (int k = 0; k < group.size; k++) {
+            rests[group.values[k]] = STAYS;
             int b = State.BLOCK * group.values[k];
             for (int c = b; c < b + State.BLOCK; c++) {
                 path.straight(c);

@@ -305,6 +305,17 @@ public final class Trajectories implements Serializable {
         return bends[o + ATHETA] == 0 && bends[o + JX] == 0 && bends[o + JY] == 0 && bends[o + JTHETA] == 0;
     }
 
+    /**
+     * Whether a body stays where it is on its present course.
+     *
+     * @param body index
+     * @return true if it has neither velocity nor acceleration
+     */
+    public boolean stands(int body) {
+        int o = body * STRIDE & bendMask;
+        return !isMoving(body) && isParabola(body) && bends[o + AX] == 0 && bends[o + AY] == 0;
+    }
+
     /** Whether a body has a velocity at its anchor. */
     boolean isMoving(int body) {
         int o = body * STRIDE;
