@@ -274,6 +274,11 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
+    public boolean fly(IntList bodies, double gx, double gy, double h, double[] a) {
+        return QuickStep.fly(projected(bodies), state, solver, gx, gy, h, a);
+    }
+
+    @Override
     public boolean advance(IntList bodies, double gx, double gy, double h) {
         return QuickStep.advance(projected(bodies), state, solver, gx, gy, h);
     }

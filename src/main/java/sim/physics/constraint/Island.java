@@ -25,9 +25,10 @@ import sim.physics.motion.State;
  * </pre>
  */
 final class Island implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     static final int J = 12;
+    private static final int[] NONE = {};
 
     /** Movable bodies, ascending. */
     final IntList bodies;
@@ -86,7 +87,6 @@ final class Island implements Serializable {
 
     /** Constraints that must be asked themselves, and motors and stops. */
     private final int[] others;
-
     private final int[] switched;
 
     /** Whether a row is one between angles, 2 per node. */
@@ -100,6 +100,9 @@ final class Island implements Serializable {
     /** Null unless the constraints are pins that form a chain between two places that do not move. */
     final ChainStep chain;
 
+    /** Null unless the constraints are welds that make one rigid body, which moves freely. */
+    final RigidStep rigid;
+
     final Switches switches;
     final Invariants invariants;
     final Shake shake;
@@ -109,7 +112,6 @@ final class Island implements Serializable {
 
     /** The constraints of each body: those of body k are around[aroundStart[k]] … */
     private final int[] aroundStart;
-
     private final int[] around;
 
     private final Equations equations = new Equations();
@@ -167,11 +169,10 @@ final class Island implements Serializable {
         others = others();
         switched = where(k -> constraints[k] instanceof Switched);
         onlyPins = pins.areAll();
-        if (onlyPins) {
-            pins.setShared(shared);
-        }
+        pins.setShared(onlyPins ? shared : NONE);
         tree = onlyPins ? pins.tree() : null;
         chain = onlyPins && tree == null ? pins.chain() : null;
+        rigid = RigidStep.of(this);
         switches = new Switches(this);
         invariants = new Invariants(this);
         shake = new Shake(this);

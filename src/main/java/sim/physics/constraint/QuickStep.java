@@ -10,6 +10,11 @@ import sim.physics.motion.TiedCoordinates;
 final class QuickStep {
     private QuickStep() {}
 
+    /** Lets an island, which may be null, fly in a uniform field, if it is one rigid body; false if it is not. */
+    static boolean fly(Island one, State state, ConstraintSolver solver, double gx, double gy, double h, double[] a) {
+        return one != null && one.rigid != null && solver.isDirect() && one.rigid.advance(state, gx, gy, h, a);
+    }
+
     /** A step of RK4 in a uniform field; false if an island, which may be null, has no quick way. */
     static boolean advance(Island one, State state, ConstraintSolver solver, double gx, double gy, double h) {
         if (one == null) {

@@ -30,6 +30,11 @@ public final class WeldJoint extends Joint implements Link {
         return pin;
     }
 
+    /** Angle of the first body less that of the second. */
+    double angle() {
+        return angle;
+    }
+
     @Override
     public double getAnchorAX() {
         return pin.getAnchorAX();

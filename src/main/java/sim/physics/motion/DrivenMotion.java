@@ -275,7 +275,8 @@ final class DrivenMotion implements Serializable {
 
     /** Advances a group from its anchors on the stride that it is on, or on a new one; returns how far. */
     private double goOn(IntList group, double tau, double rest) {
-        boolean mayGoBeyond = motion.getIntegrator().isAdaptive() && !isStruck(group);
+        boolean isRigid = tied != null && tied.isRigid(motion, group);
+        boolean mayGoBeyond = motion.getIntegrator().isAdaptive() && !isRigid && !isStruck(group);
         double length = mayGoBeyond ? strides.advance(group, tau, rest, tied) : 0;
         return length > 0 ? length : stride(group, tau, rest);
     }

@@ -124,7 +124,7 @@ final class TiedMotion implements Serializable {
 
     /** Advances a group by at most a time, as far as the integrator does at once; returns how far. */
     double stride(Motion motion, IntList group, double t, double limit, Path path) {
-        if (!motion.getIntegrator().isAdaptive()) {
+        if (!motion.getIntegrator().isAdaptive() || isRigid(motion, group)) {
             advance(motion, group, t, limit, path);
             return limit;
         }
@@ -141,7 +141,9 @@ final class TiedMotion implements Serializable {
         }
         begin(group);
         path.ensure(state.x().length);
-        if (motion.getIntegrator().isAdaptive()) {
+        if (fly(motion, group, length, path)) {
+            path.knowsFirst = true;
+        } else if (motion.getIntegrator().isAdaptive()) {
             for (double done = 0; done != length; ) {
                 double left = length - done;
                 double stride = chosenStride(motion, group, t + done, left, path);
@@ -360,6 +362,11 @@ final class TiedMotion implements Serializable {
     /** Advances a group over a time, if there is a quick way; else nothing is changed, and of the path only its workspace. */
     boolean leap(Motion motion, IntList group, double t, double length, Path path) {
         Generators fields = motion.generators;
+        if (fly(motion, group, length, path)) {
+            path.knowsFirst = true;
+            isRefused = false;
+            return true;
+        }
         isRefused = !(motion.getIntegrator() instanceof RungeKutta4);
         if (!isRefused && fallsFreely(motion, group)) {
             isRefused = !ties.advance(group, fields.gravityX, fields.gravityY, length);
@@ -371,6 +378,20 @@ final class TiedMotion implements Serializable {
             }
         }
         return !isRefused;
+    }
+
+    /** Whether a group falls freely as one rigid body: its motion is known for any time. */
+    boolean isRigid(Motion motion, IntList group) {
+        return fallsFreely(motion, group) && ties.fly(group, 0, 0, 0, startX);
+    }
+
+    /** Moves it so, over a time of either sign; false if it is none. */
+    private boolean fly(Motion motion, IntList group, double length, Path path) {
+        if (!fallsFreely(motion, group)) {
+            return false;
+        }
+        path.ensure(state.x().length);
+        return ties.fly(group, motion.generators.gravityX, motion.generators.gravityY, length, path.first);
     }
 
     /** Whether nothing but uniform fields acts on any body of a group, beside its ties. */

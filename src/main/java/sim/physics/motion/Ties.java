@@ -92,6 +92,18 @@ public interface Ties extends Serializable {
     void begin(IntList bodies, boolean isFree);
 
     /**
+     * Moves some bodies of the state vectors under a uniform field, exactly, if they are one rigid body that moves freely.
+     *
+     * @param bodies all bodies of an island, or of several and others
+     * @param gx acceleration of the field
+     * @param gy acceleration of the field
+     * @param h time, of either sign; 0 to ask only
+     * @param a gets the accelerations at the start, with those of the ties, [x″, y″, θ″] per body of the state
+     * @return false if they are not; then nothing has changed
+     */
+    boolean fly(IntList bodies, double gx, double gy, double h, double[] a);
+
+    /**
      * Makes a step of RK4 under a uniform field and projects, at once, if there is a quick way to do so.
      *
      * @param bodies all bodies of an island, or of several and others
