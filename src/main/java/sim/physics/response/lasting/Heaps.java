@@ -22,7 +22,7 @@ import sim.physics.motion.Trajectories;
  * <p>What stands still is let be, exactly where it is.
  */
 public final class Heaps implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     /** How many times deeper than it is a pair may be from then on. */
     private static final double DEEPER = 2;
@@ -44,7 +44,7 @@ public final class Heaps implements Serializable {
 
     private final IntList changed = new IntList();
 
-    private final Standing standing;
+    private final Joining joining;
 
     /**
      * Makes the heaps of an engine, none at first.
@@ -73,7 +73,8 @@ public final class Heaps implements Serializable {
         this.heap = new Heap(state, trajectories, motion, detection, points, by, ledger);
         this.collapse = new Collapse(state, trajectories, motion, detection, points, by, heap);
         this.large = heap.large();
-        this.standing = new Standing(state, trajectories, motion, detection, points, heap.scales());
+        Standing standing = new Standing(state, trajectories, motion, detection, points, heap.scales());
+        this.joining = new Joining(state, trajectories, motion, detection, resting, by, heap, standing, members, dirty);
         this.calm = new HeapCalm(trajectories, motion, detection, heap);
     }
 
@@ -225,16 +226,7 @@ public final class Heaps implements Serializable {
      * @param pair number of the pair
      */
     public void add(int pair) {
-        heap.lasting().begin(pair);
-        int a = detection.pairs().first(pair);
-        int b = detection.pairs().second(pair);
-        boolean onA = !has(b) && large.isDone(a) && !trajectories.isDriven(b);
-        boolean onB = !has(a) && large.isDone(b) && !trajectories.isDriven(a);
-        join(a);
-        join(b);
-        if (onA && has(b) || onB && has(a)) {
-            large.bear(onA && has(b) ? b : a);
-        }
+        joining.add(pair);
     }
 
     /**
@@ -259,53 +251,6 @@ public final class Heaps implements Serializable {
         return collapse.stop(pair, tau, hop, moved);
     }
 
-    private void join(int body) {
-        by.ensure(body);
-        if (state.body(body).isFixed()) {
-            return;
-        }
-        if (!by.lies[body] && trajectories.isDriven(body)) {
-            IntList group = motion.companions(body);
-            for (int k = 0; k < group.size; k++) {
-                by.ensure(group.values[k]);
-                if (!by.lies[group.values[k]]) {
-                    by.lies[group.values[k]] = true;
-                    by.begin(group.values[k]);
-                    members.add(group.values[k]);
-                }
-            }
-            bear(body);
-        }
-        if (!by.lies[body]) {
-            by.lies[body] = true;
-            by.begin(body);
-            members.add(body);
-            for (int k = 0; k < detection.pairs().countOf(body); k++) {
-                if (detection.marks().isHeld(detection.pairs().of(body, k))) {
-                    add(detection.pairs().of(body, k)); // what it rests on bears it in the heap too
-                }
-            }
-            resting.forget(body);
-            bear(body);
-        }
-        mark(body);
-    }
-
-    /** Lets a body lie on all that it stands on or that stands on it: where one support bears it, it would never get to the others. */
-    private void bear(int body) {
-        for (int pair : standing.find(body, heap.lasting())) {
-            add(pair);
-        }
-    }
-
-    private void mark(int body) {
-        by.isStill[body] = false;
-        if (!by.isDirty[body] && !large.isDone(body)) {
-            by.isDirty[body] = true;
-            dirty.add(body);
-        }
-    }
-
     /** Begins a step: all heaps that move are to be solved. */
     public void begin() {
         int kept = 0;
@@ -318,14 +263,14 @@ public final class Heaps implements Serializable {
             members.values[kept++] = body;
             by.begin(body);
             if (!by.isStill[body] || heap.stirs(body)) {
-                mark(body);
+                joining.mark(body);
             }
         }
         members.size = kept;
         for (int k = 0; k < kept; k++) {
             int body = members.values[k];
             if (by.isDirty[body] && !large.isRough(body)) {
-                bear(body);
+                joining.bear(body);
             }
         }
         IntList near = large.foresee(members);
@@ -350,7 +295,7 @@ public final class Heaps implements Serializable {
         if (isTooOften(body)) {
             giveUp(body);
         } else {
-            mark(body);
+            joining.mark(body);
         }
     }
 
@@ -377,14 +322,14 @@ public final class Heaps implements Serializable {
         }
         if (isTooOften(body) && motion.isTied(body)) {
             by.isHurried[body] = true;
-            mark(body);
+            joining.mark(body);
         } else if (isTooOften(body)) {
             giveUp(body);
             changed.add(body);
         } else if (!by.isDirty[body] && tau < by.paidUntil[body] && trajectories.isDriven(body) && heap.goesOn(body, tau)) {
             changed.add(body);
         } else {
-            mark(body);
+            joining.mark(body);
         }
     }
 
@@ -410,7 +355,7 @@ public final class Heaps implements Serializable {
                     detection.marks().setDepth(pair, Math.max(detection.marks().depth(pair), -DEEPER * gap));
                     continue; // bounces would cost more, and end nowhere where it is jammed
                 }
-                mark(body);
+                joining.mark(body);
                 if (isTooOften(body)) {
                     giveUp(body);
                 }
@@ -439,7 +384,7 @@ public final class Heaps implements Serializable {
                 end(pair);
                 int other = detection.pairs().other(pair, body);
                 if (has(other)) {
-                    mark(other);
+                    joining.mark(other);
                 }
             }
         }
