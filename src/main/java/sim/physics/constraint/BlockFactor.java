@@ -10,7 +10,7 @@ import java.util.Arrays;
  * order that was found before. All indices of the work are kept, so that only numbers are computed.
  */
 final class BlockFactor implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     private final int n;
 
@@ -19,8 +19,16 @@ final class BlockFactor implements Serializable {
 
     final int[] row;
 
-    /** Where the products of the blocks of a column are subtracted: a block below the diagonal, or ~p on it. */
+    /** Up to how many targets are kept: those of a node that all others meet are as many as the cube of their number. */
+    private static final int MOST_KEPT = 1 << 24;
+
+    /**
+     * Where the products of the blocks of a column are subtracted: a block below the diagonal, or ~p on it. Of all columns, if these are
+     * kept; else of the block that is eliminated.
+     */
     private final int[] target;
+
+    private final boolean areKept;
 
     /** The diagonal blocks, upper triangle: 3 each; their inverses when factored. */
     private final double[] diagonal;
@@ -68,24 +76,38 @@ final class BlockFactor implements Serializable {
             }
         }
         areAllPairs = all;
-        firstTarget = new int[n + 1];
+        long count = count();
+        areKept = count <= MOST_KEPT;
+        firstTarget = new int[areKept ? n + 1 : 0];
         diagonal = new double[3 * n];
         pivots = new Pivots(2 * n);
         size = pivots.size;
         below = new double[4 * row.length];
-        target = targets();
+        target = areKept ? targets((int) count) : new int[widest() + 1];
     }
 
-    private int[] targets() {
-        int count = 0;
+    private long count() {
+        long count = 0;
         for (int p = 0; p < n; p++) {
-            int k = start[p + 1] - start[p];
+            long k = start[p + 1] - start[p];
             count += k * (k + 1) / 2;
-            firstTarget[p + 1] = count;
         }
+        return count;
+    }
+
+    private int widest() {
+        int most = 0;
+        for (int p = 0; p < n; p++) {
+            most = Math.max(most, start[p + 1] - start[p]);
+        }
+        return most;
+    }
+
+    private int[] targets(int count) {
         int[] found = new int[count];
         int u = 0;
         for (int p = 0; p < n; p++) {
+            firstTarget[p] = u;
             for (int e = start[p]; e < start[p + 1]; e++) {
                 for (int f = e; f < start[p + 1]; f++) {
                     found[u++] = f == e ? ~row[e] : block(row[f], row[e]);
@@ -93,6 +115,33 @@ final class BlockFactor implements Serializable {
             }
         }
         return found;
+    }
+
+    /** The first target of a block of a column, when those before it were up to here; finds them if they are not kept. */
+    private int first(int e, int end, int before) {
+        if (areKept) {
+            return before;
+        }
+        int column = row[e];
+        int block = start[column];
+        target[0] = ~column;
+        int last = end - e - 1;
+        while (last > 0 && row[block] < row[e + 1]) {
+            block++;
+        }
+        if (last > 0 && row[block + last - 1] == row[end - 1]) { // the column meets all that this one does, and here nothing between
+            for (int m = 1; m <= last; m++) {
+                target[m] = block + m - 1;
+            }
+            return 0;
+        }
+        for (int m = 1; m <= last; m++) {
+            while (row[block] < row[e + m]) {
+                block++;
+            }
+            target[m] = block;
+        }
+        return 0;
     }
 
     /** The number of the block of a row and a column, row > column. */
@@ -145,7 +194,7 @@ final class BlockFactor implements Serializable {
         for (int p = 0, u = 0; p < n && areAllPairs; p++) {
             invertPair(p, relaxation * most);
             for (int e = start[p], end = start[p + 1]; e < end; e++) {
-                u = eliminate(p, e, end, u);
+                u = eliminate(p, e, end, first(e, end, u));
             }
         }
         for (int p = 0; p < n && !areAllPairs; p++) {
@@ -186,7 +235,7 @@ final class BlockFactor implements Serializable {
             double x0 = x[2 * p];
             double x1 = x[2 * p + 1];
             for (int e = start[p]; e < end; e++) {
-                u = eliminate(p, e, end, u);
+                u = eliminate(p, e, end, first(e, end, u));
                 int q = 2 * row[e];
                 x[q] -= b[4 * e] * x0 + b[4 * e + 1] * x1;
                 x[q + 1] -= b[4 * e + 2] * x0 + b[4 * e + 3] * x1;
@@ -195,19 +244,19 @@ final class BlockFactor implements Serializable {
     }
 
     private void eliminate(int p) {
-        int u = firstTarget[p];
+        int u = areKept ? firstTarget[p] : 0;
         int end = start[p + 1];
         if (isScalar[p]) {
             for (int e = start[p]; e < end; e++) {
-                u = eliminateScalar(p, e, end, u);
+                u = eliminateScalar(p, e, end, first(e, end, u));
             }
         } else if (rows[p] == 1) {
             for (int e = start[p]; e < end; e++) {
-                u = eliminateRow(p, e, end, u);
+                u = eliminateRow(p, e, end, first(e, end, u));
             }
         } else {
             for (int e = start[p]; e < end; e++) {
-                u = rows[row[e]] == 0 ? u + end - e : eliminate(p, e, end, u);
+                u = rows[row[e]] == 0 ? u + end - e : eliminate(p, e, end, first(e, end, u));
             }
         }
     }

@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Trig;
 import sim.physics.motion.State;
@@ -71,8 +72,8 @@ final class JointRows implements Serializable {
 
     void addRod(int node, Anchor first, Anchor second, double length) {
         rods.add(node);
-        rodValues = Arrays.copyOf(rodValues, ROD * rods.size);
-        int at = rodValues.length - ROD;
+        rodValues = withRoom(rodValues, ROD * rods.size);
+        int at = ROD * (rods.size - 1);
         anchor(rodValues, at, island.a[node], first);
         anchor(rodValues, at + 2, island.b[node], second);
         rodValues[at + 4] = length;
@@ -80,8 +81,8 @@ final class JointRows implements Serializable {
 
     void addSlide(int node, Anchor first, Anchor second, double normalX, double normalY) {
         slides.add(node);
-        slideValues = Arrays.copyOf(slideValues, SLIDE * slides.size);
-        int at = slideValues.length - SLIDE;
+        slideValues = withRoom(slideValues, SLIDE * slides.size);
+        int at = SLIDE * (slides.size - 1);
         anchor(slideValues, at, island.a[node], first);
         anchor(slideValues, at + 2, island.b[node], second);
         double cos = 1;
@@ -98,12 +99,16 @@ final class JointRows implements Serializable {
 
     void addAngle(int node, int row, Joint joint, double ratio, double sum) {
         angles.add(2 * node + row);
-        angleValues = Arrays.copyOf(angleValues, ANGLE * angles.size);
-        int at = angleValues.length - ANGLE;
+        angleValues = withRoom(angleValues, ANGLE * angles.size);
+        int at = ANGLE * (angles.size - 1);
         angleValues[at] = ratio;
         angleValues[at + 1] = sum;
         angleValues[at + 2] = joint.getBodyA().getAngle();
         angleValues[at + 3] = joint.getBodyB() == null ? 0 : joint.getBodyB().getAngle();
+    }
+
+    private static double[] withRoom(double[] values, int length) {
+        return values.length < length ? Arrays.copyOf(values, Growth.length(values.length, length)) : values;
     }
 
     private void anchor(double[] values, int at, int body, Anchor end) {
