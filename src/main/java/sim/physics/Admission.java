@@ -54,10 +54,7 @@ final class Admission implements Presence, Serializable {
     private TimeStepping stepped;
 
     private final IslandRounds rounds = new IslandRounds();
-
-    /** Accelerations, of bodies whose joints are asked about. */
-    private transient double[] work;
-
+    private final Answered answered = new Answered();
     private final WrittenBlocks written;
 
     Admission(
@@ -393,15 +390,21 @@ final class Admission implements Presence, Serializable {
             regroup();
         }
         Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
-        if (motion.groups().mayCouple()) {
-            regroupCoupled(0);
-        } else {
-            review(constraints.island(body.index())); // not all that was written: others are asked about, too
+        IntList island = constraints.island(body.index());
+        if (!answered.holds(island, constraints, state, time)) {
+            if (motion.groups().mayCouple()) {
+                regroupCoupled(0);
+            } else {
+                review(island); // not all that was written: others are asked about, too
+            }
+            answered.evaluate(island, constraints, motion, state, time);
         }
-        int length = state.x().length;
-        work = work == null || work.length < length ? new double[length] : work; // of its island it is all written
-        motion.acceleration(constraints.island(body.index()), time, work);
         return constraints.reaction(constraint);
+    }
+
+    /** Something else than what is written may have changed what constraints do. */
+    void forgetAnswers() {
+        answered.forget();
     }
 
     /** Forms islands anew between steps, when the vectors hold where all bodies are. */

@@ -339,6 +339,7 @@ public final class PhysicsEngine implements Steppable {
         if (motion.late().isEmpty()) {
             return;
         }
+        admission.forgetAnswers();
         IntList made = motion.late().make(team);
         for (int k = 0; k < made.size; k++) {
             publish(made.values[k], timeStep, Entry.BODY);
@@ -817,6 +818,7 @@ public final class PhysicsEngine implements Steppable {
             }
         }
         constraints();
+        admission.forgetAnswers();
         admission.assemble(those);
     }
 
@@ -893,6 +895,7 @@ public final class PhysicsEngine implements Steppable {
         Objects.requireNonNull(solver, "solver");
         requireBetweenSteps("the constraint solver was set");
         constraintSolver = solver;
+        admission.forgetAnswers();
         motion.late().forget();
         if (constraints != null) {
             constraints.setSolver(solver);
@@ -908,6 +911,7 @@ public final class PhysicsEngine implements Steppable {
     public void setStabilization(Stabilization stabilization) {
         Objects.requireNonNull(stabilization, "stabilization");
         requireBetweenSteps("the stabilization was set");
+        admission.forgetAnswers();
         constraints().setStabilization(stabilization);
     }
 
@@ -1297,6 +1301,7 @@ public final class PhysicsEngine implements Steppable {
      */
     public int separate() {
         requireBetweenSteps("bodies were to be separated");
+        admission.forgetAnswers();
         return admission.separate(bodies());
     }
 

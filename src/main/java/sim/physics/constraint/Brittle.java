@@ -5,7 +5,7 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.List;
 
-/** Whether some joint of some island can break: each step asks, and seldom is it another answer than the one before. */
+/** Whether some joint of some group can break: each step asks, and seldom is it another answer than the one before. */
 final class Brittle implements Serializable {
     private static final long serialVersionUID = 1L;
 
@@ -14,11 +14,11 @@ final class Brittle implements Serializable {
     /** Of which version of the islands that is known. */
     private long known = -1;
 
-    boolean isAny(List<Island> islands, long version) {
+    boolean isAny(List<TiedGroup> groups, long version) {
         if (known != version) {
             isAny = false;
-            for (int k = 0; k < islands.size(); k++) {
-                isAny |= islands.get(k).isBreakable();
+            for (int k = 0; k < groups.size(); k++) {
+                isAny |= groups.get(k).isBreakable();
             }
             known = version;
         }

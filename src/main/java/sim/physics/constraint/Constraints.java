@@ -20,14 +20,14 @@ import sim.physics.motion.Ties;
  * integrators the accelerations of (37).
  */
 public final class Constraints implements Ties, Serializable {
-    private static final long serialVersionUID = 2L;
+    private static final long serialVersionUID = 3L;
 
     private final State state;
     private final Register register = new Register();
-    private List<Island> islands = new ArrayList<>();
+    private List<TiedGroup> groups = new ArrayList<>();
 
-    /** The island of each body. */
-    private Island[] of = {};
+    /** The group of each body. */
+    private TiedGroup[] of = {};
 
     private ConstraintSolver solver = new DirectSolver();
     private final Projection projection = new Projection();
@@ -56,7 +56,7 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public void match(Ties first) {
         Constraints other = (Constraints) first;
-        islands = other.islands;
+        groups = other.groups;
         of = other.of;
         several.forget();
         stabilization = other.stabilization;
@@ -64,7 +64,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean mayBeShared(IntList island) {
-        return of[island.values[0]].isOwn && solver instanceof DirectSolver;
+        return of[island.values[0]].island().isOwn && solver instanceof DirectSolver;
     }
 
     /** {@return what solves (41): a {@link DirectSolver} unless set} */
@@ -108,8 +108,8 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public boolean areTied(Body a, Body b) {
         Body movable = a.isFixed() ? b : a;
-        Island island = islandOf(movable.index());
-        return island != null && island.ties(movable, movable == a ? b : a);
+        TiedGroup group = groupOf(movable.index());
+        return group != null && group.ties(movable, movable == a ? b : a);
     }
 
     /**
@@ -196,7 +196,7 @@ public final class Constraints implements Ties, Serializable {
     /** Forms the islands anew that changes concern. */
     public void regroup() {
         changeIslands();
-        of = Grouping.renew(islands, register, state, of);
+        of = Grouping.renew(groups, register, state, of);
     }
 
     private void changeIslands() {
@@ -207,16 +207,16 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean isTied(int body) {
-        return islandOf(body) != null;
+        return groupOf(body) != null;
     }
 
-    private Island islandOf(int body) {
+    private TiedGroup groupOf(int body) {
         return body < of.length ? of[body] : null;
     }
 
     /** The island of a body that is to be solved now. */
     private Island active(int body) {
-        return of[body].switches.active(state);
+        return of[body].island().switches.active(state);
     }
 
     @Override
@@ -244,8 +244,8 @@ public final class Constraints implements Ties, Serializable {
 
     /** The islands of a group. */
     private List<Island> of(IntList bodies) {
-        Island one = islandOf(bodies.values[0]);
-        return one != null && one.bodies == bodies ? one.switches.active(state).alone : several.of(bodies, of);
+        TiedGroup one = groupOf(bodies.values[0]);
+        return one != null && one.bodies == bodies ? one.island().switches.active(state).alone : several.of(bodies, of);
     }
 
     /** Adds W Jᵀ λ, (37) with (40), where λ keeps C″ = J a + J̇ ẋ = 0, (36). */
@@ -295,8 +295,8 @@ public final class Constraints implements Ties, Serializable {
 
     /** The island that a group is and that projection keeps closed, or null. */
     private Island projected(IntList bodies) {
-        Island one = islandOf(bodies.values[0]);
-        return one != null && one.bodies == bodies && !stabilization.isFeedback() ? one.switches.active(state) : null;
+        TiedGroup one = groupOf(bodies.values[0]);
+        return one != null && one.bodies == bodies && !stabilization.isFeedback() ? one.island().switches.active(state) : null;
     }
 
     @Override
@@ -315,6 +315,16 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public void assemble(IntList bodies) {
         of(bodies).forEach(island -> projection.assemble(island, state, solver));
+    }
+
+    /**
+     * Whether so many joints meet in a body that to close them exactly takes as long as many steps.
+     *
+     * @param bodies an island
+     * @return true for hubs of hundreds of spokes
+     */
+    public boolean haveHub(IntList bodies) {
+        return of[bodies.values[0]].hasHub();
     }
 
     @Override
@@ -344,12 +354,12 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void prepareImpact(IntList bodies) {
-        solver.prepare(of[bodies.values[0]].switches.evaluateReleased(state), state.w().values());
+        solver.prepare(of[bodies.values[0]].island().switches.evaluateReleased(state), state.w().values());
     }
 
     @Override
     public SwitchedTies switched(IntList bodies) {
-        return of[bodies.values[0]].switches;
+        return of[bodies.values[0]].island().switches;
     }
 
     @Override
@@ -390,7 +400,7 @@ public final class Constraints implements Ties, Serializable {
      */
     public Reaction reaction(Constraint constraint) {
         Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
-        return (constraint instanceof Switched ? of[body.index()] : active(body.index())).reaction(constraint);
+        return (constraint instanceof Switched ? of[body.index()].island() : active(body.index())).reactions.of(constraint);
     }
 
     /**
@@ -400,26 +410,22 @@ public final class Constraints implements Ties, Serializable {
      * @return those that break; empty if none does
      */
     public List<Constraint> overloaded(IntList bodies) {
-        return active(bodies.values[0]).overloaded();
+        return active(bodies.values[0]).reactions.overloaded();
     }
 
     /** {@return the number of rows that depend on others, as the last solves found them} */
     public int redundant() {
-        return islands.stream().filter(island -> !island.isDissolved).mapToInt(island -> island.switches.active(state).redundantRows).sum();
+        return groups.stream().mapToInt(group -> group.redundantRows(state)).sum();
     }
 
-    /**
-     * The islands that have joints which can break.
-     *
-     * @return their bodies
-     */
+    /** {@return the islands that have joints which can break} */
     public List<IntList> breakable() {
-        return islands.stream().filter(Island::isBreakable).map(k -> k.bodies).toList();
+        return groups.stream().filter(TiedGroup::isBreakable).map(k -> k.bodies).toList();
     }
 
     /** {@return whether some joint can break} */
     public boolean isBreakable() {
-        return brittle.isAny(islands, version);
+        return brittle.isAny(groups, version);
     }
 
     @Override
@@ -475,7 +481,7 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public Ties twin() {
         Constraints twin = new Constraints(state);
-        islands.forEach(island -> island.inOrder.forEach(twin::add)); // as they act: not those that were added since they were grouped
+        groups.forEach(group -> group.constraints.forEach(twin::add)); // as they act: not those that were added since they were grouped
         twin.regroup();
         return twin;
     }

@@ -25,9 +25,9 @@ final class Grouping {
 
     private Grouping() {}
 
-    /** Forms the islands anew that changes concern; returns the island of each body. */
-    static Island[] renew(List<Island> islands, Register register, State state, Island[] of) {
-        Island[] by = of.length < state.size() ? Arrays.copyOf(of, Math.max(2 * of.length, state.size())) : of;
+    /** Forms the groups anew that changes concern; returns the group of each body. */
+    static TiedGroup[] renew(List<TiedGroup> groups, Register register, State state, TiedGroup[] of) {
+        TiedGroup[] by = of.length < state.size() ? Arrays.copyOf(of, Math.max(2 * of.length, state.size())) : of;
         LinkedHashSet<Constraint> open = new LinkedHashSet<>();
         for (Constraint c : register.changed) {
             open.addAll(dissolve(c.getBodyA(), register, state, by));
@@ -37,13 +37,13 @@ final class Grouping {
         open.retainAll(register.all);
         register.changed.clear();
         if (register.isSomeDissolved) {
-            islands.removeIf(island -> island.isDissolved);
+            groups.removeIf(group -> group.isDissolved);
             register.isSomeDissolved = false;
         }
-        for (Island island : islands(open, register.sets(state.size()))) {
-            islands.add(island);
-            for (int k = 0; k < island.bodies.size; k++) {
-                by[island.bodies.values[k]] = island;
+        for (TiedGroup group : groups(open, register.sets(state.size()))) {
+            groups.add(group);
+            for (int k = 0; k < group.bodies.size; k++) {
+                by[group.bodies.values[k]] = group;
             }
         }
         return by;
@@ -53,7 +53,7 @@ final class Grouping {
      * Removes the constraints of a body that leaves, and dissolves the islands that they are in; returns the bodies of those and of
      * constraints that were in none yet.
      */
-    static IntList cut(Body body, Register register, State state, Island[] of) {
+    static IntList cut(Body body, Register register, State state, TiedGroup[] of) {
         IntList concerned = new IntList();
         for (Constraint c : register.of(body)) {
             cut(c.getBodyA(), register, state, of, concerned);
@@ -63,20 +63,20 @@ final class Grouping {
         return concerned;
     }
 
-    private static void cut(Body end, Register register, State state, Island[] of, IntList concerned) {
+    private static void cut(Body end, Register register, State state, TiedGroup[] of, IntList concerned) {
         if (!isMovable(end) || end.state() != state) {
             return;
         }
         concerned.add(end.index());
-        IntList island = end.index() < of.length && of[end.index()] != null ? of[end.index()].bodies : new IntList();
-        for (int k = 0; k < island.size; k++) {
-            concerned.add(island.values[k]);
+        IntList tied = end.index() < of.length && of[end.index()] != null ? of[end.index()].bodies : new IntList();
+        for (int k = 0; k < tied.size; k++) {
+            concerned.add(tied.values[k]);
         }
         register.changed.addAll(dissolve(end, register, state, of));
     }
 
-    /** The islands, in the order of their first constraints; with room for sets of bodies. */
-    static List<Island> islands(Collection<Constraint> constraints, int[] parent) {
+    /** The groups, in the order of their first constraints; with room for sets of bodies. */
+    static List<TiedGroup> groups(Collection<Constraint> constraints, int[] parent) {
         for (Constraint c : constraints) { // a few of very many bodies, it may be
             single(parent, c.getBodyA());
             single(parent, c.getBodyB());
@@ -86,16 +86,16 @@ final class Grouping {
                 DisjointSets.join(parent, c.getBodyA().index(), c.getBodyB().index());
             }
         }
-        Map<Integer, List<Constraint>> groups = new LinkedHashMap<>();
+        Map<Integer, List<Constraint>> sets = new LinkedHashMap<>();
         for (Constraint c : constraints) {
             Body body = isMovable(c.getBodyA()) ? c.getBodyA() : c.getBodyB();
-            groups.computeIfAbsent(DisjointSets.find(parent, body.index()), k -> new ArrayList<>()).add(c);
+            sets.computeIfAbsent(DisjointSets.find(parent, body.index()), k -> new ArrayList<>()).add(c);
         }
-        List<Island> islands = new ArrayList<>();
-        for (List<Constraint> group : groups.values()) {
-            islands.add(new Island(bodies(group), group));
+        List<TiedGroup> groups = new ArrayList<>();
+        for (List<Constraint> set : sets.values()) {
+            groups.add(new TiedGroup(bodies(set), set));
         }
-        return islands;
+        return groups;
     }
 
     private static void single(int[] parent, Body body) {
@@ -104,19 +104,19 @@ final class Grouping {
         }
     }
 
-    /** Lets the island of a body be one no more; returns its constraints. */
-    private static List<Constraint> dissolve(Body body, Register register, State state, Island[] of) {
+    /** Lets the group of a body be one no more; returns its constraints. */
+    private static List<Constraint> dissolve(Body body, Register register, State state, TiedGroup[] of) {
         boolean isThere = isMovable(body) && body.state() == state && body.index() < of.length;
-        Island island = isThere ? of[body.index()] : null;
-        if (island == null) {
+        TiedGroup group = isThere ? of[body.index()] : null;
+        if (group == null) {
             return List.of();
         }
-        island.isDissolved = true;
+        group.isDissolved = true;
         register.isSomeDissolved = true;
-        for (int k = 0; k < island.bodies.size; k++) {
-            of[island.bodies.values[k]] = null;
+        for (int k = 0; k < group.bodies.size; k++) {
+            of[group.bodies.values[k]] = null;
         }
-        return island.inOrder;
+        return group.constraints;
     }
 
     private static boolean isMovable(Body body) {
@@ -173,12 +173,12 @@ final class Grouping {
      * Whether some of the constraints of a body are with another one and let the two overlap. Motors and stops, which may stand beside
      * a joint, say so only where there is none.
      */
-    static boolean letOverlap(Constraint[] constraints, int[] around, int from, int to, Body other) {
+    static boolean letOverlap(List<Constraint> constraints, int[] around, int from, int to, Body other) {
         boolean byJoint = false;
         boolean joined = false;
         boolean bySwitch = false;
         for (int m = from; m < to; m++) {
-            Constraint k = constraints[around[m]];
+            Constraint k = constraints.get(around[m]);
             if (k.getBodyA() != other && k.getBodyB() != other) {
                 continue;
             }

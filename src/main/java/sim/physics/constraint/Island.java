@@ -62,11 +62,6 @@ final class Island implements Serializable {
     /** This island as a list. */
     final List<Island> alone = new ArrayList<>(1);
 
-    boolean isDissolved;
-
-    /** Whether some joint can break; null when it is not known. */
-    private Boolean breakable;
-
     /** Whether all constraints are our own code. */
     final boolean isOwn;
 
@@ -110,9 +105,7 @@ final class Island implements Serializable {
     /** What is done near singular poses. */
     final Passage passage;
 
-    /** The constraints of each body: those of body k are around[aroundStart[k]] … */
-    private final int[] aroundStart;
-    private final int[] around;
+    final Reactions reactions;
 
     private final Equations equations = new Equations();
     final double leastSize;
@@ -161,8 +154,6 @@ final class Island implements Serializable {
         int[] shared = shared();
         rows = new NodeRows(this, shared);
         isAngle = angles();
-        aroundStart = new int[bodies.size + 1];
-        around = around();
         turns = new Turns(this);
         pins = new PinRows(this, turns);
         joints = new JointRows(this, turns);
@@ -177,6 +168,7 @@ final class Island implements Serializable {
         invariants = new Invariants(this);
         shake = new Shake(this);
         passage = new Passage(this);
+        reactions = new Reactions(this);
         isOwn = those.stream().allMatch(Joint::isOwn);
     }
 
@@ -188,45 +180,6 @@ final class Island implements Serializable {
             blockA[p] = block(first);
             blockB[p] = block(second);
         }
-    }
-
-    private int[] around() {
-        for (int k = 0; k < constraints.length; k++) {
-            count(a[firstNode[k]]);
-            count(b[firstNode[k]]);
-        }
-        for (int body = 0; body < bodies.size; body++) {
-            aroundStart[body + 1] += aroundStart[body];
-        }
-        int[] found = new int[aroundStart[bodies.size]];
-        int[] next = aroundStart.clone();
-        for (int k = 0; k < constraints.length; k++) {
-            int p = firstNode[k];
-            if (a[p] >= 0) {
-                found[next[a[p]]++] = k;
-            }
-            if (b[p] >= 0) {
-                found[next[b[p]]++] = k;
-            }
-        }
-        return found;
-    }
-
-    private void count(int body) {
-        if (body >= 0) {
-            aroundStart[body + 1]++;
-        }
-    }
-
-    /** Whether constraints between two bodies let them overlap. */
-    boolean ties(Body body, Body other) {
-        int place = local(body);
-        return Grouping.letOverlap(constraints, around, aroundStart[place], aroundStart[place + 1], other);
-    }
-
-    boolean isBreakable() {
-        breakable = breakable == null ? Grouping.isBreakable(inOrder) : breakable;
-        return breakable;
     }
 
     private int local(Body body) {
@@ -404,41 +357,8 @@ final class Island implements Serializable {
         pins.writeRows();
     }
 
-    /** Jᵀ λ of one constraint on its first body, as the last solve left it. */
-    Reaction reaction(Constraint constraint) {
-        int k = 0;
-        while (constraints[k] != constraint) {
-            k++;
-        }
-        if (constraint instanceof Switched s && !s.isOnNow) {
-            return s.reaction(s.forceNow);
-        }
-        equations.clear();
-        constraint.evaluate(equations);
-        double[] f = new double[3];
-        for (int row = 0; row < constraint.getRows(); row++) {
-            double l = lambda[2 * firstNode[k] + row];
-            for (int m = 0; m < 3; m++) {
-                f[m] += equations.jA[3 * row + m] * l;
-            }
-        }
-        return new Reaction(f[0], f[1], f[2]);
-    }
-
-    /** The joints whose load is greater than they bear, as the last solve left it. */
-    List<Constraint> overloaded() {
-        List<Constraint> breaking = new ArrayList<>();
-        for (Constraint k : inOrder) {
-            if (k instanceof Joint joint && joint.isBreakable() && joint.breaksUnder(reaction(k))) {
-                breaking.add(k);
-            }
-        }
-        return breaking;
-    }
-
     /** Forgets what a body that was written may have changed: masses, and which motors and stops act. */
     void forget() {
-        breakable = null;
         switches.forget();
         spread = 0;
         passage.forget();

@@ -18,7 +18,7 @@ final class Several implements Serializable {
      * The islands that some bodies are in, which have all bodies of each, in ascending order of their first bodies; valid until
      * others are asked for.
      */
-    List<Island> of(IntList group, Island[] of) {
+    List<Island> of(IntList group, TiedGroup[] of) {
         if (bodies == group) {
             return islands;
         }
@@ -26,9 +26,9 @@ final class Several implements Serializable {
         islands.clear();
         for (int k = 0; k < group.size; k++) {
             int body = group.values[k];
-            Island one = body < of.length ? of[body] : null;
+            TiedGroup one = body < of.length ? of[body] : null;
             if (one != null && one.bodies.values[0] == body) {
-                islands.add(one);
+                islands.add(one.island());
             }
         }
         bodies = group;

@@ -5,6 +5,7 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.List;
+import sim.physics.internal.DisjointSets;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Loads;
 import sim.physics.motion.State;
@@ -51,19 +52,17 @@ final class Skeleton implements Loads, Serializable {
     }
 
     private static boolean hangsTogether(Island whole) {
-        int[] part = new int[whole.bodies.size];
-        for (int k = 0; k < part.length; k++) {
-            part[k] = k;
+        int[] set = new int[whole.bodies.size];
+        for (int k = 0; k < set.length; k++) {
+            set[k] = k;
         }
-        int parts = part.length;
+        int parts = set.length;
         for (int k = 0; k < whole.constraints.length; k++) {
             int a = whole.a[whole.firstNode[k]];
             int b = whole.b[whole.firstNode[k]];
-            if (a >= 0 && b >= 0 && part[a] != part[b] && !(whole.constraints[k] instanceof Switched)) {
-                int old = part[b];
-                for (int m = 0; m < part.length; m++) {
-                    part[m] = part[m] == old ? part[a] : part[m];
-                }
+            boolean joins = a >= 0 && b >= 0 && !(whole.constraints[k] instanceof Switched);
+            if (joins && DisjointSets.find(set, a) != DisjointSets.find(set, b)) {
+                DisjointSets.join(set, a, b);
                 parts--;
             }
         }

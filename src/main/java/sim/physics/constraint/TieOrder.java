@@ -4,11 +4,16 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
 /** The constraints of an engine in the order in which time stepping solves them: pins apart, and those of sleeping bodies last. */
 final class TieOrder implements Serializable {
     private static final long serialVersionUID = 1L;
+
+    /** No place. */
+    static final int NONE = Integer.MIN_VALUE;
 
     final List<PinJoint> pins = new ArrayList<>();
     final List<Constraint> others = new ArrayList<>();
@@ -18,7 +23,11 @@ final class TieOrder implements Serializable {
 
     int awakeOthers;
 
+    /** The place of each, of those that are no pins ~ its place; null until somebody asks. */
+    private transient Map<Constraint, Integer> places;
+
     void clear() {
+        places = null;
         pins.clear();
         others.clear();
         awakePins = 0;
@@ -36,6 +45,20 @@ final class TieOrder implements Serializable {
         awakePins = pins.size();
         awakeOthers = others.size();
         sort(all, asleep, true);
+    }
+
+    /** The place of a constraint among the pins, or ~ that among the others, or {@link #NONE}. */
+    int place(Constraint constraint) {
+        if (places == null) {
+            places = new HashMap<>();
+            for (int k = 0; k < pins.size(); k++) {
+                places.put(pins.get(k), k);
+            }
+            for (int k = 0; k < others.size(); k++) {
+                places.put(others.get(k), ~k);
+            }
+        }
+        return places.getOrDefault(constraint, NONE);
     }
 
     private void sort(List<Constraint> all, boolean[] asleep, boolean areAsleep) {

@@ -461,9 +461,8 @@ public final class TieRows implements Serializable {
      * @return its force; null if it has not been solved
      */
     public Reaction reaction(Constraint constraint, double time) {
-        int pin = order.pins.indexOf(constraint);
-        int k = Arrays.asList(equations.ties).indexOf(constraint);
-        return pin >= 0 ? pinReaction(pin, time) : k < 0 ? null : reaction(k, time);
+        int k = order.place(constraint);
+        return k == TieOrder.NONE ? null : k >= 0 ? pinReaction(k, time) : reaction(~k, time);
     }
 
     private Reaction pinReaction(int k, double time) {

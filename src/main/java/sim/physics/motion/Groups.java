@@ -94,6 +94,16 @@ public final class Groups implements Serializable {
         return generators.bodies(generator);
     }
 
+    /**
+     * Whether the forces on bodies depend on nothing but their state.
+     *
+     * @param bodies indices
+     * @return true also where none act
+     */
+    public boolean areAutonomous(IntList bodies) {
+        return generators.areAutonomous(state, bodies);
+    }
+
     /** Asks the generators again what may change, at the start of a step. */
     public void begin() {
         generators.askAgain();

@@ -71,19 +71,14 @@ public final class State implements Serializable {
     private Surface surface = Surface.SMOOTH;
     /** Whether bodies have had different surfaces; else nobody need look at the views for them. */
     private boolean mixed;
-
     /** Null before the first body. */
     private transient RecentShapes shapes;
-
     /** Whether a body ever had a collision group. */
     private boolean grouped;
-
     /** Null unless a method asks for it. */
     private Carry carry;
-
     /** Whether positions change without notice, as they do within a step. */
     private transient boolean unsettled;
-
     /** Whether the vectors are to be written, and by whom, when somebody asks for them. */
     private boolean lagging;
     private Trajectories motions;
@@ -415,6 +410,11 @@ public final class State implements Serializable {
         return touched.count();
     }
 
+    /** {@return how often blocks were written or pushed in all} */
+    public long writes() {
+        return touched.writes;
+    }
+
     /**
      * {@return the index of a block that was written, which may have been emptied since}
      *
@@ -448,6 +448,7 @@ public final class State implements Serializable {
      * @param index the block
      */
     public void placed(int index) {
+        touched.writes++;
         if (placeLog != null) {
             placeLog.note(index);
         }
@@ -455,6 +456,7 @@ public final class State implements Serializable {
 
     /** Notes that any positions may be written, between steps. */
     public void placedAll() {
+        touched.writes++;
         if (placeLog != null) {
             placeLog.noteAll();
         }

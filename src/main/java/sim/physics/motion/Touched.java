@@ -23,6 +23,9 @@ final class Touched implements Serializable {
     private int count;
     private int quiet;
 
+    /** How often something was noted in all. */
+    transient long writes;
+
     Touched(int capacity) {
         how = new byte[capacity];
     }
@@ -50,6 +53,7 @@ final class Touched implements Serializable {
 
     /** Notes that a block is written, or that a force is applied only. */
     void note(int index, boolean isForce) {
+        writes++;
         if (how[index] == 0) {
             if (count == list.length) {
                 list = Arrays.copyOf(list, Math.max(4, Math.min(Growth.length(count, 4), how.length)));

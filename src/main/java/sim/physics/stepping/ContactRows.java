@@ -68,6 +68,12 @@ final class ContactRows implements Serializable {
 
     private final State state;
 
+    /** By body its first row, −1 for none, and by row the next one of its first and of its second body; while {@link #areListed}. */
+    private transient int[] firstRow;
+
+    private transient int[] nextRow;
+    private transient boolean areListed;
+
     int count;
     /** Per pair: its number, its bodies, its first point and the one after its last. */
     int[] pairs = {};
@@ -109,6 +115,7 @@ final class ContactRows implements Serializable {
 
     /** Begins a step, with where the bodies are. */
     void begin() {
+        areListed = false;
         count = 0;
         used = 0;
         bounces = 0;
@@ -240,6 +247,7 @@ final class ContactRows implements Serializable {
 
     /** Adds a pair of other rows as it is there. */
     void copy(ContactRows other, int k) {
+        areListed = false;
         reserve();
         int n = other.pointCount(k);
         System.arraycopy(other.pairs, INTS * k, pairs, INTS * count, INTS);
@@ -253,6 +261,7 @@ final class ContactRows implements Serializable {
 
     /** Keeps the pairs that have a body of those that are marked, in their order. */
     void keepOf(boolean[] marks) {
+        areListed = false;
         int all = count;
         count = 0;
         used = 0;
@@ -263,8 +272,36 @@ final class ContactRows implements Serializable {
         }
     }
 
+    /** The first row of a body, −1 for none; {@link #next} has the others. */
+    int rowOf(int body) {
+        if (!areListed) {
+            list();
+        }
+        return body < firstRow.length ? firstRow[body] : -1;
+    }
+
+    /** The row of a body after one of it, −1 for none. */
+    int next(int row, int body) {
+        return nextRow[2 * row + (first(row) == body ? 0 : 1)];
+    }
+
+    private void list() {
+        firstRow = firstRow == null || firstRow.length < state.size() ? new int[state.size()] : firstRow;
+        nextRow = nextRow == null || nextRow.length < 2 * count ? new int[2 * count] : nextRow;
+        Arrays.fill(firstRow, -1);
+        for (int row = count - 1; row >= 0; row--) {
+            for (int side = 0; side < 2; side++) {
+                int body = pairs[INTS * row + 1 + side];
+                nextRow[2 * row + side] = firstRow[body];
+                firstRow[body] = row;
+            }
+        }
+        areListed = true;
+    }
+
     /** Takes back the pair that was added last. */
     void dropLast() {
+        areListed = false;
         count--;
         used = pairs[INTS * count + 3];
         bounces -= normals[PAIR * count + BOUNCE] > 0 ? 1 : 0;

@@ -161,16 +161,25 @@ public final class Decisions implements Serializable {
         }
         IntList pairs = new IntList();
         List<LastingContact> contacts = new ArrayList<>();
-        gather(rows, null, pairs, contacts);
-        gather(kept, null, pairs, contacts);
+        gather(rows, pairs, contacts);
+        gather(kept, pairs, contacts);
         laws.tellLasting(pairs, contacts);
     }
 
-    /** Gathers the contacts that last, and their pairs; those of a body, or all. */
-    private void gather(ContactRows rows, Body body, IntList pairs, List<LastingContact> contacts) {
+    /** Gathers the contacts that last, and their pairs. */
+    private void gather(ContactRows rows, IntList pairs, List<LastingContact> contacts) {
         for (int row = 0; row < rows.count; row++) {
-            if (lasts(rows, row) && (body == null || rows.first(row) == body.index() || rows.second(row) == body.index())) {
+            if (lasts(rows, row)) {
                 pairs.add(rows.pair(row));
+                contacts.add(lasting(rows, row));
+            }
+        }
+    }
+
+    /** Gathers those of a body. */
+    private void gather(ContactRows rows, int body, List<LastingContact> contacts) {
+        for (int row = rows.rowOf(body); row >= 0; row = rows.next(row, body)) {
+            if (lasts(rows, row)) {
                 contacts.add(lasting(rows, row));
             }
         }
@@ -183,8 +192,13 @@ public final class Decisions implements Serializable {
 
     List<LastingContact> contacts(Body body) {
         List<LastingContact> all = new ArrayList<>();
-        gather(rows, body, new IntList(), all);
-        gather(kept, body, new IntList(), all);
+        if (body == null) {
+            gather(rows, new IntList(), all);
+            gather(kept, new IntList(), all);
+        } else {
+            gather(rows, body.index(), all);
+            gather(kept, body.index(), all);
+        }
         return all;
     }
 

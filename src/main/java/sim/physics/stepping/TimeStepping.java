@@ -204,13 +204,16 @@ public final class TimeStepping implements Serializable {
     }
 
     /**
-     * Closes the joints of bodies that were written. Those that say the same twice may be too far open for that: substeps regain it.
+     * Closes the joints of bodies that were written. Those that say the same twice may be too far open for that: substeps regain it, as they
+     * do where hundreds of joints meet in one body.
      *
      * @param island the bodies
      */
     public void assemble(IntList island) {
         try {
-            constraints.assemble(island);
+            if (!constraints.haveHub(island)) {
+                constraints.assemble(island);
+            }
         } catch (ConstraintException e) {
             // all is as before
         }

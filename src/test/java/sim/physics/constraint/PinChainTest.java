@@ -98,7 +98,7 @@ class PinChainTest {
         other.step();
         other.add(new Even(general));
         State state = quick.get(0).state();
-        Island island = Grouping.islands(one.allConstraints(), new int[links + 1]).get(0);
+        Island island = Grouping.groups(one.allConstraints(), new int[links + 1]).get(0).island();
         Loads loads = (bodies, t, a) -> {
             for (int k = 0; k < links; k++) {
                 for (int c = 0; c < State.BLOCK; c++) {
