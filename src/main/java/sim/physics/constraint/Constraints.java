@@ -301,10 +301,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean project(IntList bodies) {
-        if (stabilization.isFeedback()) {
-            return true;
-        }
-        List<Island> those = of(bodies);
+        List<Island> those = stabilization.isFeedback() ? List.of() : of(bodies);
         boolean well = true;
         for (int k = 0; k < those.size(); k++) {
             well &= projection.project(those.get(k), state, solver, true);
