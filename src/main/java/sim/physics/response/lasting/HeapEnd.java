@@ -126,10 +126,12 @@ final class HeapEnd implements Serializable {
         double size = scales.size(a, b);
         detection.narrowPhase().contact(pair, tau, manifold, Heap.FLAT * size / (scales.radius(a) + scales.radius(b)));
         boolean presses = ledger.force(pair, 0, false) > 0 || ledger.force(pair, 1, false) > 0;
-        for (int k = 0; k < 2; k++) {
-            double fn = ledger.force(pair, k, false);
-            double ft = ledger.force(pair, k, true);
-            ledger.strike(pair, k, -half * fn, -half * ft); // which it was taken to bear for all of the time
+        int swap = isOther(pair, size) ? 1 : 0;
+        for (int k = 0; k < 2; k++) { // k was that or, if the two have changed places, the other one in the first half
+            int noted = k ^ swap;
+            double fn = ledger.force(pair, noted, false);
+            double ft = ledger.force(pair, noted, true);
+            ledger.strike(pair, noted, -half * fn, -half * ft); // which it was taken to bear for all of the time
             if (k >= manifold.count) {
                 continue;
             }
@@ -141,8 +143,18 @@ final class HeapEnd implements Serializable {
                 system.bound(p, 0);
                 system.start(p, half * fn, half * ft);
                 system.tolerance().bear(HeapGaps.fairSpeed(size, 2 * half));
-                origin.add(2 * pair + k);
+                origin.add(2 * pair + noted);
             }
         }
+    }
+
+    /**
+     * Whether the only point of a pair that has pressed is the second one of its two now, or was: points are counted along an edge, and a
+     * corner that comes near on the other side is another first one.
+     */
+    private boolean isOther(int pair, double size) {
+        int pressed = ledger.force(pair, 1, false) > 0 ? 1 : 0;
+        boolean isOne = !(ledger.force(pair, 1 - pressed, false) > 0);
+        return isOne && manifold.count == 2 && manifold.gaps[pressed] - manifold.gaps[1 - pressed] > HeapGaps.fairDepth(size);
     }
 }
