@@ -63,6 +63,9 @@ final class ContactRows implements Serializable {
     static final int REGAIN = 4;
     static final int BELT = 5;
 
+    /** Way of the ends of arms, relative to them, up to which what they take is as it was. */
+    private static final double FAR = 1e-3;
+
     /** Part of its friction that a pair may lack which has just met. */
     private static final double RUBBED = 0.1;
 
@@ -407,6 +410,19 @@ final class ContactRows implements Serializable {
         mean[1] = ny;
         mean[2] = part * normal;
         mean[3] = part * tangent;
+    }
+
+    /** Moves the ends of both arms to one point: by a part of the way between them that of the first body, by the rest that of the other; whether that is far. */
+    boolean follow(int p, double part, double dx, double dy) {
+        double wayX = dx - (points[p + AX] - points[p + BX]);
+        double wayY = dy - (points[p + AY] - points[p + BY]);
+        points[p + AX] += part * wayX;
+        points[p + AY] += part * wayY;
+        points[p + BX] -= (1 - part) * wayX;
+        points[p + BY] -= (1 - part) * wayY;
+        double arms = points[p + AX] * points[p + AX] + points[p + AY] * points[p + AY]
+                + points[p + BX] * points[p + BX] + points[p + BY] * points[p + BY];
+        return wayX * wayX + wayY * wayY > FAR * FAR * arms;
     }
 
     /** The speed of a point's surfaces on one another. */

@@ -51,9 +51,6 @@ final class ContactSolver implements Serializable {
     /** When an impulse has settled, relative to itself. */
     private static final double SETTLED = 1e-4;
 
-    /** Way of the ends of arms, relative to them, up to which what they take is as it was. */
-    private static final double FAR = 1e-3;
-
     /** How often a pair that has just met is solved at most, for its friction. */
     private static final int STRUCK = 4;
 
@@ -208,6 +205,7 @@ final class ContactSolver implements Serializable {
             for (int m = pairs[INTS * k + 3]; isMarked(k, marks) && m < pairs[INTS * k + 4]; m++) {
                 points[STRIDE * m + NORMAL] = 0;
                 points[STRIDE * m + TANGENT] = 0;
+                points[STRIDE * m + STEADY] = normals[PAIR * k + FRICTION] == 0 ? 0 : points[STRIDE * m + STEADY];
             }
             forget(k, isMarked(k, marks) ? 1 : 0);
         }
@@ -221,8 +219,24 @@ final class ContactSolver implements Serializable {
         if (x == 0 && y == 0) {
             return;
         }
-        push(state.v(), state.w().values(), State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), p, -x, -y);
+        int a = State.BLOCK * rows.first(k);
+        int b = State.BLOCK * rows.second(k);
+        if (normals[PAIR * k + FRICTION] == 0) {
+            pushCentres(a, b, -x, -y);
+        } else {
+            push(state.v(), state.w().values(), a, b, p, -x, -y);
+        }
         forget(k, 1);
+    }
+
+    /** What discs without friction do to one another acts at their centres. */
+    private void pushCentres(int a, int b, double jx, double jy) {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        v[a] -= w[a] * jx;
+        v[a + 1] -= w[a] * jy;
+        v[b] += w[b] * jx;
+        v[b + 1] += w[b] * jy;
     }
 
     /** Takes a part of what was noted of the last turn back. */
@@ -330,7 +344,11 @@ final class ContactSolver implements Serializable {
                 double jy = 0.5 * (normals[PAIR * k + 1] * points[p + STEADY] + normals[PAIR * k] * points[p + RUBBING]);
                 double byA = points[p + AX] * jy - points[p + AY] * jx;
                 double byB = points[p + BX] * jy - points[p + BY] * jx;
-                boolean isFar = discs == BOTH ? turn(k, p, dx, dy) : follow(p, discs == 0 ? 0.5 : discs - 1, dx, dy);
+                if (discs == BOTH && normals[PAIR * k + FRICTION] == 0) {
+                    slide(k, p, a, b, dx, dy);
+                    continue;
+                }
+                boolean isFar = discs == BOTH ? turn(k, p, 0, dx, dy) : rows.follow(p, discs == 0 ? 0.5 : discs - 1, dx, dy);
                 v[a + 2] -= w[a + 2] * (points[p + AX] * jy - points[p + AY] * jx - byA);
                 v[b + 2] += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx - byB);
                 if (isFar) {
@@ -340,31 +358,30 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    /** Moves the ends of both arms to one point: by a part of the way between them that of the first body, by the rest that of the other; whether that is far. */
-    private boolean follow(int p, double part, double dx, double dy) {
-        double wayX = dx - (points[p + AX] - points[p + BX]);
-        double wayY = dy - (points[p + AY] - points[p + BY]);
-        points[p + AX] += part * wayX;
-        points[p + AY] += part * wayY;
-        points[p + BX] -= (1 - part) * wayX;
-        points[p + BY] -= (1 - part) * wayY;
-        double arms = points[p + AX] * points[p + AX] + points[p + AY] * points[p + AY]
-                + points[p + BX] * points[p + BX] + points[p + BY] * points[p + BY];
-        return wayX * wayX + wayY * wayY > FAR * FAR * arms;
+    /**
+     * Turns the normal of two discs without friction, and with it the half of what has pressed them that acts where they are now: along the
+     * normal of before it would turn them, and take from their way about one another what it gives to their spins.
+     */
+    private void slide(int k, int p, int a, int b, double dx, double dy) {
+        double x = normals[PAIR * k];
+        double y = normals[PAIR * k + 1];
+        double half = 0.5 * points[p + STEADY];
+        turn(k, p, half, dx, dy);
+        pushCentres(a, b, half * (normals[PAIR * k] - x), half * (normals[PAIR * k + 1] - y));
     }
 
-    /** Takes note of what the normal by which sums are told of was more, while they acted. */
-    private void turned(int k, int p, double nx, double ny) {
+    /** Takes note of what the normal by which sums are told of was more, while they acted, but for a part that goes along with it. */
+    private void turned(int k, int p, double along, double nx, double ny) {
         double[] turned = rows.turned;
         int o = ContactRows.TURNED * k;
-        turned[o + 2] = nx * points[p + NORMAL] - ny * points[p + TANGENT];
-        turned[o + 3] = ny * points[p + NORMAL] + nx * points[p + TANGENT];
+        turned[o + 2] = nx * (points[p + NORMAL] - along) - ny * points[p + TANGENT];
+        turned[o + 3] = ny * (points[p + NORMAL] - along) + nx * points[p + TANGENT];
         turned[o] += turned[o + 2] + nx * points[p + NORMAL_SUM] - ny * points[p + TANGENT_SUM];
         turned[o + 1] += turned[o + 3] + ny * points[p + NORMAL_SUM] + nx * points[p + TANGENT_SUM];
     }
 
-    /** Turns normal and arms of two discs to where their centres are now. */
-    private boolean turn(int k, int p, double dx, double dy) {
+    /** Turns normal and arms of two discs to where their centres are now; a part of the impulse goes along. */
+    private boolean turn(int k, int p, double along, double dx, double dy) {
         double distance = Math.sqrt(dx * dx + dy * dy);
         double nx = normals[PAIR * k];
         double ny = normals[PAIR * k + 1];
@@ -374,7 +391,7 @@ final class ContactSolver implements Serializable {
         if (!(distance > 0)) {
             return false;
         }
-        turned(k, p, nx - dx / distance, ny - dy / distance);
+        turned(k, p, along, nx - dx / distance, ny - dy / distance);
         nx = dx / distance;
         ny = dy / distance;
         normals[PAIR * k] = nx;
