@@ -111,6 +111,30 @@ final class TieEquations implements Serializable {
         return awake;
     }
 
+    /** Adds what motors may have given bodies with impulses, by group: twice impulse times speed. */
+    void give(double[] impulse, int[] group, double[] given) {
+        for (int k = 0; k < awake; k++) {
+            if (kinds[k] == Kind.MOTOR) {
+                given[group[movable(k)]] += 2 * Math.max(0, impulse[ROWS * k] * ((Motor) ties[k]).getSpeed());
+            }
+        }
+    }
+
+    /** Adds the impulses of motors, by group; of those that turn as if they acted at the size of their bodies. */
+    void press(double[] impulse, int[] group, double[] pressed) {
+        for (int k = 0; k < awake; k++) {
+            if (kinds[k] == Kind.MOTOR) {
+                pressed[group[movable(k)]] += Math.abs(impulse[ROWS * k]) / (ties[k].isAngle(0) ? sizes[k] : 1);
+            }
+        }
+    }
+
+    /** The first body of a constraint that can move: what is fixed has no group. */
+    private int movable(int k) {
+        boolean isFirst = state.w().values()[blocks[2 * k]] > 0;
+        return blocks[isFirst ? 2 * k : 2 * k + 1] / BLOCK;
+    }
+
     /** Marks the bodies that are tied. */
     void mark(boolean[] marks) {
         mark(marks, blocks, 0, awake);

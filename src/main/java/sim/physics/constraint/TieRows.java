@@ -27,7 +27,6 @@ public final class TieRows implements Serializable {
 
     /** The pins, which have a loop of their own; and all others. */
     private final TieOrder order = new TieOrder();
-
     private final PinImpulses pinImpulses;
     /** Impulses of this substep; of a stop that of its lower and its upper bound. */
     private double[] impulse = {};
@@ -40,10 +39,8 @@ public final class TieRows implements Serializable {
     private double[] approach = {};
     /** Whether a bound of a stop has borne something in this step. */
     private boolean[] hit = {};
-
     /** Whether there are stops that bounce. */
     private boolean bounces;
-
     /** The changes that these rows are for. */
     private long version = -1;
 
@@ -281,14 +278,17 @@ public final class TieRows implements Serializable {
      * @param given takes twice the energy, by group
      */
     public void give(int[] group, double[] given) {
-        for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k] == TieEquations.Kind.MOTOR) {
-                double most = 2 * Math.max(0, impulse[ROWS * k] * ((Motor) equations.ties[k]).getSpeed());
-                int b = equations.blocks[2 * k];
-                boolean isFirst = state.w().values()[b] > 0; // or the first one is fixed, and has no group
-                given[group[(isFirst ? b : equations.blocks[2 * k + 1]) / BLOCK]] += most;
-            }
-        }
+        equations.give(impulse, group, given);
+    }
+
+    /**
+     * Adds the impulses with which motors press.
+     *
+     * @param group group of each movable body
+     * @param pressed takes them, by group
+     */
+    public void press(int[] group, double[] pressed) {
+        equations.press(impulse, group, pressed);
     }
 
     /**

@@ -317,9 +317,26 @@ public final class SpringRows implements Serializable {
             double stretch = rows[o + BIAS] / (rows[o + SOFTNESS] * h * spring.getStiffness());
             double now = distance(spring) - spring.getLength();
             double energy = spring.getStiffness() * (stretch * stretch - now * now);
-            Body body = spring.getBodyA().isFixed() ? spring.getBodyB() : spring.getBodyA();
-            given[group[body.index()]] += energy; // what is fixed has no group
+            given[group[movable(spring)]] += energy;
         }
+    }
+
+    /**
+     * Adds the impulses with which they press.
+     *
+     * @param group by body
+     * @param pressed takes them, by group
+     */
+    public void press(int[] group, double[] pressed) {
+        for (int k = 0; k < stiff.size(); k++) {
+            if (!isIdle[k]) {
+                pressed[group[movable((Spring) stiff.get(k).generator)]] += Math.abs(rows[STRIDE * k + IMPULSE]);
+            }
+        }
+    }
+
+    private static int movable(Spring spring) {
+        return (spring.getBodyA().isFixed() ? spring.getBodyB() : spring.getBodyA()).index(); // what is fixed has no group
     }
 
     private double speed(int block, int o, int arm) {

@@ -134,7 +134,8 @@ final class Balance implements Serializable {
             most[g] = (1 + ROUNDING) * Math.max(most[g], before[g]);
         }
         for (int k = 0; k < groups.bodies; k++) {
-            marks[groups.blocks[k] / BLOCK] = true;
+            int body = groups.blocks[k] / BLOCK;
+            marks[body] = groups.areBooked[groups.slots[body]];
         }
     }
 
@@ -150,7 +151,7 @@ final class Balance implements Serializable {
         boolean isMore = false;
         for (int g = 0; g < groups.count; g++) {
             int first = groups.firsts[g];
-            debt[first] = Math.max(0, debt[first] + after[g] - before[g]);
+            debt[first] = groups.areBooked[g] ? Math.max(0, debt[first] + after[g] - before[g]) : 0;
             isMore |= debt[first] > PATIENCE * before[g];
         }
         return isMore && mark(ties, springs, rows, a, h);

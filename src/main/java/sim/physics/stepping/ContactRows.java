@@ -55,13 +55,17 @@ final class ContactRows implements Serializable {
     /** The gap where the bodies are now. */
     static final int NOW = 23;
 
-    /** Values of a pair: normal, friction, restitution, largest speed at which depth is regained, velocity of surfaces on one another. */
-    static final int PAIR = 6;
+    /**
+     * Values of a pair: normal, friction, restitution, largest speed at which depth is regained, velocity of surfaces on one another, and
+     * the friction that was asked for.
+     */
+    static final int PAIR = 7;
 
     static final int FRICTION = 2;
     static final int BOUNCE = 3;
     static final int REGAIN = 4;
     static final int BELT = 5;
+    static final int ASKED = 6;
 
     /** Way of the ends of arms, relative to them, up to which what they take is as it was. */
     private static final double FAR = 1e-3;
@@ -109,6 +113,9 @@ final class ContactRows implements Serializable {
     /** Number of pairs that may bounce. */
     int bounces;
 
+    /** Number of pairs that moving surfaces drive. */
+    int driven;
+
     /** Where the bodies were at the start of the step. */
     double[] from = {};
 
@@ -122,6 +129,7 @@ final class ContactRows implements Serializable {
         count = 0;
         used = 0;
         bounces = 0;
+        driven = 0;
         double[] x = state.x();
         if (from.length < x.length) {
             from = new double[x.length];
@@ -178,6 +186,8 @@ final class ContactRows implements Serializable {
         bounces += restitution > 0 ? 1 : 0;
         normals[n + REGAIN] = regain;
         normals[n + BELT] = belt;
+        normals[n + ASKED] = friction;
+        driven += isDriven(count - 1) ? 1 : 0;
         Arrays.fill(turned, TURNED * (count - 1), TURNED * count, 0);
         for (int k = 0; k < touch.count; k++) {
             load(touch, k, State.BLOCK * a, State.BLOCK * b, forces);
@@ -308,6 +318,7 @@ final class ContactRows implements Serializable {
         count--;
         used = pairs[INTS * count + 3];
         bounces -= normals[PAIR * count + BOUNCE] > 0 ? 1 : 0;
+        driven -= isDriven(count) ? 1 : 0;
     }
 
     /** Whether a pair will touch within a step if nothing else happens. */
@@ -458,7 +469,28 @@ final class ContactRows implements Serializable {
 
     /** Whether surfaces that move drive the bodies of a pair. */
     boolean isDriven(int k) {
-        return normals[PAIR * k + BELT] != 0 && normals[PAIR * k + FRICTION] > 0;
+        return normals[PAIR * k + BELT] != 0 && normals[PAIR * k + ASKED] > 0;
+    }
+
+    /** Finds the speed of the fastest surface that drives a group. */
+    void findFastest(Groups groups, double[] fastest) {
+        for (int k = 0; k < count; k++) {
+            if (isDriven(k)) {
+                int g = group(k, groups);
+                fastest[g] = Math.max(fastest[g], Math.abs(normals[PAIR * k + BELT]));
+            }
+        }
+    }
+
+    /** Bounds the friction of pairs that surfaces drive, by group, with what presses in them now. */
+    void boundDriven(Groups groups, double[] most) {
+        for (int k = 0; k < count; k++) {
+            if (isDriven(k)) {
+                double pressed = normals[PAIR * k + ASKED] * sum(k, NORMAL);
+                double part = pressed > most[group(k, groups)] ? most[group(k, groups)] / pressed : 1;
+                normals[PAIR * k + FRICTION] = part * normals[PAIR * k + ASKED];
+            }
+        }
     }
 
     /**
@@ -468,13 +500,16 @@ final class ContactRows implements Serializable {
      * @param given takes twice the energy, by group
      */
     void drive(int which, Groups groups, double[] given) {
-        double[] w = state.w().values();
         for (int k = 0; k < count; k++) {
-            for (int p = begin(k); isDriven(k) && groups.has(k, this) && p < end(k); p += STRIDE) {
-                int body = w[State.BLOCK * first(k)] > 0 ? first(k) : second(k); // what is fixed has no group
-                given[groups.slots[body]] -= 2 * points[p + which] * normals[PAIR * k + BELT];
+            for (int p = begin(k); isDriven(k) && p < end(k); p += STRIDE) {
+                given[group(k, groups)] -= 2 * points[p + which] * normals[PAIR * k + BELT];
             }
         }
+    }
+
+    /** The group of a pair: what is fixed has none. */
+    int group(int k, Groups groups) {
+        return groups.slots[state.w().values()[State.BLOCK * first(k)] > 0 ? first(k) : second(k)];
     }
 
     boolean mayBounce(int k) {

@@ -11,7 +11,10 @@ import sim.physics.internal.IntList;
 import sim.physics.motion.SpringRows;
 import sim.physics.motion.State;
 
-/** Groups of movable bodies that joints, stiff springs and contacts connect, and in which there is one of the first two, or what may bounce. */
+/**
+ * Groups of movable bodies that joints, stiff springs and contacts connect, and in which there is one of the first two, what may bounce, or
+ * what moving surfaces drive.
+ */
 final class Groups implements Serializable {
     private static final long serialVersionUID = 1L;
 
@@ -23,6 +26,9 @@ final class Groups implements Serializable {
     int count;
 
     int[] firsts = {};
+
+    /** Whether there is more in them than contacts that do not bounce. */
+    boolean[] areBooked = {};
 
     /** Where the bodies of a group begin, and where the last one's end. */
     int[] begins = {};
@@ -49,7 +55,7 @@ final class Groups implements Serializable {
     private boolean[] marks = {};
     private final IntList found = new IntList();
 
-    /** The bodies of the rows for which these groups were found; those of one that may bounce as their complements. */
+    /** The bodies of the rows for which these groups were found; with them whether one may bounce, or is driven. */
     private int[] known = {};
 
     private int knownRows = -1;
@@ -86,6 +92,15 @@ final class Groups implements Serializable {
                 watch(rows.second(k));
             }
         }
+        Arrays.fill(areBooked, 0, count, true);
+        int booked = count;
+        for (int k = 0; k < rows.count; k++) {
+            if (rows.isDriven(k)) {
+                watch(rows.first(k));
+                watch(rows.second(k));
+            }
+        }
+        Arrays.fill(areBooked, booked, count, false);
         for (int k = 0; found.size > 0 && k < rows.count; k++) {
             follow(rows.first(k));
             follow(rows.second(k));
@@ -130,7 +145,7 @@ final class Groups implements Serializable {
     }
 
     private static int code(ContactRows rows, int k) {
-        return rows.mayBounce(k) ? ~rows.first(k) : rows.first(k);
+        return rows.first(k) << 2 | (rows.mayBounce(k) ? 1 : 0) | (rows.isDriven(k) ? 2 : 0);
     }
 
     /** Puts the bodies in the order of their groups. */
@@ -159,6 +174,7 @@ final class Groups implements Serializable {
         tiedParents = new int[n];
         parents = new int[n];
         firsts = new int[n];
+        areBooked = new boolean[n];
         blocks = new int[n];
         begins = new int[n + 1];
         ends = new int[n];

@@ -36,11 +36,12 @@ final class Retake implements Serializable {
     private final Balance bounced;
 
     private final Reflections reflections;
+    private final Belts belts;
 
     /** Whether joints, springs or bodies are others than when the groups were found. */
     private boolean isStale;
 
-    Retake(State state, SteppedForces forces, TieRows ties, ContactRows rows, ContactSolver contacts) {
+    Retake(State state, Poses poses, SteppedForces forces, TieRows ties, ContactRows rows, ContactSolver contacts) {
         this.rows = rows;
         surface = forces.surface();
         springs = forces.springs();
@@ -50,6 +51,7 @@ final class Retake implements Serializable {
         balance = new Balance(state, groups);
         bounced = new Balance(state, groups);
         reflections = new Reflections(state, rows, contacts, groups);
+        belts = new Belts(state, poses);
     }
 
     /** A body was written: its mass may be another. */
@@ -61,7 +63,7 @@ final class Retake implements Serializable {
      * Begins a step.
      *
      * @param isNew whether joints, springs or bodies are others than in the step before
-     * @param isNeeded whether the books are kept in this step
+     * @param isNeeded whether groups are asked for in this step
      */
     void begin(ContactRows rows, boolean isNew, boolean isNeeded) {
         isStale |= isNew;
@@ -106,6 +108,11 @@ final class Retake implements Serializable {
         contacts.follow();
         ties.evaluate();
         balance.forget();
+    }
+
+    /** Bounds what moving surfaces give in a substep, which begins. */
+    void boundBelts(double[] a, double h) {
+        belts.bound(rows, groups, ties, springs, a, h);
     }
 
     /** Says that there may be bounces in this step, which begins: they may give back what bodies have now. */

@@ -124,7 +124,7 @@ public final class TimeStepping implements Serializable {
         decisions.setPairs(near, sleep.kept());
         touch = new Touch(state, poses);
         halves = new Halves(state, poses, forces);
-        retake = new Retake(state, forces, ties, rows, contacts);
+        retake = new Retake(state, poses, forces, ties, rows, contacts);
     }
 
     /** {@return number of substeps of a step} */
@@ -329,7 +329,7 @@ public final class TimeStepping implements Serializable {
         }
         boolean bounces = rows.bounces > 0 || isTied && ties.bounces();
         boolean isBalanced = bounces || isTied;
-        retake.begin(rows, isCold || areOthers, isBalanced);
+        retake.begin(rows, isCold || areOthers, isBalanced || rows.driven > 0);
         if (bounces) {
             retake.bound(a, h);
         }
@@ -353,6 +353,9 @@ public final class TimeStepping implements Serializable {
         forces.springs().evaluate(d);
         if (isBalanced) {
             retake.open();
+        }
+        if (rows.driven > 0) {
+            retake.boundBelts(a, d);
         }
         start(isTied, isRubbed);
         halves.halve();

@@ -343,13 +343,24 @@ class BeltTest {
 
     /** A bar in a corner of belts that hold it faster than they let it go: no forces let it go on as they do, and none throw it out. */
     @ParameterizedTest
-    @CsvSource({"0, -2, -2, 0.3", "0, -2, -2, -1.5665", "-1.6, 0, 0, 0.3", "-1.6, 0, -2, -1.5665", "-1.6, -2, -2, 0.3"})
-    void whatBeltsWedgeIsNotThrownAbout(double own, double wall, double floor, double angle) {
+    @CsvSource({"0, 0, -2, -2, 0.3", "0, 0, -2, -2, -1.5665", "0, -1.6, 0, 0, 0.3", "0, -1.6, 0, -2, -1.5665", "0, -1.6, -2, -2, 0.3",
+        "1, -1.6, 2, -2, 2.5", "4, -2, 2, -1.6, 2.5", "8, -1.6, 2, -2, 2.5", "4, 0, -2, -2, 0.3", "4, -1.6, 0, -2, -1.5665"})
+    void whatBeltsWedgeIsNotThrownAbout(int substeps, double own, double wall, double floor, double angle) {
+        wedge(substeps, new Body(new Rectangle(0.75, 0.3)).at(7.3, -7.1, angle), own, wall, floor);
+    }
+
+    /** A disc, too, which would be pressed right through the walls, and spun there at any rate. */
+    @ParameterizedTest
+    @CsvSource({"1, -2, 2, -2", "4, -2, 2, -2", "8, -2, 2, -2", "4, -1.6, 0, -2", "4, -2, 0.5, -2"})
+    void norIsADisc(int substeps, double own, double wall, double floor) {
+        wedge(substeps, new Body(new Circle(0.3)).at(7.1, -7.1), own, wall, floor);
+    }
+
+    private void wedge(int substeps, Body body, double own, double wall, double floor) {
         engine.setTimeStep(1.0 / 64);
+        engine.setTimeStepping(substeps);
         engine.add(new Gravity(0, -G));
-        Body[] bodies = {
-            Body.fixed(new Rectangle(30, 1)).at(0, -8), Body.fixed(new Rectangle(1, 30)).at(8, 0), new Body(new Rectangle(0.75, 0.3)).at(7.3, -7.1, angle)
-        };
+        Body[] bodies = {Body.fixed(new Rectangle(30, 1)).at(0, -8), Body.fixed(new Rectangle(1, 30)).at(8, 0), body};
         double[] speeds = {floor, wall, own};
         for (int k = 0; k < bodies.length; k++) {
             rough(bodies[k]).setFriction(1.5);
@@ -357,8 +368,9 @@ class BeltTest {
         }
         for (int k = 0; k < 200; k++) {
             engine.step();
-            double speed = Math.hypot(bodies[2].getVelocityX(), bodies[2].getVelocityY());
-            assertThat(speed + 0.4 * Math.abs(bodies[2].getAngularVelocity())).isLessThan(12);
+            double speed = Math.hypot(body.getVelocityX(), body.getVelocityY());
+            assertThat(speed + 0.4 * Math.abs(body.getAngularVelocity())).isLessThan(12);
+            assertThat(Math.max(body.getX() - 7.5, -7.5 - body.getY())).isLessThan(0); // its centre is in no wall
         }
     }
 
