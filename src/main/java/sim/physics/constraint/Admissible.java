@@ -8,7 +8,7 @@ import sim.physics.motion.Link;
 /** What a constraint must be before it is added. */
 final class Admissible {
     /** Gap of a new constraint, relative to the sizes of its bodies, up to which it counts as closed. */
-    private static final double CLOSED = 1e-6;
+    static final double CLOSED = 1e-6;
 
     private Admissible() {}
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.constraint;
 
+import java.util.List;
+
 /** Constraints that no motion, or no motion near enough, can satisfy. */
 public final class ConstraintException extends IllegalStateException {
     private static final long serialVersionUID = 1L;
@@ -22,6 +24,26 @@ public final class ConstraintException extends IllegalStateException {
         this.residual = residual;
     }
 
+    private ConstraintException(int iterations, double residual, String message) {
+        super(message);
+        this.iterations = iterations;
+        this.residual = residual;
+    }
+
+    /**
+     * Of constraints that bodies cannot be moved onto, and are where they were.
+     *
+     * @param all what cannot be satisfied
+     * @param widest the one of them that is farthest open
+     * @param gap how far it is open where the bodies are
+     * @param isAngle whether that is an angle
+     * @param corrections how many were tried
+     */
+    static ConstraintException of(List<Constraint> all, Constraint widest, double gap, boolean isAngle, int corrections) {
+        return new ConstraintException(corrections, gap, "constraints " + all + " cannot be satisfied: number " + (all.indexOf(widest) + 1) + " of them, " + widest + ", is open by " + gap
+                + (isAngle ? " rad" : "") + " where the bodies are, and " + corrections + " corrections have led to no place where all are closed");
+    }
+
     /**
      * Corrections that were tried.
      *
@@ -34,7 +56,7 @@ public final class ConstraintException extends IllegalStateException {
     /**
      * What is left.
      *
-     * @return the largest value of C
+     * @return the largest value of C, a length or an angle; where bodies could not be moved onto them, that where they are
      */
     public double residual() {
         return residual;

@@ -62,23 +62,14 @@ final class Projection implements Serializable {
         return corrections;
     }
 
-    /** The largest value of C that the last call left. */
-    double error() {
-        return error;
-    }
-
-    /** What there is to say when the last call failed for good. */
-    ConstraintException failure(Island island) {
-        return new ConstraintException("constraints " + island.inOrder + " cannot be satisfied", corrections, error);
-    }
-
-    /** The same of islands that move together, when no part of a step was short enough. */
+    /** What there is to say of islands that move together, when no part of a step was short enough. */
     ConstraintException tooLong(List<Island> those) {
         List<Constraint> all = new ArrayList<>();
         those.forEach(island -> all.addAll(island.inOrder));
+        double gap = those.stream().mapToDouble(Slack::largest).max().orElse(0);
         return new ConstraintException("constraints " + all
                 + " cannot be kept closed, the time step may be much too long for the motion of their bodies or the forces on them",
-                corrections, error);
+                corrections, gap);
     }
 
     /** Projects positions and velocities, however far that is; throws if there are none, and all is as before. */
@@ -101,7 +92,8 @@ final class Projection implements Serializable {
         }
         if (!done) {
             note(state);
-            throw failure(island);
+            island.evaluate(state);
+            throw Slack.failure(island, corrections);
         }
     }
 
@@ -179,6 +171,9 @@ final class Projection implements Serializable {
             double roughness = correct(island, state, solver, w);
             if (gentle && (corrections == 0 || !island.isProjected) && roughness > ROUGH) {
                 return false;
+            }
+            if (roughness < SMOOTH && !gentle && !isPatient && Slack.isOpen(island)) {
+                return false; // no move closes what contradicts, and the best compromise is not it
             }
             if (roughness < SMOOTH) {
                 island.nudge(state, move);

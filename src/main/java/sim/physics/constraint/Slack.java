@@ -41,6 +41,56 @@ final class Slack {
         return Math.max(most / (rounding * place), mostAngle / (rounding * angle));
     }
 
+    /**
+     * How far a constraint of an island is open: of its rows that are lengths taken together, or of that between angles.
+     *
+     * @param isAngle which of the two
+     */
+    static double gap(Island island, int constraint, boolean isAngle) {
+        double sum = 0;
+        for (int k = 2 * island.firstNode[constraint]; k < 2 * island.firstNode[constraint + 1]; k++) {
+            sum += island.isAngle[k] == isAngle ? island.c[k] * island.c[k] : 0;
+        }
+        return Math.sqrt(sum);
+    }
+
+    /** The same of the one that is farthest open, as bodies see it: lengths relative to the smallest of them. */
+    static ConstraintException failure(Island island, int corrections) {
+        double most = -1;
+        int widest = 0;
+        boolean isAngle = false;
+        for (int k = 0; k < island.constraints.length; k++) {
+            double way = gap(island, k, false) / island.leastSize;
+            double turn = gap(island, k, true);
+            if (!(Math.max(way, turn) <= most)) {
+                most = Math.max(way, turn);
+                widest = k;
+                isAngle = turn > way;
+            }
+        }
+        return ConstraintException.of(island.inOrder, island.constraints[widest], gap(island, widest, isAngle), isAngle, corrections);
+    }
+
+    /** Whether one is open by more than what is added may be. */
+    static boolean isOpen(Island island) {
+        for (int k = 0; k < island.constraints.length; k++) {
+            boolean isNear = gap(island, k, false) <= Admissible.CLOSED * island.constraints[k].getSize();
+            if (!isNear || gap(island, k, true) > Admissible.CLOSED) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The largest |C| where an island was evaluated last. */
+    static double largest(Island island) {
+        double most = 0;
+        for (int k = 0; k < island.constraints.length; k++) {
+            most = Math.max(most, Math.max(gap(island, k, false), gap(island, k, true)));
+        }
+        return most;
+    }
+
     /** The largest |J ẋ| of {@code right}, relative to the speed of the bodies' points; 0 for rounding. */
     static double slip(Island island, double[] v, double[] right) {
         double speed = 0;

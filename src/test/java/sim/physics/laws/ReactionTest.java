@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.Constraint;
+import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.Reaction;
@@ -190,10 +191,36 @@ class ReactionTest {
 
         Body rod = engine.add(new Body(new Rectangle(2, 0.1)).at(0, 9));
         Constraint[] tooFar = {new PinJoint(rod, -1, 0, null, -4, 9), new PinJoint(rod, 1, 0, null, 4, 9.5)};
-        assertThatThrownBy(() -> engine.assemble(tooFar)).hasMessageContaining("cannot be satisfied");
+        assertThatThrownBy(() -> engine.assemble(tooFar)).hasMessageContaining("cannot be satisfied").hasMessageContaining("open by 3.04");
         assertThat(rod.getX()).isZero();
         assertThat(rod.getY()).isEqualTo(9);
         assertThat(engine.allConstraints()).hasSize(1);
         engine.step();
+    }
+
+    /** Two rods of different lengths between the same points: what is said is which of them is open, and by how much where the author put it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0x1p-20, 1, 0x1p20})
+    void whatContradictsIsToldAsItWasSet(double length) {
+        PhysicsEngine engine = new PhysicsEngine();
+        Body bob = engine.add(new Body(new Circle(0.5 * length)).at(2 * length, 0));
+        RodJoint fits = RodJoint.bodyPoints(bob, 0, 0, null, 0, 0, 2 * length);
+        RodJoint open = RodJoint.bodyPoints(bob, 0, 0, null, 0, 0, 2.5 * length);
+        assertThatThrownBy(() -> engine.assemble(fits, open))
+                .isInstanceOfSatisfying(ConstraintException.class, e -> assertThat(e.residual()).isEqualTo(0.5 * length))
+                .hasMessageContaining("constraints [" + fits + ", " + open + "] cannot be satisfied: number 2 of them, " + open + ", is open by " + 0.5 * length);
+        assertThat(bob.getX()).isEqualTo(2 * length);
+        assertThat(engine.allConstraints()).isEmpty();
+    }
+
+    /** The same of angles: two welds that are a quarter of a radian apart had the box stand half-way between them. */
+    @Test
+    void anglesThatContradictAreToldInRad() {
+        PhysicsEngine engine = new PhysicsEngine();
+        Body box = engine.add(new Body(new Rectangle(1, 1)).at(3, 0));
+        WeldJoint first = new WeldJoint(box, null, 3, 0);
+        box.setAngle(0.25);
+        WeldJoint second = new WeldJoint(box, null, 3, 0);
+        assertThatThrownBy(() -> engine.assemble(first, second)).hasMessageContaining("number 1 of them, " + first + ", is open by 0.25 rad where the bodies are");
     }
 }
