@@ -43,13 +43,18 @@ public final class Forces implements Serializable {
      * that which it takes away in the time. For methods with a tolerance it does so smoothly, as they see corners.
      */
     double left(double speed, double deceleration) {
-        double slow = deceleration * Math.min(soft, Math.sqrt(2 * way / deceleration));
+        double slow = slow(deceleration);
         if (!(speed < FAST * slow)) {
             return 1;
         }
         double ratio = speed / slow;
         double square = ratio * ratio;
         return way < Double.POSITIVE_INFINITY ? ratio / Math.sqrt(Math.sqrt(1 + square * square)) : Math.min(ratio, 1);
+    }
+
+    /** The speed up to which friction of the plane grows that decelerates by so much. */
+    double slow(double deceleration) {
+        return deceleration * Math.min(soft, Math.sqrt(2 * way / deceleration));
     }
 
     /** Generators are asked about a body, or about none any more. */

@@ -54,6 +54,8 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     /** A row less is taken when it costs this much less, and a row more when its own cost fell this much. */
     private static final double LESS = 0.8;
 
+    private static final double HALF = 0.5;
+
     private static final double MORE = 0.9;
 
     /** Nodes of dense output by rows, and its error, in units of that of a step. */
@@ -120,9 +122,10 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         s.ensureRows(bodies.values[0], MOST_ROWS);
         int aim = s.rows()[bodies.values[0]] == 0 ? ROWS_AT_FIRST : s.rows()[bodies.values[0]];
         aim = s.held == 1 ? aim : Math.max(aim, LEAST_IF_HELD);
+        Ground rough = rough(equations, state, bodies, s);
         for (int row = 0; ; row++) {
-            if (!midpoint(t, h, s, row)) {
-                s.factor = LEAST;
+            s.factor = LEAST;
+            if (!midpoint(t, h, s, row, rough, bodies)) {
                 return false;
             }
             extrapolate(s, row);
@@ -139,7 +142,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
                 int next = next(s, count, Math.min(count, aim));
                 s.rows()[bodies.values[0]] = s.isCut ? aim : next; // those of what was left of a step say little of the next one
                 finish(s);
-                return true;
+                return !turnsRound(rough, bodies, s);
             }
             if (count > aim || count >= aim - 1 && !(error <= reach(count, aim + 1))) {
                 s.rows()[bodies.values[0]] = next(s, count, Math.min(count, aim));
@@ -147,6 +150,33 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
                 return false;
             }
         }
+    }
+
+    /**
+     * The plane, if there is friction on it that may turn round within the step, which all rows would pass over alike: what they extrapolate
+     * to is a motion that goes on, or any other one. Velocities from which it turns are kept.
+     */
+    private static Ground rough(EquationsOfMotion equations, State state, IntList bodies, Stages s) {
+        if (!(equations instanceof Motion motion && motion.ground().isSoft(bodies))) {
+            return null;
+        }
+        s.ensureBefore(State.BLOCK * bodies.size);
+        s.coordinates.put(s.x0, s.v0);
+        for (int k = 0; k < bodies.size; k++) {
+            System.arraycopy(state.v(), State.BLOCK * bodies.values[k], s.before, State.BLOCK * k, State.BLOCK);
+        }
+        return motion.ground();
+    }
+
+    /** Whether friction of the plane has turned round on the way to a place, which is put into the state vectors; a part of the step is tried then. */
+    private static boolean turnsRound(Ground rough, IntList bodies, Stages s) {
+        if (rough == null) {
+            return false;
+        }
+        s.coordinates.put(s.x, s.v);
+        boolean is = rough.turnsRound(bodies, s.before);
+        s.factor = is ? HALF : s.factor;
+        return is;
     }
 
     /** By how much the rows that are still to come may lower the error. */
@@ -183,9 +213,9 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
 
     /**
      * A row: 2 (row + 1) small steps; its end, from the start of the step, is put behind those of the other rows. False if one
-     * of them leads nowhere, so that no force must be asked for there.
+     * of them leads nowhere, so that no force must be asked for there, or friction of the plane turns round.
      */
-    private static boolean midpoint(double t, double h, Stages s, int row) {
+    private static boolean midpoint(double t, double h, Stages s, int row, Ground rough, IntList bodies) {
         int n = 2 * (row + 1);
         double small = h / n;
         double[] y = s.work;
@@ -201,6 +231,9 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
         }
         for (int l = 1; l < n; l++) {
             if (!place(s, x, v)) {
+                return false;
+            }
+            if (turnsRound(rough, bodies, s)) {
                 return false;
             }
             s.coordinates.accelerate(s.x, s.v, t + l * small, s.a);

@@ -9,6 +9,12 @@ import sim.physics.internal.IntList;
 public final class Ground implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /**
+     * By how much a velocity may change that turns round, in units of that up to which friction grows: two of them are within what it
+     * grows in.
+     */
+    private static final double SLOW = 2;
+
     private final Motion motion;
     private final State state;
     private final Trajectories trajectories;
@@ -92,6 +98,43 @@ public final class Ground implements Serializable {
         double step = method instanceof RungeKutta4 ? 0.5 * motion.step() : motion.step(); // the others would turn it round
         double way = isSoft && method instanceof AdaptiveIntegrator chosen ? 0.25 * chosen.getTolerance() : Double.POSITIVE_INFINITY;
         forces.soften(isSoft ? step : 0, way);
+    }
+
+    /** Whether there is friction that grows from rest on, under bodies that move together. */
+    boolean isSoft(IntList bodies) {
+        boolean areTogether = isRough() && (bodies.size > 1 || motion.isTiedGroup(bodies));
+        if (areTogether) {
+            soften(motion.forces, true);
+        }
+        return areTogether;
+    }
+
+    /**
+     * Whether friction of some body has turned round between two velocities, and takes a good part of their difference to do so: what is
+     * evaluated on the way may all lie on one side of that.
+     *
+     * @param before velocities of the group's bodies, one after the other; those after it are in the state vectors
+     */
+    boolean turnsRound(IntList bodies, double[] before) {
+        double[] v = state.v();
+        for (int k = 0; k < bodies.size; k++) {
+            Body body = state.body(bodies.values[k]);
+            if (!motion.generators.surface.actsOn(body)) {
+                continue;
+            }
+            int b = State.BLOCK * bodies.values[k];
+            int o = State.BLOCK * k;
+            double arm = body.getInertia() / body.getMass();
+            double along = v[b] * before[o] + v[b + 1] * before[o + 1] + arm * v[b + 2] * before[o + 2];
+            double dx = v[b] - before[o];
+            double dy = v[b + 1] - before[o + 1];
+            double turn = v[b + 2] - before[o + 2];
+            double slow = SLOW * motion.forces.slow(body.getSurfaceFriction() * motion.generators.surface.getGravity());
+            if (along < 0 && dx * dx + dy * dy + arm * turn * turn > slow * slow) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The friction that acts on a body which moves alone, or null. */

@@ -50,6 +50,9 @@ final class Stages implements Serializable {
     /** Accelerations of the stages, or rows of an extrapolation, as a method lays them out. */
     double[] work = {};
 
+    /** Velocities with which bodies began, 3 per body of the group. */
+    double[] before = {};
+
     /** Accelerations of the stages that dense output has beyond these, and the end of the step. */
     double[] more = {};
 
@@ -257,6 +260,13 @@ final class Stages implements Serializable {
     void ensureWork(int perCoordinate) {
         if (work.length < perCoordinate * size) {
             work = new double[perCoordinate * size];
+        }
+    }
+
+    /** Makes room for the velocities with which bodies began. */
+    void ensureBefore(int values) {
+        if (before.length < values) {
+            before = new double[values];
         }
     }
 
