@@ -4,18 +4,26 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
 /** Asks those who are told of collisions, and tells them. */
 final class Listeners implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     private final State state;
     private final Trajectories trajectories;
-    /** Made anew when it changes, as one of them may do that who is being told. */
+    /** Made anew when it changes after it was used, as one of them may do that who is being told. */
     private List<CollisionListener> all = new ArrayList<>();
+
+    private boolean isUsed;
+
+    /** All of them; null until somebody is added or removed. */
+    private transient Set<CollisionListener> known;
 
     /** Simulated time of the present instant. */
     private double now;
@@ -27,21 +35,40 @@ final class Listeners implements Serializable {
 
     /** Adds one, who is told from the next collision on; false if it was added already. */
     boolean add(CollisionListener listener) {
-        if (LastingContacts.find(all, listener) >= 0) {
+        if (!known().add(listener)) {
             return false;
         }
-        all = new ArrayList<>(all);
-        return all.add(listener);
+        return own().add(listener);
     }
 
     /** Removes one, who is told no more from the next collision on; false if it was not there. */
     boolean remove(CollisionListener listener) {
-        int k = LastingContacts.find(all, listener);
-        if (k >= 0) {
-            all = new ArrayList<>(all);
-            all.remove(k);
+        if (!known().remove(listener)) {
+            return false;
         }
-        return k >= 0;
+        own().remove(LastingContacts.find(all, listener));
+        return true;
+    }
+
+    private Set<CollisionListener> known() {
+        if (known == null) {
+            known = Collections.newSetFromMap(new IdentityHashMap<>());
+            known.addAll(all);
+        }
+        return known;
+    }
+
+    private List<CollisionListener> own() {
+        if (isUsed) {
+            all = new ArrayList<>(all);
+            isUsed = false;
+        }
+        return all;
+    }
+
+    private List<CollisionListener> use() {
+        isUsed = true;
+        return all;
     }
 
     boolean isEmpty() {
@@ -63,7 +90,7 @@ final class Listeners implements Serializable {
 
     /** The first decision for something else than a bounce. */
     CollisionListener.Decision ask(Contact contact) {
-        List<CollisionListener> those = all;
+        List<CollisionListener> those = use();
         for (int k = 0; k < those.size(); k++) {
             CollisionListener.Decision decision = those.get(k).colliding(contact);
             if (decision == CollisionListener.Decision.IGNORE || decision == CollisionListener.Decision.STICK) {
@@ -97,7 +124,7 @@ final class Listeners implements Serializable {
     }
 
     void tell(Contact contact) {
-        List<CollisionListener> those = all;
+        List<CollisionListener> those = use();
         for (int k = 0; k < those.size(); k++) {
             those.get(k).collided(contact);
         }

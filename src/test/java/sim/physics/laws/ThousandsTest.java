@@ -302,6 +302,58 @@ class ThousandsTest {
         assertThat(engine.bodies()).isEmpty();
     }
 
+    /** Counts what it is told; at the first collision it lets another one listen and listens no more. */
+    private static final class Relay implements CollisionListener {
+        private static final long serialVersionUID = 1L;
+
+        private final PhysicsEngine engine;
+        private final Relay next;
+        private int told;
+
+        Relay(PhysicsEngine engine, Relay next) {
+            this.engine = engine;
+            this.next = next;
+        }
+
+        @Override
+        public void collided(Contact contact) {
+            told++;
+            if (next != null) {
+                engine.removeListener(this);
+                engine.addListener(next);
+            }
+        }
+    }
+
+    @Test
+    void listenersAreAddedAndRemovedByThemselvesAndWhileTheyAreTold() {
+        PhysicsEngine engine = engine(0);
+        for (int wall = 0; wall < 2; wall++) {
+            engine.add(Body.fixed(new Rectangle(1, 4)).at(4 * wall, 0));
+        }
+        engine.add(new Body(new Circle(0.5)).at(2, 0).moving(8, 0));
+        List<Relay> some = new ArrayList<>();
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = threads.getCurrentThreadAllocatedBytes();
+        for (int k = 0; k < MANY; k++) {
+            some.add(new Relay(engine, null));
+            engine.addListener(some.get(k));
+        }
+        assertThat((threads.getCurrentThreadAllocatedBytes() - before) / MANY).as("bytes a listener").isLessThan(1000);
+        Relay second = new Relay(engine, null);
+        Relay first = new Relay(engine, second);
+        engine.addListener(first);
+        run(engine, 64);
+        assertThat(engine.getImpacts()).isEqualTo(4);
+        assertThat(first.told).isEqualTo(1);
+        assertThat(second.told).isEqualTo(3);
+        assertThat(some).allMatch(one -> one.told == 4);
+        some.forEach(engine::removeListener);
+        run(engine, 64);
+        assertThat(some).allMatch(one -> one.told == 4);
+        assertThat(second.told).isEqualTo(7);
+    }
+
     /** Removes all bodies at the first collision. */
     private static final class Sweeper implements CollisionListener {
         private static final long serialVersionUID = 1L;
