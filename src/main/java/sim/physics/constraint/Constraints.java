@@ -335,8 +335,8 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public int halvings(IntList bodies, int most) {
-        return stabilization.isFeedback() ? most : Creep.halvings(of(bodies), most);
+    public int halvings(IntList bodies, int most, boolean fromRest) {
+        return stabilization.isFeedback() ? most : Creep.halvings(of(bodies), fromRest ? state : null, solver, most);
     }
 
     @Override

@@ -83,14 +83,26 @@ final class Creep implements Serializable {
         stoodFor = 0;
     }
 
-    /** How often a step of a group may be halved, which is so many times if none has gone on so before; −1 if some of its islands do. */
-    static int halvings(List<Island> those, int most) {
+    /**
+     * How often a step of a group may be halved, which is so many times if none has gone on so before, and it does not stand where it can
+     * go to first order only; −1 if some of its islands creep.
+     *
+     * @param standing where they stand, null if they do not
+     */
+    static int halvings(List<Island> those, State standing, ConstraintSolver solver, int most) {
         int least = most;
         for (int k = 0; k < those.size(); k++) {
             Creep one = those.get(k).passage.creep;
-            least = one.isOn() ? -1 : one.failures > 0 ? Math.min(least, FEW_HALVINGS) : least;
+            boolean areFew = one.failures > 0 || standing != null && one.isWeak(standing, solver);
+            least = one.isOn() ? -1 : areFew ? Math.min(least, FEW_HALVINGS) : least;
         }
         return least;
+    }
+
+    private boolean isWeak(State state, ConstraintSolver solver) {
+        island.evaluate(state);
+        solver.prepare(island, state.w().values());
+        return island.passage.sight.isWeak(state.w().values());
     }
 
     /**
@@ -131,7 +143,7 @@ final class Creep implements Serializable {
      * @throws ConstraintException if it has just begun, and no pose is within sight of a singular one
      */
     static void advance(List<Island> those, State state, ConstraintSolver solver, Projection projection, double h) {
-        boolean isWeak = halvings(those, 0) < 0;
+        boolean isWeak = halvings(those, null, solver, 0) < 0;
         for (int k = 0; k < those.size() && !isWeak; k++) {
             isWeak = those.get(k).passage.sight.isWeak(state.w().values());
         }

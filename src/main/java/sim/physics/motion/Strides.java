@@ -51,7 +51,7 @@ final class Strides implements Serializable {
 
     /** Whether steps are chosen by what the motion of a group asks for: nobody follows one that creeps. */
     boolean follows(IntList group) {
-        return motion.getIntegrator().isAdaptive() && !(motion.isTiedGroup(group) && motion.ties.halvings(group, 0) < 0);
+        return motion.getIntegrator().isAdaptive() && !(motion.isTiedGroup(group) && motion.ties.halvings(group, 0, false) < 0);
     }
 
     /** Whether a group may move in strides that go on beyond the engine's step. */

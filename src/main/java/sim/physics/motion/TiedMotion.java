@@ -157,7 +157,7 @@ final class TiedMotion implements Serializable {
 
     /** Advances a group in as many parts as it takes; returns how many, or 0 if it has crept. */
     private int advanceInParts(Motion motion, IntList group, double t, double length, Path path) {
-        int halvings = ties.halvings(group, MOST_HALVINGS);
+        int halvings = ties.halvings(group, MOST_HALVINGS, false);
         if (halvings < 0) {
             creep(motion, group, t, length, path);
             return 0;
@@ -166,8 +166,21 @@ final class TiedMotion implements Serializable {
         while (!advance(motion, group, t, length, parts, 1 << halvings, path)) {
             again(group);
             parts *= 2;
+            if (parts == 1 << FEW_HALVINGS && stands(group)) {
+                halvings = ties.halvings(group, halvings, true);
+            }
         }
         return parts;
+    }
+
+    /** Whether the bodies of a group stood at the start of the path at hand. */
+    private boolean stands(IntList group) {
+        boolean yes = true;
+        for (int k = 0; yes && k < group.size; k++) {
+            int b = State.BLOCK * group.values[k];
+            yes = startV[b] == 0 && startV[b + 1] == 0 && startV[b + State.THETA] == 0;
+        }
+        return yes;
     }
 
     private void begin(IntList group) {
@@ -224,7 +237,7 @@ final class TiedMotion implements Serializable {
     private double chosenStride(Motion motion, IntList group, double t, double length, Path path) {
         copy(group, state.x(), strideX);
         copy(group, state.v(), strideV);
-        int most = ties.halvings(group, MOST_HALVINGS);
+        int most = ties.halvings(group, MOST_HALVINGS, false);
         TiedCoordinates tied = most < 0 ? null : coordinates(motion, group, path);
         if (tied != null) {
             double done = ((AdaptiveIntegrator) motion.getIntegrator()).advance(tied, motion, state, group, t, length, false, path);

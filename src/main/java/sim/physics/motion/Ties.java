@@ -159,9 +159,10 @@ public interface Ties extends Serializable {
      *
      * @param bodies all bodies of an island, or of several and others
      * @param most times as long as {@link #project} has always gone well
+     * @param fromRest whether the bodies stood at its start, and it has been halved a few times: near a singular pose more is in vain
      * @return −1 if the last steps were too long however short, so that the next one is left to it at once
      */
-    int halvings(IntList bodies, int most);
+    int halvings(IntList bodies, int most, boolean fromRest);
 
     /**
      * Takes note of evaluations of the accelerations that were made for next to no way. Where there are too many in one step of the

@@ -3,6 +3,7 @@
 package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -120,6 +121,25 @@ class StraightBridgeTest {
             }
         }
         assertThat(most).isLessThan(200_000);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {3, 12, 100, 400})
+    void aLongBridgeFindsSoonThatItCannotSag(int planks) {
+        engine.setTimeStep(1 / 60.0);
+        engine.add(weight);
+        Body last = null;
+        for (int k = 0; k < planks; k++) {
+            Body plank = engine.add(new Body(new Rectangle(0.98, 0.2)).at(k + 0.5, 0));
+            engine.add(last == null ? new PinJoint(plank, 0, 0) : new PinJoint(last, plank, k, 0));
+            last = plank;
+        }
+        engine.add(new PinJoint(last, planks, 0));
+        engine.step();
+        assertThat(weight.asked).isLessThan(200L * planks);
+        for (Body plank : engine.bodies()) {
+            assertThat(plank.getY()).isCloseTo(0, within(1e-3));
+        }
     }
 
     /** When a shore lets go it falls as it must: what was found is forgotten. */
