@@ -49,7 +49,7 @@ final class Belts implements Serializable {
         }
         Arrays.fill(most, 0, groups.count, 0);
         Arrays.fill(fastest, 0, groups.count, 0);
-        rows.findFastest(groups, fastest);
+        findFastest(rows, groups);
         ties.press(groups.slots, most);
         springs.press(groups.slots, most);
         for (int g = 0; g < groups.count; g++) {
@@ -58,7 +58,29 @@ final class Belts implements Serializable {
                 most[g] += load(fastest[g], groups.blocks[k], groups.masses[2 * k], groups.masses[2 * k + 1], a, h);
             }
         }
-        rows.boundDriven(groups, most);
+        boundDriven(rows, groups);
+    }
+
+    /** Finds the speed of the fastest surface that drives a group. */
+    private void findFastest(ContactRows rows, Groups groups) {
+        for (int k = 0; k < rows.count; k++) {
+            if (rows.isDriven(k)) {
+                int g = rows.group(k, groups);
+                fastest[g] = Math.max(fastest[g], Math.abs(rows.normals[ContactRows.PAIR * k + ContactRows.BELT]));
+            }
+        }
+    }
+
+    /** Bounds the friction of pairs that surfaces drive, by group, with what presses in them now. */
+    private void boundDriven(ContactRows rows, Groups groups) {
+        for (int k = 0; k < rows.count; k++) {
+            if (rows.isDriven(k)) {
+                double asked = rows.normals[ContactRows.PAIR * k + ContactRows.ASKED];
+                double pressed = asked * rows.sum(k, ContactRows.NORMAL);
+                double bound = most[rows.group(k, groups)];
+                rows.normals[ContactRows.PAIR * k + ContactRows.FRICTION] = (pressed > bound ? bound / pressed : 1) * asked;
+            }
+        }
     }
 
     /** The impulse for which a body counts that surfaces of some speed drive. */

@@ -75,11 +75,8 @@ final class ContactRows implements Serializable {
 
     private final State state;
 
-    /** By body its first row, −1 for none, and by row the next one of its first and of its second body; while {@link #areListed}. */
-    private transient int[] firstRow;
-
-    private transient int[] nextRow;
-    private transient boolean areListed;
+    /** The rows of each body. */
+    final BodyRows byBody = new BodyRows(this);
 
     int count;
     /** Per pair: its number, its bodies, its first point and the one after its last. */
@@ -125,7 +122,7 @@ final class ContactRows implements Serializable {
 
     /** Begins a step, with where the bodies are. */
     void begin() {
-        areListed = false;
+        byBody.forget();
         count = 0;
         used = 0;
         bounces = 0;
@@ -260,7 +257,7 @@ final class ContactRows implements Serializable {
 
     /** Adds a pair of other rows as it is there. */
     void copy(ContactRows other, int k) {
-        areListed = false;
+        byBody.forget();
         reserve();
         int n = other.pointCount(k);
         System.arraycopy(other.pairs, INTS * k, pairs, INTS * count, INTS);
@@ -274,7 +271,7 @@ final class ContactRows implements Serializable {
 
     /** Keeps the pairs that have a body of those that are marked, in their order. */
     void keepOf(boolean[] marks) {
-        areListed = false;
+        byBody.forget();
         int all = count;
         count = 0;
         used = 0;
@@ -285,36 +282,9 @@ final class ContactRows implements Serializable {
         }
     }
 
-    /** The first row of a body, −1 for none; {@link #next} has the others. */
-    int rowOf(int body) {
-        if (!areListed) {
-            list();
-        }
-        return body < firstRow.length ? firstRow[body] : -1;
-    }
-
-    /** The row of a body after one of it, −1 for none. */
-    int next(int row, int body) {
-        return nextRow[2 * row + (first(row) == body ? 0 : 1)];
-    }
-
-    private void list() {
-        firstRow = firstRow == null || firstRow.length < state.size() ? new int[state.size()] : firstRow;
-        nextRow = nextRow == null || nextRow.length < 2 * count ? new int[2 * count] : nextRow;
-        Arrays.fill(firstRow, -1);
-        for (int row = count - 1; row >= 0; row--) {
-            for (int side = 0; side < 2; side++) {
-                int body = pairs[INTS * row + 1 + side];
-                nextRow[2 * row + side] = firstRow[body];
-                firstRow[body] = row;
-            }
-        }
-        areListed = true;
-    }
-
     /** Takes back the pair that was added last. */
     void dropLast() {
-        areListed = false;
+        byBody.forget();
         count--;
         used = pairs[INTS * count + 3];
         bounces -= normals[PAIR * count + BOUNCE] > 0 ? 1 : 0;
@@ -386,7 +356,7 @@ final class ContactRows implements Serializable {
         return sum(k, TANGENT_SUM);
     }
 
-    private double sum(int k, int which) {
+    double sum(int k, int which) {
         double sum = 0;
         for (int m = pairs[INTS * k + 3]; m < pairs[INTS * k + 4]; m++) {
             sum += points[STRIDE * m + which];
@@ -470,27 +440,6 @@ final class ContactRows implements Serializable {
     /** Whether surfaces that move drive the bodies of a pair. */
     boolean isDriven(int k) {
         return normals[PAIR * k + BELT] != 0 && normals[PAIR * k + ASKED] > 0;
-    }
-
-    /** Finds the speed of the fastest surface that drives a group. */
-    void findFastest(Groups groups, double[] fastest) {
-        for (int k = 0; k < count; k++) {
-            if (isDriven(k)) {
-                int g = group(k, groups);
-                fastest[g] = Math.max(fastest[g], Math.abs(normals[PAIR * k + BELT]));
-            }
-        }
-    }
-
-    /** Bounds the friction of pairs that surfaces drive, by group, with what presses in them now. */
-    void boundDriven(Groups groups, double[] most) {
-        for (int k = 0; k < count; k++) {
-            if (isDriven(k)) {
-                double pressed = normals[PAIR * k + ASKED] * sum(k, NORMAL);
-                double part = pressed > most[group(k, groups)] ? most[group(k, groups)] / pressed : 1;
-                normals[PAIR * k + FRICTION] = part * normals[PAIR * k + ASKED];
-            }
-        }
     }
 
     /**

@@ -178,7 +178,7 @@ public final class Decisions implements Serializable {
 
     /** Gathers those of a body. */
     private void gather(ContactRows rows, int body, List<LastingContact> contacts) {
-        for (int row = rows.rowOf(body); row >= 0; row = rows.next(row, body)) {
+        for (int row = rows.byBody.first(body); row >= 0; row = rows.byBody.next(row, body)) {
             if (lasts(rows, row)) {
                 contacts.add(lasting(rows, row));
             }
