@@ -292,6 +292,7 @@ public final class Heaps implements Serializable {
             heap.coast(body);
         }
         by.turns[body]++;
+        standing.loosen(body, heap.lasting());
         if (isTooOften(body)) {
             giveUp(body);
         } else {

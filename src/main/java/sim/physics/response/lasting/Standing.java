@@ -7,6 +7,7 @@ import java.util.Arrays;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Tolerances;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
@@ -51,8 +52,7 @@ final class Standing implements Serializable {
     /** The pairs of a body and those on which it stands or that stand on it, but for those that last. */
     int[] find(int body, LastingPairs lasting) {
         found.clear();
-        motion.fall(body, fall, 0);
-        double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
+        double pull = pull(body);
         if (pull == 0) {
             return NONE;
         }
@@ -64,6 +64,47 @@ final class Standing implements Serializable {
             }
         }
         return found.size == 0 ? NONE : Arrays.copyOf(found.values, found.size);
+    }
+
+    /**
+     * Lets elastic bodies bounce again that lie on one that has been struck, if it meets them at a speed at which they would not lie down: in a
+     * heap they would stop one another. Bobs of a cradle that swing side by side lie on one another, as they have met too often.
+     */
+    void loosen(int body, LastingPairs lasting) {
+        for (int k = 0; k < detection.pairs().countOf(body); k++) {
+            int pair = detection.pairs().of(body, k);
+            int a = detection.pairs().first(pair);
+            int b = detection.pairs().second(pair);
+            if (lasting.has(pair) && points.restitution(a, b) == 1) {
+                double pull = pull(a) + pull(b);
+                double h = trajectories.h();
+                if (approach(pair, body) > Math.max(0.5 * Tolerances.SHORT * h * pull, Tolerances.REST * scales.size(a, b) / h)) {
+                    lasting.end(pair);
+                }
+            }
+        }
+    }
+
+    private double pull(int body) {
+        if (state.body(body).isFixed()) {
+            return 0;
+        }
+        motion.fall(body, fall, 0);
+        return Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
+    }
+
+    /** The greatest speed at which points of a pair approach. */
+    private double approach(int pair, int body) {
+        manifold = manifold == null ? new Manifold() : manifold;
+        int code = detection.pairs().code(pair);
+        detection.narrowPhase().contact(pair, trajectories.offset(body), manifold);
+        detection.pairs().setCode(pair, code);
+        double most = 0;
+        for (int k = 0; k < manifold.count; k++) {
+            points.load(manifold, pair, k, point);
+            most = Math.max(most, -point.opening);
+        }
+        return most;
     }
 
     private boolean standsOn(int pair, int body, double tau, double pull) {
