@@ -44,6 +44,7 @@ public final class Heaps implements Serializable {
 
     private final IntList changed = new IntList();
 
+    private final Standing standing;
     private final Joining joining;
 
     /**
@@ -73,7 +74,7 @@ public final class Heaps implements Serializable {
         this.heap = new Heap(state, trajectories, motion, detection, points, by, ledger);
         this.collapse = new Collapse(state, trajectories, motion, detection, points, by, heap);
         this.large = heap.large();
-        Standing standing = new Standing(state, trajectories, motion, detection, points, heap.scales());
+        this.standing = new Standing(state, trajectories, motion, detection, points, heap.scales());
         this.joining = new Joining(state, trajectories, motion, detection, resting, by, heap, standing, members, dirty);
         this.calm = new HeapCalm(trajectories, motion, detection, heap);
     }
