@@ -108,6 +108,7 @@ public final class CollisionResponse implements Serializable {
             manifold = new Manifold();
         }
         changed.clear();
+        wedged.stalls(tau);
         listeners.setTime(time);
         if (touching.size == 1) {
             int pair = touching.values[0];
@@ -133,7 +134,7 @@ public final class CollisionResponse implements Serializable {
      */
     public IntList bounce(int pair, double tau) {
         changed.clear();
-        if (isFree() && solver instanceof TwoBodyImpulse && listeners.isEmpty()) {
+        if (!wedged.stalls(tau) && isFree() && solver instanceof TwoBodyImpulse && listeners.isEmpty()) {
             freeBounce.solve(pair, pairs.first(pair), pairs.second(pair), tau, changed);
         }
         impacts += changed.size > 0 ? 1 : 0;

@@ -17,7 +17,7 @@ import sim.physics.response.lasting.Heaps;
  * they meet so once more; so time goes on. From the next step on they may only be as deep as they still are.
  */
 final class Wedged implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     /** Times that a pair may meet at one instant. */
     private static final int MOST = 40;
@@ -35,6 +35,9 @@ final class Wedged implements Serializable {
 
     /** The same in which no bounce of bodies that are pressed together ends. */
     private static final double AT_ONCE = 1e-6;
+
+    /** Impacts of all bodies in such a time in which none is expected to have as many. */
+    private static final int MANY = 1000;
 
     /** By how much deeper they may be, relative to the smaller body. */
     private static final double DEEPER = 1e-7;
@@ -72,15 +75,35 @@ final class Wedged implements Serializable {
 
     private int[] deepened = {};
 
+    /** Offset from which on impacts are counted, and their number; whether there were too many in this step. */
+    private double from;
+
+    private int count;
+    private boolean isStalled;
+
     Wedged(Trajectories trajectories, CollisionDetection detection) {
         this.trajectories = trajectories;
         this.detection = detection;
     }
 
+    /**
+     * Counts an impact, and whether time has come to stand still in the step: where bodies spin flush side by side, elastic ones bounce off
+     * by rounding only, and what presses them together is their own motion.
+     */
+    boolean stalls(double tau) {
+        if (!(tau - from <= AT_ONCE * trajectories.h())) {
+            from = tau;
+            count = 0;
+        }
+        count++;
+        isStalled |= count > MANY;
+        return isStalled;
+    }
+
     /** Counts a meeting; whether the two are to go on as they are, until all that has met at this instant is {@link #settle settled}. */
     boolean meet(int pair, double tau, double gap, double size) {
         boolean deep = gap < -Tolerances.OVERLAP * size;
-        if (!deep && !isDriven(pair)) {
+        if (!deep && !isStalled && !isDriven(pair)) {
             return false;
         }
         ensure(pair);
@@ -163,8 +186,11 @@ final class Wedged implements Serializable {
         }
     }
 
-    /** Begins a step: pairs that are not as deep any more must not get so again. */
+    /** Begins a step: time goes on; pairs that are not as deep any more must not get so again. */
     void begin() {
+        from = 0;
+        count = 0;
+        isStalled = false;
         int kept = 0;
         for (int k = 0; k < pairs.size; k++) {
             int pair = pairs.values[k];
