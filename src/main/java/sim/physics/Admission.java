@@ -408,7 +408,7 @@ final class Admission implements Presence, Serializable {
     }
 
     /** Forms islands anew between steps, when the vectors hold where all bodies are. */
-    private void regroup() {
+    void regroup() {
         touchAll(constraints.concerned());
         constraints.regroup();
     }

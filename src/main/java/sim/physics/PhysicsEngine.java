@@ -29,6 +29,9 @@ import sim.physics.constraint.Stabilization;
 import sim.physics.internal.Check;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Team;
+import sim.physics.internal.Tolerances;
+import sim.physics.internal.Work;
+import sim.physics.motion.AdaptiveIntegrator;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Integrator;
@@ -53,7 +56,7 @@ import sim.physics.stepping.TimeStepping;
  * serializable, and a restored one continues bit for bit.
  */
 public final class PhysicsEngine implements Steppable {
-    private static final long serialVersionUID = 2L;
+    private static final long serialVersionUID = 3L;
 
     /** The ordering at which {@link #scheduleOn(Schedule)} runs the engine; agents that steer bodies come before. */
     public static final int ORDERING = 10;
@@ -61,9 +64,13 @@ public final class PhysicsEngine implements Steppable {
     /** Number of bodies from which the broad phase of a new engine is a {@link CellGrid}. */
     private static final int CROWD = 50;
 
+    /** Work that an event costs beside looks, accelerations and heaps. */
+    private static final int EVENT = 8;
+
     private final State state = new State();
     private final Trajectories trajectories = new Trajectories();
-    private final Motion motion = new Motion(state, trajectories);
+    private final Work work = new Work();
+    private final Motion motion = new Motion(state, trajectories, work);
     private final SharedMotion sharedMotion = new SharedMotion(motion, state, trajectories);
     private final CollisionDetection detection = new CollisionDetection(state, trajectories, new BruteForce());
     private final CollisionResponse response = new CollisionResponse(state, trajectories, motion, detection);
@@ -107,6 +114,12 @@ public final class PhysicsEngine implements Steppable {
     private TimeStepping timeStepping;
 
     private boolean isStepped;
+
+    /** Whether, and for how long, it does so because events would cost too much. */
+    private final Relief relief = new Relief();
+
+    /** Looks of the narrow phase that are counted as work. */
+    private transient long looks;
 
     /** Whether it lets bodies sleep. */
     private boolean isSleepAllowed = true;
@@ -155,19 +168,26 @@ public final class PhysicsEngine implements Steppable {
         if (timeStep == 0) {
             return;
         }
-        if (isStepped) {
-            stepWithoutEvents();
-            return;
+        if (relief.isOver(steps)) {
+            resume();
         }
+        if (isStepped) {
+            stepWithoutEvents(0);
+        } else {
+            stepByEvents();
+        }
+    }
+
+    /** Motion, collision detection, and in time order the events with their collision response. */
+    private void stepByEvents() {
         stepping = true;
-        state.setPresence(null, true);
         boolean isOver = false;
         try {
-            instant = 0;
             begin();
             drive();
             detection.look();
             while (detection.hasEvent()) {
+                count(EVENT);
                 makeLatePaths();
                 motion.keepEnds();
                 int body = detection.takePathEnd();
@@ -179,19 +199,68 @@ public final class PhysicsEngine implements Steppable {
             }
             finish();
             isOver = true;
+        } catch (Work.Spent spent) {
+            relief.begin(steps); // time stepping makes the rest of the step
         } finally {
-            state.setPresence(null, false);
-            if (!isOver) {
-                breakOff();
-            }
-            stepping = false;
+            end(isOver);
         }
-        tell();
+        if (isOver) {
+            tell();
+        } else {
+            relieve();
+        }
     }
 
-    /** A step of time stepping; listeners are asked when it begins, after which it begins anew, and told when it is over. */
-    private void stepWithoutEvents() {
-        beginWithoutEvents();
+    /** Events have cost as much as they may in the step: time stepping takes over from here. */
+    private void relieve() {
+        refine();
+        change(true);
+        if (instant < timeStep) {
+            stepWithoutEvents(instant);
+        } else {
+            relief.count();
+            steps++;
+        }
+    }
+
+    /** Events are to be found again, if they can be from where the bodies are: joints can be closed, and what they tie is not deep in one another. */
+    private void resume() {
+        breakOverloaded();
+        if (constraints != null && constraints.isChanged()) {
+            admission.regroup();
+        }
+        if (timeStepping.deepestTied() <= 0.5 * Tolerances.PUT && Relief.close(state, constraints, noted)) {
+            relief.end(steps);
+            timeStepping.sleep().setAllowed(isSleepAllowed);
+            change(false);
+        } else {
+            relief.extend(steps);
+            refine();
+        }
+    }
+
+    /** Time stepping is to be as exact as it can be in the place of events, and lets nobody sleep. */
+    private void refine() {
+        timeStepping().setSubsteps(Relief.SUBSTEPS);
+        timeStepping.setPace(timeStep);
+        timeStepping.sleep().setAllowed(false);
+    }
+
+    /** Removes the joints that broke in the last step of time stepping. */
+    private void breakOverloaded() {
+        List<Constraint> broken = timeStepping.overloaded();
+        for (int k = 0; k < broken.size(); k++) {
+            constraints.remove(broken.get(k));
+        }
+    }
+
+    /**
+     * A step of time stepping, from an offset in it on; listeners are asked when it begins, after which it begins anew, and told when it
+     * is over.
+     */
+    private void stepWithoutEvents(double from) {
+        relief.count();
+        beginWithoutEvents(from);
         if (timeStepping.decisions().areOpen()) {
             asking = true;
             try {
@@ -199,12 +268,12 @@ public final class PhysicsEngine implements Steppable {
             } finally {
                 asking = false;
             }
-            beginWithoutEvents();
+            beginWithoutEvents(from);
         }
         stepping = true;
         state.setPresence(null, true);
         try {
-            timeStepping.solve(getTime());
+            timeStepping.solve(getTime() + from);
             steps++;
         } finally {
             state.setPresence(null, false);
@@ -218,18 +287,15 @@ public final class PhysicsEngine implements Steppable {
         }
     }
 
-    private void beginWithoutEvents() {
+    private void beginWithoutEvents(double from) {
         stepping = true;
         state.setPresence(null, true);
         try {
             trajectories.begin(steps, timeStep);
             detection.begin(steps, timeStep);
-            List<Constraint> broken = timeStepping.overloaded();
-            for (int k = 0; k < broken.size(); k++) {
-                constraints.remove(broken.get(k));
-            }
+            breakOverloaded();
             admission.admit(0);
-            timeStepping.begin(getTime(), timeStep);
+            timeStepping.begin(getTime() + from, timeStep - from);
         } finally {
             state.setPresence(null, false);
             stepping = false;
@@ -246,7 +312,25 @@ public final class PhysicsEngine implements Steppable {
         }
     }
 
-    /** Code of authors has thrown: all bodies stay where they are at that instant, and the next step goes on from there. */
+    /** The step is over, or has been broken off. */
+    private void end(boolean isOver) {
+        work.end();
+        state.setPresence(null, false);
+        if (!isOver) {
+            breakOff();
+        }
+        stepping = false;
+    }
+
+    /** Takes note of work, and of the looks at pairs since the last note. */
+    private void count(long units) {
+        long now = detection.narrowPhase().evaluations();
+        long since = now - looks;
+        looks = now;
+        work.spend(units + since);
+    }
+
+    /** Code of authors has thrown, or the work is spent: all bodies stay where they are at that instant, and go on from there. */
     private void breakOff() {
         makeLatePaths();
         for (Body body : bodies()) {
@@ -261,6 +345,10 @@ public final class PhysicsEngine implements Steppable {
 
     /** Begins the step; bodies that were added or set since the last one start from where they were put. */
     private void begin() {
+        instant = 0;
+        state.setPresence(null, true);
+        work.begin(relief.limit(state.bodyCount(), audit != null));
+        looks = detection.narrowPhase().evaluations();
         state.settle(asksAuthors || audit != null || constraints != null || state.touchedCount() > 0);
         trajectories.begin(steps, timeStep);
         detection.begin(steps, timeStep);
@@ -305,8 +393,15 @@ public final class PhysicsEngine implements Steppable {
             response.heaps().begin();
             settleHeaps(0);
         }
+        work.pause(isFixed());
         followAll();
+        work.pause(false);
         clearGroups();
+    }
+
+    /** Whether the method's steps are of fixed length: those that the step begins with are bounded, and may be shared by threads. */
+    private boolean isFixed() {
+        return !(motion.getIntegrator() instanceof AdaptiveIntegrator);
     }
 
     /** A force acts no more which was applied to a body for the step before: what bore the body with it bears something else now. */
@@ -340,7 +435,9 @@ public final class PhysicsEngine implements Steppable {
             return;
         }
         admission.forgetAnswers();
+        work.pause(isFixed());
         IntList made = motion.late().make(team);
+        work.pause(false);
         for (int k = 0; k < made.size; k++) {
             publish(made.values[k], timeStep, Entry.BODY);
             detection.endPath(made.values[k]);
@@ -435,6 +532,7 @@ public final class PhysicsEngine implements Steppable {
         for (int k = 0; k < groups.size; k++) {
             if (trajectories.isDriven(groups.values[k])) { // or a listener has removed it
                 follow(groups.values[k], Entry.BODY_AND_PAIRS);
+                count(motion.companions(groups.values[k]).size);
             }
         }
         clearGroups();
@@ -539,6 +637,7 @@ public final class PhysicsEngine implements Steppable {
     /** Bodies that lie on one another push each other: new velocities where something has happened. */
     private void settleHeaps(double tau) {
         IntList settled = response.heaps().settle(tau);
+        work.spend(response.heaps().takeCost());
         for (int k = 0; k < settled.size; k++) {
             if (trajectories.isDriven(settled.values[k])) {
                 noteGroup(settled.values[k]);
@@ -1050,7 +1149,7 @@ public final class PhysicsEngine implements Steppable {
      * @return 0 unless set: events are found in continuous time
      */
     public int getTimeStepping() {
-        return isStepped ? timeStepping.getSubsteps() : 0;
+        return isStepped && !relief.isOn() ? timeStepping.getSubsteps() : 0;
     }
 
     /**
@@ -1064,6 +1163,9 @@ public final class PhysicsEngine implements Steppable {
      * limit surface. {@link CollisionListener}s are asked when bodies would touch in the step that begins, and told of it when
      * it is over, as between steps. Threads and the {@link Integrator} are of no effect.
      *
+     * <p>Events are found again when the joints can be closed and bodies of joints are not deep in one another: until then steps of 32 substeps
+     * are made, as {@link #getRelievedSteps()} tells.
+     *
      * @param substeps of a step; 4 is usual, twice as many halve the error; 0 for events
      * @throws IllegalArgumentException if it is negative
      * @throws IllegalStateException within a step, or if the engine is audited
@@ -1076,22 +1178,87 @@ public final class PhysicsEngine implements Steppable {
         if (substeps > 0 && audit != null) {
             throw new IllegalStateException("time stepping was set while the engine is audited: call setAudited(false) before");
         }
-        boolean wasStepped = isStepped;
-        isStepped = substeps > 0;
-        if (isStepped && timeStepping == null) {
+        if (substeps > 0) {
+            timeStepping().setSubsteps(substeps);
+            timeStepping.sleep().setAllowed(isSleepAllowed);
+            relief.end(steps);
+            if (!isStepped) {
+                change(true);
+            }
+        } else if (isStepped && !relief.isOn()) {
+            resume();
+        }
+    }
+
+    private TimeStepping timeStepping() {
+        if (timeStepping == null) {
             timeStepping = new TimeStepping(state, motion, detection.filter(), response.laws());
             timeStepping.setConstraints(constraints);
             timeStepping.sleep().setAllowed(isSleepAllowed);
         }
-        if (isStepped) {
-            timeStepping.setSubsteps(substeps);
+        return timeStepping;
+    }
+
+    /** Lets time stepping move the bodies, or events. */
+    private void change(boolean toStepping) {
+        isStepped = toStepping;
+        makeLatePaths();
+        state.settle(true);
+        timeStepping.forget();
+        admission.setStepped(isStepped ? timeStepping : null);
+    }
+
+    /**
+     * Work that a step by events may cost.
+     *
+     * @return in units of {@link #getWork()}
+     */
+    public long getWorkLimit() {
+        return relief.limit(state.bodyCount());
+    }
+
+    /**
+     * Bounds what a step by events may cost. When it is about to cost more, the rest of the step and some steps more are made by {@link
+     * #setTimeStepping time stepping}, of 32 substeps: at a cost that is known beforehand, but less exactly. So a step ends in time
+     * also where bodies jam. {@link #getRelievedSteps()} says how many steps were; as long as there is none, the limit changes no
+     * bit of a run. Work is counted and not timed, so a run is the same on any machine.
+     *
+     * <p>Unless set, the limit is 20 million units and 200 more for each body, some seconds. The step in which the limit is met
+     * and the eight after it are relieved; twice as many each time, up to 256, while events cost too much again within as many steps.
+     * Events are found again as soon as the joints can be closed, and no two bodies of joints are deeper in one another than they
+     * may be by events. There is no limit while the engine is audited.
+     *
+     * @param units some tenths of a microsecond each; {@link Long#MAX_VALUE} for no limit
+     * @throws IllegalArgumentException if it is not at least 1
+     * @throws IllegalStateException within a step
+     */
+    public void setWorkLimit(long units) {
+        if (units < 1) {
+            throw new IllegalArgumentException("work limit is " + units + ": it must be at least 1");
         }
-        if (isStepped != wasStepped) {
-            makeLatePaths();
-            state.settle(true);
-            timeStepping.forget();
-            admission.setStepped(isStepped ? timeStepping : null);
-        }
+        requireBetweenSteps("the work limit was set");
+        relief.setLimit(units);
+    }
+
+    /**
+     * Work of all steps by events: an exact measure of what happens in them. A unit is the acceleration of one body, or a look at a
+     * pair; an event is 8, and a solution of a heap as many as it takes as long as. What each step costs that by nothing is more than
+     * it needs, such as the paths and boxes with which it begins, is not counted.
+     *
+     * @return units, since the engine was made
+     */
+    public long getWork() {
+        return work.done();
+    }
+
+    /**
+     * Number of steps that time stepping has made, in whole or in part, because events would have cost more than the {@link
+     * #setWorkLimit limit}, or could not be found yet.
+     *
+     * @return since the engine was made
+     */
+    public long getRelievedSteps() {
+        return relief.relieved();
     }
 
     /**
@@ -1117,7 +1284,7 @@ public final class PhysicsEngine implements Steppable {
     public void setSleepAllowed(boolean allowed) {
         requireBetweenSteps("sleep was set");
         isSleepAllowed = allowed;
-        if (timeStepping != null) {
+        if (timeStepping != null && !relief.isOn()) {
             timeStepping.sleep().setAllowed(allowed);
         }
     }
@@ -1342,6 +1509,9 @@ public final class PhysicsEngine implements Steppable {
      */
     public void setAudited(boolean audited) {
         requireBetweenSteps("the audit was set");
+        if (audited && relief.isOn()) {
+            resume();
+        }
         if (audited && isStepped) {
             throw new IllegalStateException("an audit was asked for under time stepping: call setTimeStepping(0) before");
         }

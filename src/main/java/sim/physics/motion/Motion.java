@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Work;
 
 /**
  * Moves the bodies through a step, the write-up's chapter <i>Motion</i>: (5)–(15).
@@ -25,13 +26,13 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     private Integrator integrator = new RungeKutta4();
     double time;
 
-    /** How often accelerations were asked for. */
-    int evaluations;
+    final Work work;
 
     /** Driven bodies in ascending order; bodies with an applied force in this step. */
     private final IntList driven;
     private final IntList pushed;
     private final IntList alone = new IntList();
+    private final double[] fallen = new double[State.BLOCK];
     final DrivenMotion drivenMotion;
 
     /** Null until somebody asks. */
@@ -46,8 +47,10 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      *
      * @param state the state vectors
      * @param trajectories where the paths are written
+     * @param work takes note of what it costs
      */
-    public Motion(State state, Trajectories trajectories) {
+    public Motion(State state, Trajectories trajectories, Work work) {
+        this.work = work;
         this.state = state;
         this.trajectories = trajectories;
         this.forces = new Forces(state);
@@ -62,6 +65,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     /** Another motion of the same bodies under the same forces, with workspace, method and ties of its own. */
     Motion(Motion original) {
+        work = new Work();
         state = original.state;
         trajectories = original.trajectories;
         forces = new Forces(state);
@@ -215,13 +219,9 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
             trajectories.accelerate(body, 0, 0, 0);
             return;
         }
-        double[] w = state.w().values();
-        int b = State.BLOCK * body;
-        Body view = state.body(body);
-        double ax = generators.gravityX + w[b] * view.appliedX() + support.acceleration(body, 0); // (5)
-        double ay = generators.gravityY + w[b] * view.appliedY() + support.acceleration(body, 1);
-        double alpha = w[b + State.THETA] * view.appliedTorque() + support.acceleration(body, 2); // (6)
-        trajectories.accelerate(body, ax, ay, alpha);
+        fall(body, fallen, 0);
+        double ax = fallen[0] + support.acceleration(body, 0);
+        trajectories.accelerate(body, ax, fallen[1] + support.acceleration(body, 1), fallen[2] + support.acceleration(body, 2));
     }
 
     /** {@return whether forces were applied to a body for the last step} */
@@ -420,9 +420,9 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         double[] w = state.w().values();
         boolean held = support.holds(body);
         Body view = state.body(body);
-        a[at] = held ? 0 : generators.gravityX + w[b] * view.appliedX();
+        a[at] = held ? 0 : generators.gravityX + w[b] * view.appliedX(); // (5)
         a[at + 1] = held ? 0 : generators.gravityY + w[b] * view.appliedY();
-        a[at + 2] = held ? 0 : w[b + State.THETA] * view.appliedTorque();
+        a[at + 2] = held ? 0 : w[b + State.THETA] * view.appliedTorque(); // (6)
     }
 
     /**
@@ -454,7 +454,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     @Override
     public void acceleration(IntList bodies, double t, double[] a) {
-        evaluations++;
+        work.evaluate(bodies.size);
         load(bodies, t, a);
         if (isTiedGroup(bodies)) {
             ties.accelerate(bodies, a); // (34)–(41)

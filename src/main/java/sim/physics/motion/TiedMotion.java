@@ -247,7 +247,7 @@ final class TiedMotion implements Serializable {
         double done = 0;
         while (most >= 0) {
             double left = length - done;
-            int before = motion.evaluations;
+            int before = motion.work.evaluations();
             double piece = piece(motion, group, t + done, left, most, path);
             done = piece == left ? length : done + piece;
             boolean isTorn = tears >= MANY_TEARS;
@@ -257,7 +257,7 @@ final class TiedMotion implements Serializable {
             if (piece == 0) {
                 motion.acceleration(group, t + done, path.stage); // the last attempt may have ended anywhere
             }
-            int spare = ties.tire(group, trajectories.step(), piece == 0 ? ALL : motion.evaluations - before, isTorn);
+            int spare = ties.tire(group, trajectories.step(), piece == 0 ? ALL : motion.work.evaluations() - before, isTorn);
             if (spare == Integer.MAX_VALUE && piece != 0) {
                 return done;
             }

@@ -99,6 +99,7 @@ public final class TimeStepping implements Serializable {
     private boolean isJudged = true;
 
     private double deepest;
+    private double deepestTied;
     private long looks;
 
     /**
@@ -219,6 +220,15 @@ public final class TimeStepping implements Serializable {
         }
     }
 
+    /**
+     * Sets the pace at which depths and gaps are regained, before it takes over within a step, of which little may be left.
+     *
+     * @param step a whole one
+     */
+    public void setPace(double step) {
+        pace = step / substeps;
+    }
+
     /** {@return what is asked and told of contacts} */
     public Decisions decisions() {
         return decisions;
@@ -248,6 +258,7 @@ public final class TimeStepping implements Serializable {
             forces.load(poses.awake, time, a);
             rows.begin();
             decisions.begin(time, step);
+            deepestTied = 0;
             look();
         } while (sleep.hasWoken());
     }
@@ -286,8 +297,10 @@ public final class TimeStepping implements Serializable {
             rows.dropLast();
             return;
         }
+        boolean areTied = constraints != null && constraints.isTied(first) && constraints.isTied(second);
         for (int k = 0; k < touch.count; k++) {
             deepest = Math.min(deepest, touch.gap[k]);
+            deepestTied = areTied ? Math.max(deepestTied, -touch.gap[k] / size) : deepestTied;
             int id = touch.feature[k];
             for (int m = 0; m < 2; m++) {
                 if (near.features[2 * pair + m] == id && near.kept[NearPairs.KEPT * pair + NearPairs.POINT * m] > 0) {
@@ -426,6 +439,11 @@ public final class TimeStepping implements Serializable {
                 near.kept[o + 2] = m < n ? rows.last(k, m) : 0;
             }
         }
+    }
+
+    /** {@return how deep two bodies of joints were in one another when the last step began, at most, relative to the smaller one} */
+    public double deepestTied() {
+        return deepestTied;
     }
 
     /** {@return number of times that a pair was looked at for where it touches} */

@@ -86,6 +86,7 @@ class ImpactTimeTest {
     private static void assertBlocksCount(double ratio, int digits) {
         // hard case I03, Galperin 2003
         PhysicsEngine engine = new PhysicsEngine();
+        engine.setWorkLimit(Long.MAX_VALUE);
         engine.add(Body.fixed(new Rectangle(1, 100)).at(-0.5, 0));
         Body small = new Body(new Rectangle(1, 1)).at(1, 0);
         Body large = new Body(new Rectangle(1, 1)).at(3, 0).moving(-1, 0);

@@ -56,7 +56,7 @@ final class Heap implements Serializable {
     private final HeapBodies by;
     private final ContactLedger ledger;
     private final BodyScale scales;
-    private final HeapSystem system = new HeapSystem();
+    final HeapSystem system = new HeapSystem();
     private final HeapStrike striking = new HeapStrike();
     private final HeapPull pulls;
     private final HeapEffort effort;

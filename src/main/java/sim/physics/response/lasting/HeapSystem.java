@@ -55,6 +55,9 @@ final class HeapSystem extends HeapPoints {
     private final ContactRows middle = new ContactRows();
     private boolean isTurned;
 
+    /** What solutions have cost, in units of {@link sim.physics.internal.Work}. */
+    private long cost;
+
     HeapSystem() {}
 
     void clear() {
@@ -392,12 +395,26 @@ final class HeapSystem extends HeapPoints {
 
     private void begin(boolean regains) {
         tolerance.setError(0);
+        count();
         if (regains) {
             renew();
         } else {
             again();
             regainNothing();
         }
+    }
+
+    /** Counts what a solution costs: where ties reply the rows make a dense matrix, and else sweeps and sparse eliminations. */
+    private void count() {
+        long rows = 2L * contacts + (points - contacts);
+        cost += tied ? rows * (count / 4 + rows / 32 + rows * rows / 2048) : 16 * rows;
+    }
+
+    /** What solutions have cost since this was asked last, in units of {@link sim.physics.internal.Work}. */
+    long takeCost() {
+        long taken = cost;
+        cost = 0;
+        return taken;
     }
 
     /** Lets no point have to part from now on. */

@@ -437,6 +437,11 @@ public final class Heaps implements Serializable {
         return changed;
     }
 
+    /** {@return what solutions of heaps have cost since this was asked last, in units of {@link sim.physics.internal.Work}} */
+    public long takeCost() {
+        return heap.system.takeCost();
+    }
+
     /** Forgets which courses have changed. */
     public void told() {
         changed.clear();

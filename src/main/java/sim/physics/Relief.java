@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics;
+
+import java.io.Serializable;
+import sim.physics.constraint.ConstraintException;
+import sim.physics.constraint.Constraints;
+import sim.physics.internal.IntList;
+import sim.physics.internal.Work;
+import sim.physics.motion.State;
+
+/**
+ * When the events of a step cost more than they may, time stepping makes the rest of it and some steps more: this says how much they
+ * may, and for how many. If events cost too much again soon after, twice as many; so that, in the mean, a step costs little more than
+ * one of time stepping as long as bodies are jammed, and is found by events again when they are not.
+ */
+final class Relief implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Substeps that a step is made of meanwhile. */
+    static final int SUBSTEPS = 32;
+
+    /** Work that a step may cost unless set, and that for each body: some seconds. */
+    static final long USUAL = 20_000_000;
+
+    private static final long USUAL_PER_BODY = 200;
+
+    private static final int LEAST = 8;
+    private static final int MOST = 256;
+
+    /** 0 for the usual one. */
+    private long limit;
+
+    private boolean isOn;
+
+    /** How many steps time stepping makes, until which one, and which step was the first one by events after it. */
+    private int length;
+
+    private long until;
+    private long last = Long.MIN_VALUE / 2;
+    private long relieved;
+
+    void setLimit(long units) {
+        limit = units;
+    }
+
+    /** Work that a step may cost. */
+    long limit(int bodies) {
+        return limit > 0 ? limit : USUAL + USUAL_PER_BODY * bodies;
+    }
+
+    /** The same, if there is anything that may take over. */
+    long limit(int bodies, boolean isAudited) {
+        return isAudited ? Work.UNLIMITED : limit(bodies);
+    }
+
+    boolean isOn() {
+        return isOn;
+    }
+
+    /** Time stepping takes over in a step. */
+    void begin(long step) {
+        length = step - last <= length ? Math.min(MOST, 2 * length) : LEAST;
+        until = step + length;
+        isOn = true;
+    }
+
+    /** A step, or the rest of one, is made by time stepping. */
+    void count() {
+        relieved += isOn ? 1 : 0;
+    }
+
+    boolean isOver(long step) {
+        return isOn && step >= until;
+    }
+
+    /** Events cannot go on from where bodies are. */
+    void extend(long step) {
+        isOn = true;
+        until = step + LEAST;
+    }
+
+    /** Closes all joints where bodies are; false if one cannot be closed. */
+    static boolean close(State state, Constraints constraints, IslandRounds rounds) {
+        rounds.begin();
+        try {
+            for (int k = 0; constraints != null && k < state.size(); k++) {
+                if (state.body(k) != null && constraints.isTied(k) && rounds.isFirst(constraints.island(k))) {
+                    IntList island = constraints.island(k);
+                    for (int m = 0; m < island.size; m++) {
+                        state.touch(island.values[m]);
+                    }
+                    constraints.assemble(island);
+                }
+            }
+            return true;
+        } catch (ConstraintException e) {
+            return false;
+        }
+    }
+
+    void end(long step) {
+        isOn = false;
+        last = step;
+    }
+
+    /** How many steps were made by time stepping, in whole or in part. */
+    long relieved() {
+        return relieved;
+    }
+}

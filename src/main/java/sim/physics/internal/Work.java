@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.internal;
+
+import java.io.Serializable;
+
+/**
+ * What a step costs, in units that are counted and not timed, so that a run is the same on any machine: a unit is the acceleration of
+ * one body, or a look at a pair, some tenths of a microsecond each. Whoever is about to spend more than is allowed is stopped.
+ */
+public final class Work implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** More than any step may cost. */
+    public static final long UNLIMITED = Long.MAX_VALUE;
+
+    private long done;
+    private int evaluations;
+
+    /** Up to where it may be spent now. */
+    private transient long limit = UNLIMITED;
+
+    /** Whether a step is on its way, and whether what it does now is counted. */
+    private transient boolean isOn;
+
+    private transient boolean isPaused;
+
+    /** Makes one that has no limit. */
+    public Work() {
+        // nothing is done yet
+    }
+
+    /** Says that the work of a step is done, and there is more to do. It has no trace of calls: nothing is wrong with them. */
+    public static final class Spent extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        private Spent() {
+            super("the work of a step is spent", null, false, false);
+        }
+    }
+
+    /**
+     * Begins a step.
+     *
+     * @param most units that may be spent in it
+     */
+    public void begin(long most) {
+        limit = most < UNLIMITED - done ? done + most : UNLIMITED;
+        isOn = true;
+        isPaused = false;
+    }
+
+    /** Ends the step: what is asked between steps does not count. */
+    public void end() {
+        limit = UNLIMITED;
+        isOn = false;
+    }
+
+    /**
+     * Lets nothing count for a while: what threads share is bounded anyway, and who does how much of it is left open.
+     *
+     * @param yes false to go on
+     */
+    public void pause(boolean yes) {
+        isPaused = yes;
+    }
+
+    /**
+     * Takes note of work.
+     *
+     * @param units not negative
+     * @throws Spent if that is more than is allowed
+     */
+    public void spend(long units) {
+        if (!isOn || isPaused) {
+            return;
+        }
+        done += units;
+        if (done > limit) {
+            limit = UNLIMITED; // what is left is to be put in order
+            throw new Spent();
+        }
+    }
+
+    /**
+     * Takes note that the accelerations of a group were asked for.
+     *
+     * @param bodies how many
+     * @throws Spent if that is more than is allowed
+     */
+    public void evaluate(int bodies) {
+        evaluations++;
+        spend(bodies);
+    }
+
+    /** {@return how often accelerations were asked for, in steps and between them} */
+    public int evaluations() {
+        return evaluations;
+    }
+
+    /** {@return units spent since it was made} */
+    public long done() {
+        return done;
+    }
+
+    private Object readResolve() {
+        limit = UNLIMITED;
+        return this;
+    }
+}
