@@ -332,6 +332,7 @@ public final class PhysicsEngine implements Steppable {
 
     /** Code of authors has thrown, or the work is spent: all bodies stay where they are at that instant, and go on from there. */
     private void breakOff() {
+        response.heaps().breakOff();
         makeLatePaths();
         for (Body body : bodies()) {
             int index = body.index();

@@ -114,6 +114,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         enclosures.prepare(body, view);
         trajectories.setRadius(body, view.getShape().boundingRadius());
         pairs.ensure(state.size());
+        pairs.setParts(body, view.getShape().partCount());
         notes.set(body, BodyNotes.KNOWN, true);
         notes.set(body, BodyNotes.IDLE, false);
         pathEnds.clear(body);

@@ -12,7 +12,7 @@ import sim.physics.motion.Trajectories;
 
 /**
  * Finds the fixed bodies that a body touches at the instant at which it hits another one of them, as a box that lands flat
- * on three tiles. By rounding it meets one a little before the others: by the rounding of a coordinate over its speed.
+ * on three tiles; and the other parts with which two bodies touch then, as a table with its legs. By rounding it meets one a little before the others: by the rounding of a coordinate over its speed.
  * Solved one after the other, these impacts would make it turn.
  */
 final class Companions implements Serializable {
@@ -43,6 +43,9 @@ final class Companions implements Serializable {
             int a = pairs.first(together.values[k]);
             int b = pairs.second(together.values[k]);
             int body = boxes.isFixed(a) ? b : a;
+            if (!pairs.areWhole()) {
+                gatherParts(together, a, b, tau);
+            }
             if (boxes.isFixed(a) == boxes.isFixed(b) || trajectories.isDriven(body)) {
                 continue;
             }
@@ -55,6 +58,18 @@ final class Companions implements Serializable {
                     pairs.setTime(pair, Double.NaN);
                     together.add(pair);
                 }
+            }
+        }
+    }
+
+    private void gatherParts(IntList together, int a, int b, double tau) {
+        for (int m = 0; m < pairs.countOf(a); m++) {
+            int pair = pairs.of(a, m);
+            boolean isDriven = trajectories.isDriven(a) || trajectories.isDriven(b);
+            if (pairs.other(pair, a) == b && !isDriven && mayTouch(pair, tau) && !together.contains(pair)
+                    && touches(pair, tau, pairs.time(pair))) {
+                pairs.setTime(pair, Double.NaN);
+                together.add(pair);
             }
         }
     }

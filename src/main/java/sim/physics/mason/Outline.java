@@ -15,12 +15,18 @@ final class Outline {
             double r = shape.radius();
             return new Ellipse2D.Double(-r, -r, 2 * r, 2 * r);
         }
-        Path2D.Double path = new Path2D.Double();
-        path.moveTo(shape.vertexX(0), shape.vertexY(0));
-        for (int k = 1; k < shape.vertexCount(); k++) {
-            path.lineTo(shape.vertexX(k), shape.vertexY(k));
+        Path2D.Double path = new Path2D.Double(Path2D.WIND_NON_ZERO);
+        for (int part = 0; part < shape.partCount(); part++) {
+            append(shape.part(part), path);
+        }
+        return path;
+    }
+
+    private static void append(sim.physics.shape.Shape part, Path2D.Double path) {
+        path.moveTo(part.vertexX(0), part.vertexY(0));
+        for (int k = 1; k < part.vertexCount(); k++) {
+            path.lineTo(part.vertexX(k), part.vertexY(k));
         }
         path.closePath();
-        return path;
     }
 }

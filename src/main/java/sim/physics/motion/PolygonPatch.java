@@ -20,7 +20,7 @@ import sim.physics.shape.Shape;
  * far outside, the triangles are much larger than the polygon and cancel: then {@link FarMotion} takes over, or
  * {@link SlenderBody}.
  */
-final class PolygonPatch extends SurfacePatch {
+final class PolygonPatch extends FlatPatch {
     private static final long serialVersionUID = 1L;
 
     /** Distance of the centre, relative to the bounding radius, from which the series of {@link FarMotion} is used. */
@@ -42,9 +42,6 @@ final class PolygonPatch extends SurfacePatch {
     private final double reach;
     private final FarMotion farMotion;
     private final SlenderBody slenderBody;
-
-    /** ⟨v/|v|⟩ and ⟨r × v/|v|⟩ of the body that spins in place: the most torque that the patch takes. */
-    private final double[] spinning = new double[State.BLOCK];
 
     PolygonPatch(Shape shape) {
         this(shape, Math.scalb(1.0, Math.getExponent(shape.boundingRadius()) + 1));
@@ -70,7 +67,7 @@ final class PolygonPatch extends SurfacePatch {
         reach = shape.boundingRadius() / unit;
         farMotion = new FarMotion(xy, area);
         slenderBody = new SlenderBody(xy);
-        slip(0, 0, 1, spinning);
+        spin();
     }
 
     @Override
@@ -96,7 +93,7 @@ final class PolygonPatch extends SurfacePatch {
         return ux * ux + uy * uy >= bound * bound;
     }
 
-    /** Takes ⟨v/|v|⟩ and ⟨r × v/|v|⟩ in the body's own frame to out. */
+    @Override
     void slip(double ux, double uy, double spin, double[] out) {
         if (isFar(ux, uy, spin)) {
             farMotion.friction(-ux, -uy, ux, uy, spin, out);
@@ -150,19 +147,5 @@ final class PolygonPatch extends SurfacePatch {
         out[0] /= area;
         out[1] /= area;
         out[2] /= area;
-    }
-
-    @Override
-    boolean carries(double fx, double fy, double torque) {
-        double share = torque / spinning[2];
-        if (!(Math.abs(share) <= 1)) {
-            return false;
-        }
-        double gx = fx - share * spinning[0];
-        double gy = fy - share * spinning[1];
-        if (Math.sqrt(gx * gx + gy * gy) <= 1 - Math.abs(share)) {
-            return true; // in the double cone between sliding and spinning, which the limit surface encloses
-        }
-        return new WorstTwist(this, spinning[2]).holds(fx, fy, torque);
     }
 }

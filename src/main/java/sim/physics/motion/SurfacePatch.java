@@ -37,6 +37,9 @@ abstract class SurfacePatch implements Serializable {
     }
 
     static SurfacePatch of(Shape shape) {
+        if (shape.partCount() > 1) {
+            return new CompoundPatch(shape);
+        }
         return shape.vertexCount() == 1 ? new DiscPatch(shape.radius()) : new PolygonPatch(shape);
     }
 

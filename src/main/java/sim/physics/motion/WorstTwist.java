@@ -20,7 +20,7 @@ final class WorstTwist {
     /** Step of the differences, relative to the motion. */
     private static final double DIFFERENCE = 1e-6;
 
-    private final PolygonPatch patch;
+    private final FlatPatch patch;
 
     /** Friction torque of spinning in place for unit μN: the scale of torque. */
     private final double torqueScale;
@@ -35,7 +35,7 @@ final class WorstTwist {
     private final double[] p1 = new double[3];
     private final double[] p2 = new double[3];
 
-    WorstTwist(PolygonPatch patch, double torqueScale) {
+    WorstTwist(FlatPatch patch, double torqueScale) {
         this.patch = patch;
         this.torqueScale = torqueScale;
     }

@@ -6,10 +6,17 @@ import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
 import sim.physics.shape.Shape;
 
-/** The outline of one body after another, and what a ray or a point has to do with it; in the body's own frame. */
+/**
+ * The outline of one body after another, and what a ray or a point has to do with it, in the body's own frame; of a body of
+ * several parts with each of them.
+ */
 final class Outline {
     private final double[] turn = new double[2];
+    private Shape whole;
+
+    /** The part that is looked at. */
     private Shape shape;
+
     private double x;
     private double y;
 
@@ -27,7 +34,8 @@ final class Outline {
     double mostY;
 
     void of(Body body) {
-        shape = body.getShape();
+        whole = body.getShape();
+        shape = whole;
         x = body.getX();
         y = body.getY();
         if (shape.vertexCount() > 1) {
@@ -52,14 +60,34 @@ final class Outline {
         double py = toLocalY(fromX - x, fromY - y);
         double dx = toLocalX(directionX, directionY);
         double dy = toLocalY(directionX, directionY);
-        boolean hit = shape.vertexCount() == 1 ? entersCircle(px, py, dx, dy) : entersPolygon(px, py, dx, dy);
-        if (!hit || distance > range) {
+        if (!entersLocal(px, py, dx, dy) || distance > range) {
             return false;
         }
         double lx = nx;
         nx = turn[0] * lx - turn[1] * ny + 0.0; // no negative zeros
         ny = turn[1] * lx + turn[0] * ny + 0.0;
         return true;
+    }
+
+    private boolean entersLocal(double px, double py, double dx, double dy) {
+        if (whole.partCount() == 1) {
+            return shape.vertexCount() == 1 ? entersCircle(px, py, dx, dy) : entersPolygon(px, py, dx, dy);
+        }
+        double first = Double.POSITIVE_INFINITY;
+        double firstX = 0;
+        double firstY = 0;
+        for (int k = 0; k < whole.partCount(); k++) {
+            shape = whole.part(k);
+            if (entersPolygon(px, py, dx, dy) && distance < first) {
+                first = distance;
+                firstX = nx;
+                firstY = ny;
+            }
+        }
+        distance = first;
+        nx = firstX;
+        ny = firstY;
+        return first < Double.POSITIVE_INFINITY;
     }
 
     private boolean entersCircle(double px, double py, double dx, double dy) {
@@ -136,6 +164,15 @@ final class Outline {
     double distance(double pointX, double pointY) {
         double px = toLocalX(pointX - x, pointY - y);
         double py = toLocalY(pointX - x, pointY - y);
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < whole.partCount(); k++) {
+            shape = whole.part(k);
+            least = Math.min(least, distanceLocal(px, py));
+        }
+        return least;
+    }
+
+    private double distanceLocal(double px, double py) {
         if (shape.vertexCount() == 1) {
             return Math.max(0, Math.sqrt(px * px + py * py) - shape.radius());
         }
@@ -162,16 +199,26 @@ final class Outline {
             double dy = y - Math.max(lowY, Math.min(highY, y));
             return dx * dx + dy * dy <= shape.radius() * shape.radius();
         }
-        return !isBeside(lowX, lowY, highX, highY) && !edgeParts(lowX, lowY, highX, highY);
+        boolean meets = false;
+        for (int k = 0; k < whole.partCount() && !meets; k++) {
+            shape = whole.part(k);
+            meets = !isBeside(lowX, lowY, highX, highY) && !edgeParts(lowX, lowY, highX, highY);
+        }
+        return meets;
+    }
+
+    /** Finds the box around a polygon, of all parts. */
+    void bound() {
+        shape = whole;
+        boundPart();
     }
 
     private boolean isBeside(double lowX, double lowY, double highX, double highY) {
-        bound();
+        boundPart();
         return mostX < lowX || leastX > highX || mostY < lowY || leastY > highY;
     }
 
-    /** Finds the box around a polygon. */
-    void bound() {
+    private void boundPart() {
         leastX = Double.POSITIVE_INFINITY;
         leastY = Double.POSITIVE_INFINITY;
         mostX = Double.NEGATIVE_INFINITY;

@@ -185,7 +185,7 @@ final class PolygonCheck {
     }
 
     /** Sign of the turn at vertex j on the way from i to k; 0 for a straight line, a reversal or a missing edge. */
-    private static int turn(double[] xy, int i, int j, int k) {
+    static int turn(double[] xy, int i, int j, int k) {
         double ax = xy[2 * j] - xy[2 * i];
         double ay = xy[2 * j + 1] - xy[2 * i + 1];
         double bx = xy[2 * k] - xy[2 * j];

@@ -13,12 +13,15 @@ final class PolygonMass {
     /** In the author's coordinates. */
     final MassProperties properties;
 
-    /** The vertices counter-clockwise and relative to the centroid. */
+    /** The vertices counter-clockwise and relative to the centroid; and as they were given. */
     final double[] local;
 
-    private PolygonMass(MassProperties properties, double[] local) {
+    final double[] given;
+
+    private PolygonMass(MassProperties properties, double[] local, double[] given) {
         this.properties = properties;
         this.local = local;
+        this.given = given;
     }
 
     /** For vertices in any coordinates and either sense, which are checked here. */
@@ -37,13 +40,13 @@ final class PolygonMass {
             local[k + 1] = y - cy + lost(xy[k + 1], xy[1], y);
         }
         check.requireStillConvex(local);
-        return new PolygonMass(sums.properties(xy[0] + cx, xy[1] + cy, scale), local);
+        return new PolygonMass(sums.properties(xy[0] + cx, xy[1] + cy, scale), local, xy);
     }
 
     /** For vertices that go counter-clockwise about their centroid, the origin. */
     static PolygonMass aboutOrigin(double[] xy) {
         double scale = Math.scalb(1.0, -Math.getExponent(xy[0]));
-        return new PolygonMass(new Sums(xy, scale).properties(0, 0, scale), xy);
+        return new PolygonMass(new Sums(xy, scale).properties(0, 0, scale), xy, xy);
     }
 
     private static double[] reversed(double[] xy) {

@@ -4,15 +4,17 @@ package sim.physics.shape;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * The shape of a body: all points within a radius of a convex polygon, the core. A circle's core is a point; a polygon
- * has radius 0. Coordinates are local, their origin is the centroid. Shapes are immutable and may be shared by threads.
+ * has radius 0. A {@link Compound} consists of several such parts. Coordinates are local, their origin is the centroid. Shapes
+ * are immutable and may be shared by threads.
  *
  * <p>Two shapes are equal if they are of one class and have the same radius and the same vertices, to the bit and in
  * the same order; where the author had put a polygon does not matter.
  */
-public abstract sealed class Shape implements Serializable permits Circle, Rectangle, Polygon {
+public abstract sealed class Shape implements Serializable permits Circle, Rectangle, Polygon, Compound, ConvexPart {
     private static final long serialVersionUID = 1L;
 
     /** Vertices of the core, counter-clockwise: x0, y0, x1, y1 … */
@@ -33,6 +35,31 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
             core = Math.max(core, Math.sqrt(x * x + y * y));
         }
         this.boundingRadius = core + radius;
+    }
+
+    /**
+     * Number of convex parts.
+     *
+     * @return 1 but for a {@link Compound}
+     */
+    public int partCount() {
+        return 1;
+    }
+
+    /**
+     * A convex part.
+     *
+     * @param part 0 …
+     * @return in the coordinates of the whole shape; the shape itself if it is convex
+     */
+    public Shape part(int part) {
+        Objects.checkIndex(part, 1);
+        return this;
+    }
+
+    /** Whether another shape of the same vertices has the same parts. */
+    boolean isCutAs(Shape that) {
+        return true;
     }
 
     /**
@@ -126,6 +153,14 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
      * @return true if it is
      */
     public final boolean contains(double x, double y) {
+        int count = partCount();
+        if (count > 1) {
+            boolean is = false;
+            for (int k = 0; k < count; k++) {
+                is |= part(k).contains(x, y);
+            }
+            return is;
+        }
         int n = vertexCount();
         if (n == 1) {
             return x * x + y * y <= radius * radius;
@@ -146,7 +181,8 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
         return other instanceof Shape that
                 && that.getClass() == getClass()
                 && that.radius == radius
-                && Arrays.equals(that.vertices, vertices);
+                && Arrays.equals(that.vertices, vertices)
+                && isCutAs(that);
     }
 
     @Override

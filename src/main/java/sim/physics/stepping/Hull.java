@@ -5,9 +5,12 @@ package sim.physics.stepping;
 import java.io.Serializable;
 import sim.physics.shape.Shape;
 
-/** A shape's corners and the outward normals of its edges, in the body's own frame; one for all bodies of a shape. */
+/**
+ * A shape's corners and the outward normals of its edges, in the body's own frame; one for all bodies of a shape. That of a shape of
+ * several parts has the corners of all, which give its box, and the hulls of its parts, which touch others.
+ */
 final class Hull implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     final Shape shape;
 
@@ -26,6 +29,8 @@ final class Hull implements Serializable {
     final double[] nx;
 
     final double[] ny;
+
+    private final Hull[] parts;
 
     Hull(Shape shape) {
         this.shape = shape;
@@ -48,6 +53,14 @@ final class Hull implements Serializable {
             nx[k] = ey / length;
             ny[k] = -ex / length;
         }
+        parts = new Hull[shape.partCount()];
+        for (int k = 0; k < parts.length; k++) {
+            parts[k] = parts.length == 1 ? this : new Hull(shape.part(k));
+        }
+    }
+
+    Hull part(int k) {
+        return parts[k];
     }
 
     int next(int k) {

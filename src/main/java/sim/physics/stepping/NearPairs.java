@@ -79,6 +79,7 @@ final class NearPairs implements Pairs.Listener, Serializable {
     void add(int body, double h) {
         boxes.ensure(body + 1);
         pairs.ensure(body + 1);
+        pairs.setParts(body, state.body(body).getShape().partCount());
         boxes.setFixed(body, state.body(body).isFixed());
         bound(body, h, steps(body, h), ROOM);
         boxes.set(body, minX, minY, maxX, maxY);

@@ -278,7 +278,8 @@ public final class TimeStepping implements Serializable {
     private void look(int pair, int first, int second) {
         double size = Math.min(poses.hull(first).bounding, poses.hull(second).bounding);
         looks++;
-        touch.find(first, second, NEAR * size + h * speed(State.BLOCK * first, State.BLOCK * second, first, second));
+        Pairs pairs = near.pairs();
+        touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + h * speed(State.BLOCK * first, State.BLOCK * second, first, second));
         if (touch.count == 0) {
             near.flags[pair] = 0;
             if (sleep.isIdle(first, second)) {

@@ -50,16 +50,16 @@ final class Touch implements Serializable {
         this.poses = poses;
     }
 
-    /** Finds the points of two bodies whose gaps are at most a margin. */
-    void find(int a, int b, double margin) {
+    /** Finds the points of two bodies' parts whose gaps are at most a margin. */
+    void find(int a, int partA, int b, int partB, double margin) {
         double[] x = state.x();
         int i = State.BLOCK * a;
         int k = State.BLOCK * b;
         dx = x[k] - x[i];
         dy = x[k + 1] - x[i + 1];
         count = 0;
-        Hull first = poses.hull(a);
-        Hull second = poses.hull(b);
+        Hull first = poses.hull(a).part(partA);
+        Hull second = poses.hull(b).part(partB);
         isDiscA = first.count == 1;
         isDiscB = second.count == 1;
         if (first.count > 1 && second.count > 1) {

@@ -74,6 +74,9 @@ public final class BruteForce implements BroadPhase {
         marking++;
         mark[body] = marking;
         int apart = 0;
+        if (pairs.countOf(body) >= found.length) { // bodies of several parts have several pairs
+            found = new int[2 * pairs.countOf(body)];
+        }
         for (int k = pairs.countOf(body) - 1; k >= 0; k--) {
             int pair = pairs.of(body, k);
             int other = pairs.other(pair, body);

@@ -10,10 +10,11 @@ import sim.physics.internal.IntList;
 
 /**
  * The pairs of bodies that are possibly colliding: those whose boxes overlap. Each pair has a number that stays as
- * long as the pair does, and each body knows its pairs.
+ * long as the pair does, and each body knows its pairs. Where a body has several convex parts there is a pair for each two
+ * parts of two bodies; they begin and end together.
  */
 public final class Pairs implements Serializable {
-    private static final long serialVersionUID = 4L;
+    private static final long serialVersionUID = 5L;
 
     /** Binary logarithm of the length of a pair's record. */
     public static final int SHIFT = 3;
@@ -32,6 +33,9 @@ public final class Pairs implements Serializable {
     private static final int SLOTS = 8;
 
     private static final int LEAST = 4;
+
+    /** Bits of a part's number. */
+    private static final int PART = 16;
 
     /** What a caller of {@link BroadPhase#update} wants to know of. */
     public interface Listener {
@@ -67,6 +71,11 @@ public final class Pairs implements Serializable {
     private final IntList freeCrowds = new IntList();
     private Listener listener;
 
+    /** By body how many convex parts it has, 0 for one; by pair those that it is of. Null until a body has several. */
+    private int[] partsOf;
+
+    private int[] parts;
+
     /** Makes an empty set. */
     public Pairs() {
         // the arrays grow with the pairs
@@ -99,6 +108,57 @@ public final class Pairs implements Serializable {
         if (ofBody.length < SLOTS * bodies) {
             ofBody = Arrays.copyOf(ofBody, SLOTS * Growth.length(ofBody.length / SLOTS, bodies));
         }
+    }
+
+    /**
+     * Says how many convex parts a body has, before it has pairs.
+     *
+     * @param body index
+     * @param count 1 for most
+     */
+    public void setParts(int body, int count) {
+        if (count == 1 && partsOf == null) {
+            return;
+        }
+        int old = partsOf == null ? 0 : partsOf.length;
+        if (old <= body) {
+            partsOf = Arrays.copyOf(partsOf == null ? new int[0] : partsOf, Growth.length(old, body + 1));
+        }
+        partsOf[body] = count == 1 ? 0 : count;
+        parts = parts == null ? new int[0] : parts;
+    }
+
+    /**
+     * Whether no body has ever had several parts.
+     *
+     * @return true if there is one pair of two bodies at most
+     */
+    public boolean areWhole() {
+        return parts == null;
+    }
+
+    /**
+     * The part of the first body that a pair is of.
+     *
+     * @param pair number
+     * @return 0 …
+     */
+    public int firstPart(int pair) {
+        return parts == null || pair >= parts.length ? 0 : parts[pair] >>> PART;
+    }
+
+    /**
+     * The part of the second body that a pair is of.
+     *
+     * @param pair number
+     * @return 0 …
+     */
+    public int secondPart(int pair) {
+        return parts == null || pair >= parts.length ? 0 : parts[pair] & (1 << PART) - 1;
+    }
+
+    private int partsOf(int body) {
+        return body < partsOf.length ? Math.max(1, partsOf[body]) : 1;
     }
 
     /**
@@ -243,7 +303,7 @@ public final class Pairs implements Serializable {
      *
      * @param a a body
      * @param b another body
-     * @return the number of their pair, or −1
+     * @return the number of their pair, or of one of them, or −1
      */
     public int find(int a, int b) {
         boolean fewerInA = countOf(a) <= countOf(b);
@@ -277,18 +337,34 @@ public final class Pairs implements Serializable {
      * @param b another body
      */
     void beginNew(int a, int b) {
+        int first = Math.min(a, b);
+        int second = Math.max(a, b);
+        if (partsOf == null) {
+            begin(first, second, 0);
+            return;
+        }
+        for (int i = 0; i < partsOf(first); i++) {
+            for (int k = 0; k < partsOf(second); k++) {
+                begin(first, second, i << PART | k);
+            }
+        }
+    }
+
+    private void begin(int first, int second, int ofParts) {
         int p = free.size > 0 ? free.values[--free.size] : used++;
         int o = STRIDE * p;
         if (o >= data.length) {
             data = Arrays.copyOf(data, STRIDE * Growth.length(data.length / STRIDE, p + 1));
         }
-        int first = Math.min(a, b);
-        int second = Math.max(a, b);
         data[o] = first;
         data[o + SECOND] = second;
         data[o + WORD] = Agenda.EMPTY;
         data[o + PLACE] = append(first, p);
         data[o + PLACE + SECOND] = append(second, p);
+        if (parts != null && (ofParts != 0 || p < parts.length)) {
+            parts = p < parts.length ? parts : Arrays.copyOf(parts, data.length / STRIDE);
+            parts[p] = ofParts;
+        }
         if (listener != null) {
             listener.pairBegan(p);
         }

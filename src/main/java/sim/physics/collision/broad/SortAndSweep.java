@@ -113,8 +113,7 @@ public final class SortAndSweep implements BroadPhase {
         /** Ends a pair, if there is one: only if the two overlap in the other dimension too, where a may still be moved. */
         private static void part(int a, int b, Axis across, Boxes boxes, Pairs pairs) {
             if (a != b && across.overlap(a, b, boxes)) {
-                int p = pairs.find(a, b);
-                if (p >= 0) {
+                for (int p = pairs.find(a, b); p >= 0; p = pairs.find(a, b)) {
                     pairs.end(p);
                 }
             }

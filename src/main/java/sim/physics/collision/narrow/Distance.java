@@ -15,6 +15,9 @@ public final class Distance {
     private final ClosestFeatures features = new ClosestFeatures(pose);
 
     private final Shape[] measured = new Shape[2];
+    private double gap;
+    private double nx;
+    private double ny;
 
     /** Makes an object that measures; not for use by several threads at once. */
     public Distance() {
@@ -27,16 +30,27 @@ public final class Distance {
      *
      * @param a a body
      * @param b another body
-     * @return length; negative if they overlap: then the least way that parts them
+     * @return length; negative if they overlap: then the least way that parts them, or of bodies of several parts the two that
+     *     are deepest in one another
      */
     public double between(Body a, Body b) {
         place(0, a);
         place(1, b);
-        pose.load(0, 1);
-        pose.moveTo(0);
-        pose.turn();
-        features.find(ClosestFeatures.NO_FEATURES);
-        return features.gap;
+        gap = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < measured[0].partCount(); i++) {
+            for (int j = 0; j < measured[1].partCount(); j++) {
+                pose.load(0, shapes.base(0, i), 1, shapes.base(1, j));
+                pose.moveTo(0);
+                pose.turn();
+                features.find(ClosestFeatures.NO_FEATURES);
+                if (features.gap < gap) {
+                    gap = features.gap;
+                    nx = features.nx;
+                    ny = features.ny;
+                }
+            }
+        }
+        return gap;
     }
 
     /**
@@ -45,7 +59,7 @@ public final class Distance {
      * @return x of a unit normal
      */
     public double normalX() {
-        return features.nx;
+        return nx;
     }
 
     /**
@@ -54,7 +68,7 @@ public final class Distance {
      * @return y of a unit normal
      */
     public double normalY() {
-        return features.ny;
+        return ny;
     }
 
     private void place(int slot, Body body) {

@@ -103,13 +103,11 @@ public final class NarrowPhase implements Serializable {
      *     which there is none: at least {@code end}, infinite if there never is one on the present trajectories
      */
     public double firstContact(int pair, double tau, double start, double end) {
-        int i = pairs.first(pair);
-        int j = pairs.second(pair);
         apart = false;
         clearance = Double.NaN;
         if (!continuous) {
             wake();
-            pose.load(i, j);
+            load(pair);
             double found = bisection.search(tau, end);
             touching = bisection.touching;
             return found;
@@ -119,11 +117,14 @@ public final class NarrowPhase implements Serializable {
             return start;
         }
         wake();
-        double found = separatingLine.search(i, j, start, end, pairs.code(pair));
+        int i = pairs.first(pair);
+        int j = pairs.second(pair);
+        double found = separatingLine.search(
+                i, shapes.base(i, pairs.firstPart(pair)), j, shapes.base(j, pairs.secondPart(pair)), start, end, pairs.code(pair));
         pairs.setCode(pair, separatingLine.code);
         touching = separatingLine.touching;
         if (separatingLine.undecided) {
-            pose.load(i, j);
+            load(pair);
             found = timeOfImpact.search(found, end, pairs.code(pair));
             pairs.setCode(pair, timeOfImpact.code);
             touching = timeOfImpact.touching;
@@ -133,9 +134,16 @@ public final class NarrowPhase implements Serializable {
         return mayGraze ? beyondGrazes(pair, found, end) : found;
     }
 
+    /** Turns to the two parts that a pair is of. */
+    private void load(int pair) {
+        int i = pairs.first(pair);
+        int j = pairs.second(pair);
+        pose.load(i, shapes.base(i, pairs.firstPart(pair)), j, shapes.base(j, pairs.secondPart(pair)));
+    }
+
     /** Goes on from an instant at which two polygons touch for as long as they only graze one another. */
     private double beyondGrazes(int pair, double tau, double end) {
-        pose.load(pairs.first(pair), pairs.second(pair));
+        load(pair);
         double t = tau;
         while (touching) {
             double next = timeOfImpact.graze(t, end);
@@ -161,14 +169,12 @@ public final class NarrowPhase implements Serializable {
      * @return as {@link #firstContact(int, double, double, double)}
      */
     public double firstContact(int pair, double tau, double start, double end, double slack) {
-        int i = pairs.first(pair);
-        int j = pairs.second(pair);
         if (!continuous) {
             return firstContact(pair, tau, start, end);
         }
         wake();
         apart = false;
-        pose.load(i, j);
+        load(pair);
         pose.rounding -= slack;
         double found = timeOfImpact.search(tau, end, pairs.code(pair));
         pairs.setCode(pair, timeOfImpact.code);
@@ -272,7 +278,7 @@ public final class NarrowPhase implements Serializable {
         if (isCircle(i) && isCircle(j)) {
             return circles.part(i, j, tau) ? Double.POSITIVE_INFINITY : tau;
         }
-        if (pose == null || !pose.isOf(i, j, tau)) {
+        if (pose == null || !pose.isOf(i, shapes.base(i, pairs.firstPart(pair)), j, shapes.base(j, pairs.secondPart(pair)), tau)) {
             return tau;
         }
         return tau + Rebound.time(pose, features, trajectories.data(), i * Trajectories.STRIDE, j * Trajectories.STRIDE);
@@ -382,7 +388,7 @@ public final class NarrowPhase implements Serializable {
 
     private void place(int pair, double tau) {
         wake();
-        pose.load(pairs.first(pair), pairs.second(pair));
+        load(pair);
         pose.moveTo(tau);
         pose.turn();
         pairs.setCode(pair, features.find(pairs.code(pair)));

@@ -51,12 +51,12 @@ final class Pose {
         /** Angular acceleration, where it is constant. */
         double alpha;
 
-        private void load(ShapeTable shapes, int body) {
+        private void load(ShapeTable shapes, int at) {
             double[] values = shapes.data();
             if (shape != values) { // a reference that is written costs more than one that is compared
                 shape = values;
             }
-            base = shapes.base(body);
+            base = at;
             n = (int) shape[base + ShapeTable.COUNT];
             core = shape[base + ShapeTable.CORE];
             if (vx.length < n) {
@@ -175,8 +175,13 @@ final class Pose {
         this.trajectories = trajectories;
     }
 
-    /** Turns to another pair. */
+    /** Turns to another pair, of bodies that have one part each. */
     void load(int bodyA, int bodyB) {
+        load(bodyA, shapes.base(bodyA), bodyB, shapes.base(bodyB));
+    }
+
+    /** Turns to another pair, of parts of two bodies that begin at two places of the table. */
+    void load(int bodyA, int partA, int bodyB, int partB) {
         if (m != trajectories.data()) { // see above
             m = trajectories.data();
         }
@@ -187,8 +192,8 @@ final class Pose {
         oa = bodyA * Trajectories.STRIDE;
         ob = bodyB * Trajectories.STRIDE;
         placedAt = Double.NaN;
-        a.load(shapes, bodyA);
-        b.load(shapes, bodyB);
+        a.load(shapes, partA);
+        b.load(shapes, partB);
         rounding = a.rounding() + b.rounding();
         bounding = a.bounding() + b.bounding();
         size = bounding;
@@ -297,8 +302,8 @@ final class Pose {
     }
 
     /** Whether these two bodies were placed last, at that instant. */
-    boolean isOf(int bodyA, int bodyB, double tau) {
-        return oa == bodyA * Trajectories.STRIDE && ob == bodyB * Trajectories.STRIDE && placedAt == tau;
+    boolean isOf(int bodyA, int partA, int bodyB, int partB, double tau) {
+        return oa == bodyA * Trajectories.STRIDE && ob == bodyB * Trajectories.STRIDE && placedAt == tau && a.base == partA && b.base == partB;
     }
 
     /** Places both bodies' centres at an instant. */

@@ -80,7 +80,6 @@ final class SeparatingLine {
     /** From when on the bounding circles are apart for good. */
     private double parted;
     private double tolerance;
-
     /** Cosine and sine of A's and of B's orientation. */
     private final double[] turn = new double[4];
 
@@ -134,14 +133,18 @@ final class SeparatingLine {
      * Searches for the first contact of a pair with approaching surfaces.
      *
      * @param i body A
+     * @param partA where its part begins in the table of shapes
      * @param j body B
+     * @param partB where its part begins
      * @param start offset τ to start from; the bodies are known not to touch before
      * @param end offset at which the search may stop
      * @param cached features that were closest last time
      * @return offset of the contact if {@link #touching}, else an offset up to which they do not touch: ≥ end unless
      *     {@link #undecided}
      */
-    double search(int i, int j, double start, double end, int cached) {
+    double search(int i, int partA, int j, int partB, double start, double end, int cached) {
+        baseA = partA;
+        baseB = partB;
         double tau = start;
         code = cached;
         touching = false;
@@ -191,8 +194,6 @@ final class SeparatingLine {
         if (shape != shapes.data()) {
             shape = shapes.data();
         }
-        baseA = shapes.base(i);
-        baseB = shapes.base(j);
         countA = (int) shape[baseA + ShapeTable.COUNT];
         countB = (int) shape[baseB + ShapeTable.COUNT];
         rounding = shape[baseA + ShapeTable.ROUNDING] + shape[baseB + ShapeTable.ROUNDING];
@@ -246,7 +247,7 @@ final class SeparatingLine {
         if (faceOther(false) || faceOther(true)) {
             return true;
         }
-        pose.load(i, j);
+        pose.load(i, baseA, j, baseB);
         pose.moveTo(tau);
         pose.turn();
         code = features.find(ClosestFeatures.NO_FEATURES);

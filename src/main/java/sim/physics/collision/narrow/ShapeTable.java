@@ -14,7 +14,7 @@ import sim.physics.motion.Trajectories;
 import sim.physics.shape.Shape;
 
 /**
- * The shapes of all bodies as numbers for the kernels. Equal shapes are stored once.
+ * The shapes of all bodies as numbers for the kernels. Equal shapes are stored once, and shapes of several parts part by part.
  *
  * <pre>
  *   base + 0  vertices n     1  rounding radius     2  bounding radius     3  core radius     4  number of bodies that have it
@@ -25,7 +25,7 @@ import sim.physics.shape.Shape;
  * A circle's core is a point. The core radius is that of the farthest vertex.
  */
 public final class ShapeTable implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     static final int COUNT = 0;
     static final int ROUNDING = 1;
@@ -42,6 +42,9 @@ public final class ShapeTable implements Serializable {
     private double[] data = new double[64];
     private int used;
     private int[] baseOf = new int[8];
+
+    /** By body the bases of its parts; null for most bodies, and until one has several. */
+    private int[][] partsOf;
     private final Map<Shape, Integer> known = new HashMap<>();
 
     /** Places of shapes that nobody has any more, by their number of vertices. */
@@ -58,6 +61,11 @@ public final class ShapeTable implements Serializable {
 
     int base(int body) {
         return baseOf[body];
+    }
+
+    /** Where a part of a body's shape begins. */
+    int base(int body, int part) {
+        return part == 0 ? baseOf[body] : partsOf[body][part];
     }
 
     boolean isCircle(int body) {
@@ -117,13 +125,30 @@ public final class ShapeTable implements Serializable {
         if (body >= baseOf.length) {
             baseOf = Arrays.copyOf(baseOf, Growth.length(baseOf.length, body + 1));
         }
+        if (partsOf != null && body < partsOf.length) {
+            partsOf[body] = null;
+        }
+        if (shape.partCount() == 1) {
+            baseOf[body] = use(shape);
+            return;
+        }
+        int[] bases = new int[shape.partCount()];
+        for (int k = 0; k < bases.length; k++) {
+            bases[k] = use(shape.part(k));
+        }
+        baseOf[body] = bases[0];
+        partsOf = Arrays.copyOf(partsOf == null ? new int[0][] : partsOf, baseOf.length);
+        partsOf[body] = bases;
+    }
+
+    private int use(Shape shape) {
         Integer base = known.get(shape);
         if (base == null) {
             base = append(shape);
             known.put(shape, base);
         }
-        baseOf[body] = base;
         data[base + USERS]++;
+        return base;
     }
 
     /**
@@ -133,10 +158,13 @@ public final class ShapeTable implements Serializable {
      * @param shape its shape
      */
     public void remove(int body, Shape shape) {
-        int base = baseOf[body];
-        if (--data[base + USERS] == 0) {
-            known.remove(shape);
-            free.computeIfAbsent(shape.vertexCount(), n -> new IntList()).add(base);
+        for (int k = 0; k < shape.partCount(); k++) {
+            Shape part = shape.part(k);
+            int base = base(body, k);
+            if (--data[base + USERS] == 0) {
+                known.remove(part);
+                free.computeIfAbsent(part.vertexCount(), n -> new IntList()).add(base);
+            }
         }
     }
 
@@ -191,20 +219,23 @@ public final class ShapeTable implements Serializable {
     public void encloseFixed(int body, double[] trajectories, int at, Boxes boxes) {
         double cos = Trig.cos(trajectories[at + Trajectories.THETA0]);
         double sin = Trig.sin(trajectories[at + Trajectories.THETA0]);
-        int base = baseOf[body];
+        int count = partsOf == null || body >= partsOf.length || partsOf[body] == null ? 1 : partsOf[body].length;
         double minX = Double.POSITIVE_INFINITY;
         double minY = Double.POSITIVE_INFINITY;
         double maxX = Double.NEGATIVE_INFINITY;
         double maxY = Double.NEGATIVE_INFINITY;
-        for (int k = 0, o = base + FIRST; k < data[base + COUNT]; k++, o += VERTEX) {
-            double x = cos * data[o] - sin * data[o + 1];
-            double y = sin * data[o] + cos * data[o + 1];
-            minX = Math.min(minX, x);
-            minY = Math.min(minY, y);
-            maxX = Math.max(maxX, x);
-            maxY = Math.max(maxY, y);
+        for (int part = 0; part < count; part++) {
+            int base = base(body, part);
+            for (int k = 0, o = base + FIRST; k < data[base + COUNT]; k++, o += VERTEX) {
+                double x = cos * data[o] - sin * data[o + 1];
+                double y = sin * data[o] + cos * data[o + 1];
+                minX = Math.min(minX, x);
+                minY = Math.min(minY, y);
+                maxX = Math.max(maxX, x);
+                maxY = Math.max(maxY, y);
+            }
         }
-        double r = data[base + ROUNDING];
+        double r = data[baseOf[body] + ROUNDING];
         double x = trajectories[at];
         double y = trajectories[at + 1];
         boxes.set(body, x + minX - r, y + minY - r, x + maxX + r, y + maxY + r);

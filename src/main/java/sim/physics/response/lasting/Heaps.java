@@ -3,6 +3,7 @@
 package sim.physics.response.lasting;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
@@ -440,6 +441,11 @@ public final class Heaps implements Serializable {
     /** {@return what solutions of heaps have cost since this was asked last, in units of {@link sim.physics.internal.Work}} */
     public long takeCost() {
         return heap.system.takeCost();
+    }
+
+    /** Forgets the heap that was being solved when an author's exception ended the step, or its work was spent. */
+    public void breakOff() {
+        Arrays.fill(by.place, 0);
     }
 
     /** Forgets which courses have changed. */

@@ -41,7 +41,7 @@ class ReboundTest extends MovingPair {
             if (gap(0) <= 0) {
                 continue;
             }
-            double tau = line.search(0, 1, 0, 1, ClosestFeatures.NO_FEATURES);
+            double tau = line.search(0, shapes.base(0), 1, shapes.base(1), 0, 1, ClosestFeatures.NO_FEATURES);
             if (!line.touching) {
                 continue;
             }

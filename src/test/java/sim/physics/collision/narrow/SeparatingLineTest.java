@@ -32,7 +32,7 @@ class SeparatingLineTest extends MovingPair {
             if (gap(0) <= 0) {
                 continue;
             }
-            double found = line.search(0, 1, 0, END, ClosestFeatures.NO_FEATURES);
+            double found = line.search(0, shapes.base(0), 1, shapes.base(1), 0, END, ClosestFeatures.NO_FEATURES);
             boolean touching = line.touching;
             decided += line.undecided ? 0 : 1;
             double until = Math.min(10 * END, found);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import sim.physics.internal.Trig;
+import sim.physics.shape.Polygon;
+import sim.physics.shape.Shape;
+
+/** Several convex polygons on a plane that keep their places to one another: each rubs with its share of the area, where it is. */
+final class CompoundPatch extends FlatPatch {
+    private static final long serialVersionUID = 1L;
+
+    private final double unit;
+    private final PolygonPatch[] parts;
+
+    /** Share of the area, and centroid, of each part. */
+    private final double[] places;
+
+    CompoundPatch(Shape shape) {
+        this(shape, Math.scalb(1.0, Math.getExponent(shape.boundingRadius()) + 1));
+    }
+
+    private CompoundPatch(Shape shape, double unit) {
+        super(unit);
+        this.unit = unit;
+        parts = new PolygonPatch[shape.partCount()];
+        places = new double[3 * parts.length];
+        for (int k = 0; k < parts.length; k++) {
+            Polygon centred = new Polygon(shape.part(k).copyVertices());
+            parts[k] = new PolygonPatch(centred);
+            places[3 * k] = centred.area() / shape.area();
+            places[3 * k + 1] = centred.centroidX();
+            places[3 * k + 2] = centred.centroidY();
+        }
+        spin();
+    }
+
+    @Override
+    void rub(double vx, double vy, double spin, double theta, double[] out) {
+        double cos = Trig.cos(theta);
+        double sin = Trig.sin(theta);
+        double omega = spin / unit;
+        double[] part = new double[State.BLOCK];
+        for (int k = 0; k < parts.length; k++) {
+            double share = places[3 * k];
+            double x = cos * places[3 * k + 1] - sin * places[3 * k + 2];
+            double y = sin * places[3 * k + 1] + cos * places[3 * k + 2];
+            parts[k].friction(vx - omega * y, vy + omega * x, omega, theta, part);
+            out[0] += share * part[0];
+            out[1] += share * part[1];
+            out[2] += share * (part[2] + (x * part[1] - y * part[0]));
+        }
+        out[2] /= unit;
+    }
+
+    @Override
+    void slip(double ux, double uy, double spin, double[] out) {
+        out[0] = 0;
+        out[1] = 0;
+        out[2] = 0;
+        rub(ux, uy, spin, 0, out);
+        out[0] = -out[0];
+        out[1] = -out[1];
+        out[2] = -out[2];
+    }
+}
