@@ -12,8 +12,7 @@ final class Outline {
 
     static Shape of(sim.physics.shape.Shape shape) {
         if (shape.vertexCount() == 1) {
-            double r = shape.radius();
-            return new Ellipse2D.Double(-r, -r, 2 * r, 2 * r);
+            return disc(shape);
         }
         Path2D.Double path = new Path2D.Double(Path2D.WIND_NON_ZERO);
         for (int part = 0; part < shape.partCount(); part++) {
@@ -22,7 +21,16 @@ final class Outline {
         return path;
     }
 
+    private static Ellipse2D.Double disc(sim.physics.shape.Shape part) {
+        double r = part.radius();
+        return new Ellipse2D.Double(part.vertexX(0) - r, part.vertexY(0) - r, 2 * r, 2 * r);
+    }
+
     private static void append(sim.physics.shape.Shape part, Path2D.Double path) {
+        if (part.vertexCount() == 1) {
+            path.append(disc(part), false);
+            return;
+        }
         path.moveTo(part.vertexX(0), part.vertexY(0));
         for (int k = 1; k < part.vertexCount(); k++) {
             path.lineTo(part.vertexX(k), part.vertexY(k));

@@ -6,12 +6,12 @@ import sim.physics.internal.Trig;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Shape;
 
-/** Several convex polygons on a plane that keep their places to one another: each rubs with its share of the area, where it is. */
+/** Several convex polygons and discs on a plane that keep their places to one another: each rubs with its share of the area, where it is. */
 final class CompoundPatch extends FlatPatch {
     private static final long serialVersionUID = 1L;
 
     private final double unit;
-    private final PolygonPatch[] parts;
+    private final SurfacePatch[] parts;
 
     /** Share of the area, and centroid, of each part. */
     private final double[] places;
@@ -23,14 +23,21 @@ final class CompoundPatch extends FlatPatch {
     private CompoundPatch(Shape shape, double unit) {
         super(unit);
         this.unit = unit;
-        parts = new PolygonPatch[shape.partCount()];
+        parts = new SurfacePatch[shape.partCount()];
         places = new double[3 * parts.length];
         for (int k = 0; k < parts.length; k++) {
-            Polygon centred = new Polygon(shape.part(k).copyVertices());
-            parts[k] = new PolygonPatch(centred);
-            places[3 * k] = centred.area() / shape.area();
-            places[3 * k + 1] = centred.centroidX();
-            places[3 * k + 2] = centred.centroidY();
+            Shape part = shape.part(k);
+            places[3 * k] = part.area() / shape.area();
+            if (part.vertexCount() == 1) {
+                parts[k] = new DiscPatch(part.radius());
+                places[3 * k + 1] = part.vertexX(0);
+                places[3 * k + 2] = part.vertexY(0);
+            } else {
+                Polygon centred = new Polygon(part.copyVertices());
+                parts[k] = new PolygonPatch(centred);
+                places[3 * k + 1] = centred.centroidX();
+                places[3 * k + 2] = centred.centroidY();
+            }
         }
         spin();
     }

@@ -26,7 +26,7 @@ final class Outline {
     double nx;
     double ny;
 
-    /** The box around a polygon, in the world. */
+    /** The box around the body, in the world. */
     double leastX;
 
     double leastY;
@@ -78,7 +78,8 @@ final class Outline {
         double firstY = 0;
         for (int k = 0; k < whole.partCount(); k++) {
             shape = whole.part(k);
-            if (entersPolygon(px, py, dx, dy) && distance < first) {
+            boolean enters = shape.vertexCount() == 1 ? entersCircle(px, py, dx, dy) : entersPolygon(px, py, dx, dy);
+            if (enters && distance < first) {
                 first = distance;
                 firstX = nx;
                 firstY = ny;
@@ -90,8 +91,10 @@ final class Outline {
         return first < Double.POSITIVE_INFINITY;
     }
 
-    private boolean entersCircle(double px, double py, double dx, double dy) {
+    private boolean entersCircle(double fromX, double fromY, double dx, double dy) {
         double r = shape.radius();
+        double px = fromX - shape.vertexX(0);
+        double py = fromY - shape.vertexY(0);
         double c = px * px + py * py - r * r;
         double b = px * dx + py * dy;
         if (c <= 0) {
@@ -174,7 +177,9 @@ final class Outline {
 
     private double distanceLocal(double px, double py) {
         if (shape.vertexCount() == 1) {
-            return Math.max(0, Math.sqrt(px * px + py * py) - shape.radius());
+            double cx = px - shape.vertexX(0);
+            double cy = py - shape.vertexY(0);
+            return Math.max(0, Math.sqrt(cx * cx + cy * cy) - shape.radius());
         }
         double least = Double.POSITIVE_INFINITY;
         boolean inside = true;
@@ -194,23 +199,42 @@ final class Outline {
 
     /** Whether the outline meets a box with sides along the axes: none of the lines that could part them does. */
     boolean meets(double lowX, double lowY, double highX, double highY) {
-        if (shape.vertexCount() == 1) {
-            double dx = x - Math.max(lowX, Math.min(highX, x));
-            double dy = y - Math.max(lowY, Math.min(highY, y));
-            return dx * dx + dy * dy <= shape.radius() * shape.radius();
-        }
         boolean meets = false;
         for (int k = 0; k < whole.partCount() && !meets; k++) {
             shape = whole.part(k);
-            meets = !isBeside(lowX, lowY, highX, highY) && !edgeParts(lowX, lowY, highX, highY);
+            meets = shape.vertexCount() == 1
+                    ? circleMeets(lowX, lowY, highX, highY)
+                    : !isBeside(lowX, lowY, highX, highY) && !edgeParts(lowX, lowY, highX, highY);
         }
         return meets;
     }
 
-    /** Finds the box around a polygon, of all parts. */
+    private boolean circleMeets(double lowX, double lowY, double highX, double highY) {
+        double cx = x + (turn[0] * shape.vertexX(0) - turn[1] * shape.vertexY(0));
+        double cy = y + (turn[1] * shape.vertexX(0) + turn[0] * shape.vertexY(0));
+        double dx = cx - Math.max(lowX, Math.min(highX, cx));
+        double dy = cy - Math.max(lowY, Math.min(highY, cy));
+        return dx * dx + dy * dy <= shape.radius() * shape.radius();
+    }
+
+    /** Finds the box around all parts. */
     void bound() {
-        shape = whole;
-        boundPart();
+        double lowX = Double.POSITIVE_INFINITY;
+        double lowY = Double.POSITIVE_INFINITY;
+        double highX = Double.NEGATIVE_INFINITY;
+        double highY = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < whole.partCount(); k++) {
+            shape = whole.part(k);
+            boundPart();
+            lowX = Math.min(lowX, leastX - shape.radius());
+            lowY = Math.min(lowY, leastY - shape.radius());
+            highX = Math.max(highX, mostX + shape.radius());
+            highY = Math.max(highY, mostY + shape.radius());
+        }
+        leastX = lowX;
+        leastY = lowY;
+        mostX = highX;
+        mostY = highY;
     }
 
     private boolean isBeside(double lowX, double lowY, double highX, double highY) {

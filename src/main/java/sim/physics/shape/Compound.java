@@ -7,15 +7,17 @@ import sim.physics.internal.Check;
 import sim.physics.internal.Trig;
 
 /**
- * A shape that is made of convex polygons which keep their places to one another, so that a single body may be an L, a cup, a
- * gripper or a gear. It need not be convex nor all of one piece; its parts never collide with one another.
+ * A shape that is made of convex polygons and discs which keep their places to one another, so that a single body may be an L, a
+ * cup, a gripper, a gear or a robot with two arms. It need not be convex nor all of one piece; its parts never collide with one
+ * another.
  *
- * <p>The polygons are given in common coordinates of the author's. They are moved so that the centroid of all is the
- * origin. Where parts overlap the area counts twice: let them touch instead, if the mass is to be that of the shape. The
- * vertices of a compound are those of its parts, one after the other.
+ * <p>The parts are given in common coordinates of the author's. They are moved so that the centroid of all is the
+ * origin. Where parts overlap the area counts twice: let them touch instead, if the mass is to be that of the shape, or set the
+ * body's mass and inertia. The vertices of a compound are those of its parts, one after the other, of a disc its centre.
  *
  * <pre>
  *   new Compound(Compound.box(0, 0, 4, 1), Compound.box(-1.5, 1, 1, 1), Compound.box(1.5, 1, 1, 1)); // a U
+ *   new Compound(Compound.disc(0, 0, 2), Compound.box(2.4, 1, 1, 0.2), Compound.box(2.4, -1, 1, 0.2)); // a robot with a gripper
  *   Compound.outline(0, 0, 4, 0, 4, 1, 1, 1, 1, 3, 0, 3);                                            // an L
  * </pre>
  */
@@ -28,18 +30,23 @@ public final class Compound extends Shape {
     private final ConvexPart[] parts;
 
     /**
-     * Makes a shape of convex polygons.
+     * Makes a shape of convex parts.
      *
-     * @param polygons at least one, each with its vertices in order, in either sense: x0, y0, x1, y1 …, length
-     * @throws IllegalArgumentException if there is none, one is not strictly convex or cannot be used for another reason that
-     *     {@link Polygon} has; the message names the polygon and the vertex
+     * @param parts at least one, each a polygon with its vertices in order, in either sense, x0, y0, x1, y1 …, or a disc with
+     *     its centre and radius, x, y, r; length
+     * @throws IllegalArgumentException if there is none, a polygon is not strictly convex, or a part cannot be used for another
+     *     reason that {@link Polygon} or {@link Circle} has; the message names the part and the vertex
      */
-    public Compound(double[]... polygons) {
-        this(new CompoundMass(polygons));
+    public Compound(double[]... parts) {
+        this(new CompoundMass(parts));
     }
 
     private Compound(CompoundMass mass) {
-        super(mass.allVertices(), 0, mass.properties().requireUsable("a compound of " + mass.parts.length + " polygons"));
+        super(
+                mass.allVertices(),
+                mass.parts.length == 1 ? mass.parts[0].radius() : 0,
+                mass.properties().requireUsable("a compound of " + mass.parts.length + " parts"),
+                mass.boundingRadius());
         parts = mass.parts;
     }
 
@@ -54,6 +61,19 @@ public final class Compound extends Shape {
      */
     public static Compound outline(double... xy) {
         return new Compound(new Convexer(Objects.requireNonNull(xy, "xy")).parts());
+    }
+
+    /**
+     * A disc, to be a part of a compound.
+     *
+     * @param x its centre, in the author's coordinates
+     * @param y its centre
+     * @param radius length, greater than 0
+     * @return x, y, radius
+     * @throws IllegalArgumentException if a number is not finite, or the radius not greater than 0
+     */
+    public static double[] disc(double x, double y, double radius) {
+        return new double[] {Check.finite("x", x), Check.finite("y", y), Check.positive("radius", radius)};
     }
 
     /**
@@ -111,7 +131,7 @@ public final class Compound extends Shape {
     boolean isCutAs(Shape that) {
         boolean yes = that.partCount() == parts.length;
         for (int k = 0; yes && k < parts.length; k++) {
-            yes = that.part(k).vertexCount() == parts[k].vertexCount();
+            yes = that.part(k).equals(parts[k]);
         }
         return yes;
     }

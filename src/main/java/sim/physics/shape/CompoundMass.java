@@ -3,9 +3,13 @@
 package sim.physics.shape;
 
 import java.util.Objects;
+import sim.physics.internal.Check;
 
-/** Area, centroid and moment of inertia of convex polygons that are one shape, and the polygons about that centroid. */
+/** Area, centroid and moment of inertia of convex parts that are one shape, and the parts about that centroid. */
 final class CompoundMass {
+    /** Numbers that a disc is given by. */
+    private static final int DISC = 3;
+
     final ConvexPart[] parts;
 
     private final double area;
@@ -13,78 +17,77 @@ final class CompoundMass {
     private final double centroidY;
     private double unitInertia;
 
-    CompoundMass(double[][] polygons) {
-        Objects.requireNonNull(polygons, "polygons");
-        if (polygons.length == 0 || polygons.length > Compound.MOST_PARTS) {
+    CompoundMass(double[][] given) {
+        Objects.requireNonNull(given, "parts");
+        if (given.length == 0 || given.length > Compound.MOST_PARTS) {
             throw new IllegalArgumentException(
-                    "a compound was given " + polygons.length + " polygons: it needs 1 to " + Compound.MOST_PARTS);
+                    "a compound was given " + given.length + " parts: it needs 1 to " + Compound.MOST_PARTS);
         }
-        double[][] near = new double[polygons.length][];
-        PolygonMass[] masses = new PolygonMass[polygons.length];
-        for (int k = 0; k < polygons.length; k++) {
-            Objects.requireNonNull(polygons[k], "polygons[" + k + "]");
-            masses[k] = mass(k, polygons[k].clone());
-            near[k] = relative(masses[k].given, polygons[0]);
+        Piece[] pieces = new Piece[given.length];
+        for (int k = 0; k < given.length; k++) {
+            pieces[k] = piece(k, Objects.requireNonNull(given[k], "parts[" + k + "]").clone(), given[0]);
         }
         double sum = 0;
         double x = 0;
         double y = 0;
-        double[][] centres = new double[polygons.length][];
-        for (int k = 0; k < polygons.length; k++) {
-            centres[k] = centre(near[k], masses[k]);
-            double own = masses[k].properties.area();
+        for (Piece piece : pieces) {
+            double own = piece.mass.area();
             sum += own;
-            x += own * centres[k][0];
-            y += own * centres[k][1];
+            x += own * piece.centreX;
+            y += own * piece.centreY;
         }
         area = sum;
         double cx = x / area;
         double cy = y / area;
-        centroidX = polygons[0][0] + cx;
-        centroidY = polygons[0][1] + cy;
-        parts = new ConvexPart[polygons.length];
-        for (int k = 0; k < polygons.length; k++) {
-            parts[k] = part(k, near[k], cx, cy, masses[k].properties);
-            double dx = centres[k][0] - cx;
-            double dy = centres[k][1] - cy;
-            MassProperties own = masses[k].properties;
-            unitInertia += own.area() / area * (own.unitInertia() + (dx * dx + dy * dy));
+        centroidX = given[0][0] + cx;
+        centroidY = given[0][1] + cy;
+        parts = new ConvexPart[given.length];
+        for (int k = 0; k < given.length; k++) {
+            Piece piece = pieces[k];
+            parts[k] = part(k, piece, cx, cy);
+            double dx = piece.centreX - cx;
+            double dy = piece.centreY - cy;
+            unitInertia += piece.mass.area() / area * (piece.mass.unitInertia() + (dx * dx + dy * dy));
         }
     }
 
-    private static PolygonMass mass(int k, double[] xy) {
+    /**
+     * A part, relative to the first coordinates of all, so that nothing more is lost far from the origin.
+     *
+     * @param vertices counter-clockwise
+     */
+    private record Piece(double[] vertices, double radius, MassProperties mass, double centreX, double centreY) {}
+
+    private static Piece piece(int k, double[] given, double[] origin) {
         try {
-            PolygonMass mass = PolygonMass.centred(xy);
-            mass.properties.requireUsable("a polygon of " + xy.length / 2 + " vertices");
-            return mass;
+            if (given.length == DISC) {
+                double[] centre = {Check.finite("x", given[0]) - origin[0], Check.finite("y", given[1]) - origin[1]};
+                return new Piece(centre, given[2], new Circle(given[2]).massProperties(), centre[0], centre[1]);
+            }
+            PolygonMass mass = PolygonMass.centred(given);
+            mass.properties.requireUsable("a polygon of " + given.length / 2 + " vertices");
+            double[] near = new double[given.length];
+            for (int m = 0; m < near.length; m += 2) {
+                near[m] = mass.given[m] - origin[0];
+                near[m + 1] = mass.given[m + 1] - origin[1];
+            }
+            // the centroid: the first vertex less its place about it
+            return new Piece(near, 0, mass.properties, near[0] - mass.local[0], near[1] - mass.local[1]);
         } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException("polygon " + k + " of the compound: " + e.getMessage(), e);
+            throw new IllegalArgumentException("part " + k + " of the compound: " + e.getMessage(), e);
         }
     }
 
-    /** The vertices counter-clockwise, and relative to the first one of all, so that nothing more is lost far from the origin. */
-    private static double[] relative(double[] xy, double[] origin) {
-        double[] near = new double[xy.length];
-        for (int k = 0; k < xy.length; k += 2) {
-            near[k] = xy[k] - origin[0];
-            near[k + 1] = xy[k + 1] - origin[1];
+    private static ConvexPart part(int k, Piece piece, double cx, double cy) {
+        double[] local = new double[piece.vertices.length];
+        for (int m = 0; m < local.length; m += 2) {
+            local[m] = piece.vertices[m] - cx;
+            local[m + 1] = piece.vertices[m + 1] - cy;
         }
-        return near;
-    }
-
-    /** The centroid in the same coordinates: the first vertex less its place about the centroid. */
-    private static double[] centre(double[] near, PolygonMass mass) {
-        return new double[] {near[0] - mass.local[0], near[1] - mass.local[1]};
-    }
-
-    private static ConvexPart part(int k, double[] near, double cx, double cy, MassProperties own) {
-        double[] local = new double[near.length];
-        for (int m = 0; m < near.length; m += 2) {
-            local[m] = near[m] - cx;
-            local[m + 1] = near[m + 1] - cy;
+        if (piece.radius == 0) {
+            piece(k, local.clone(), new double[2]); // its corners may be lost in rounding, far from the others
         }
-        mass(k, local.clone()); // its corners may be lost in rounding, far from the others
-        return new ConvexPart(local, own);
+        return new ConvexPart(local, piece.radius, piece.mass);
     }
 
     double[] allVertices() {
@@ -100,6 +103,14 @@ final class CompoundMass {
             at += vertices.length;
         }
         return all;
+    }
+
+    double boundingRadius() {
+        double most = 0;
+        for (ConvexPart part : parts) {
+            most = Math.max(most, part.boundingRadius());
+        }
+        return most;
     }
 
     MassProperties properties() {

@@ -25,16 +25,24 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     private final double boundingRadius;
 
     Shape(double[] vertices, double radius, MassProperties massProperties) {
+        this(vertices, radius, massProperties, core(vertices) + radius);
+    }
+
+    Shape(double[] vertices, double radius, MassProperties massProperties, double boundingRadius) {
         this.vertices = vertices;
         this.radius = radius;
         this.massProperties = massProperties;
+        this.boundingRadius = boundingRadius;
+    }
+
+    private static double core(double[] vertices) {
         double core = 0;
         for (int k = 0; k < vertices.length; k += 2) {
             double x = vertices[k];
             double y = vertices[k + 1];
             core = Math.max(core, Math.sqrt(x * x + y * y));
         }
-        this.boundingRadius = core + radius;
+        return core;
     }
 
     /**
@@ -57,7 +65,7 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
         return this;
     }
 
-    /** Whether another shape of the same vertices has the same parts. */
+    /** Whether another shape of the same class and vertices has the same parts. */
     boolean isCutAs(Shape that) {
         return true;
     }
@@ -103,7 +111,7 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     /**
      * How far the shape reaches beyond its core.
      *
-     * @return length, 0 for polygons
+     * @return length, 0 for polygons, and for what has several parts, which may have each its own
      */
     public final double radius() {
         return radius;
@@ -163,7 +171,9 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
         }
         int n = vertexCount();
         if (n == 1) {
-            return x * x + y * y <= radius * radius;
+            double dx = x - vertexX(0);
+            double dy = y - vertexY(0);
+            return dx * dx + dy * dy <= radius * radius;
         }
         for (int k = 0; k < n; k++) {
             int next = (k + 1) % n;

@@ -20,7 +20,9 @@ final class Hull implements Serializable {
     /** Number of corners; 1: a circle. */
     final int count;
 
+    /** Of a circle; the largest one of the parts. */
     final double radius;
+
     final double bounding;
     final double[] x;
     final double[] y;
@@ -35,7 +37,7 @@ final class Hull implements Serializable {
     Hull(Shape shape) {
         this.shape = shape;
         count = shape.vertexCount();
-        radius = shape.radius();
+        radius = radius(shape);
         bounding = shape.boundingRadius();
         x = new double[count];
         y = new double[count];
@@ -57,6 +59,14 @@ final class Hull implements Serializable {
         for (int k = 0; k < parts.length; k++) {
             parts[k] = parts.length == 1 ? this : new Hull(shape.part(k));
         }
+    }
+
+    private static double radius(Shape shape) {
+        double most = 0;
+        for (int k = 0; k < shape.partCount(); k++) {
+            most = Math.max(most, shape.part(k).radius());
+        }
+        return most;
     }
 
     Hull part(int k) {

@@ -183,6 +183,10 @@ final class NearPairs implements Pairs.Listener, Serializable {
                 lowY = Math.min(lowY, py);
                 wideY = Math.max(wideY, py);
             }
+            lowX -= hull.radius;
+            lowY -= hull.radius;
+            wideX += hull.radius;
+            wideY += hull.radius;
             turned = Math.min(2, Math.abs(v[b + 2]) * h * steps) * hull.bounding;
         }
         double way = h * steps;

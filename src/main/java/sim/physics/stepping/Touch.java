@@ -60,30 +60,43 @@ final class Touch implements Serializable {
         count = 0;
         Hull first = poses.hull(a).part(partA);
         Hull second = poses.hull(b).part(partB);
-        isDiscA = first.count == 1;
-        isDiscB = second.count == 1;
+        isDiscA = first == poses.hull(a) && first.count == 1;
+        isDiscB = second == poses.hull(b) && second.count == 1;
         if (first.count > 1 && second.count > 1) {
             edges(a, b, first, second, margin);
         } else if (first.count == 1 && second.count == 1) {
-            circles(first, second, margin);
+            circles(a, first, b, second, margin);
         } else if (first.count > 1) {
-            roundOn(a, first, second.radius, dx, dy, margin, false);
+            roundOn(a, first, second.radius, dx + offsetX(b, second), dy + offsetY(b, second), margin, false);
         } else {
-            roundOn(b, second, first.radius, -dx, -dy, margin, true);
+            roundOn(b, second, first.radius, offsetX(a, first) - dx, offsetY(a, first) - dy, margin, true);
         }
     }
 
-    private void circles(Hull first, Hull second, double margin) {
-        double square = dx * dx + dy * dy;
+    /** Where a disc's centre is from that of its body, which it is a part of. */
+    private double offsetX(int body, Hull disc) {
+        return disc.bounding == disc.radius ? 0 : poses.turns[2 * body] * disc.x[0] - poses.turns[2 * body + 1] * disc.y[0];
+    }
+
+    private double offsetY(int body, Hull disc) {
+        return disc.bounding == disc.radius ? 0 : poses.turns[2 * body + 1] * disc.x[0] + poses.turns[2 * body] * disc.y[0];
+    }
+
+    private void circles(int a, Hull first, int b, Hull second, double margin) {
+        double x = offsetX(a, first);
+        double y = offsetY(a, first);
+        double cx = dx + offsetX(b, second) - x;
+        double cy = dy + offsetY(b, second) - y;
+        double square = cx * cx + cy * cy;
         double sum = first.radius + second.radius;
         if (square > (sum + margin) * (sum + margin)) {
             return;
         }
         double distance = Math.sqrt(square);
-        nx = distance > 0 ? dx / distance : 1;
-        ny = distance > 0 ? dy / distance : 0;
-        add(0.5 * (first.radius + distance - second.radius) * nx, 0.5 * (first.radius + distance - second.radius) * ny,
-                distance - sum, 0);
+        nx = distance > 0 ? cx / distance : 1;
+        ny = distance > 0 ? cy / distance : 0;
+        double way = 0.5 * (first.radius + distance - second.radius);
+        add(x + way * nx, y + way * ny, distance - sum, 0);
     }
 
     private void add(double x, double y, double distance, int id) {

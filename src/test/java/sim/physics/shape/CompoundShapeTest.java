@@ -29,6 +29,27 @@ class CompoundShapeTest {
         assertL(Compound.outline(0, 3, 1, 3, 1, 1, 4, 1, 4, 0, 0, 0), 0, 0, 1e-15); // clockwise
     }
 
+    /** A disc of radius 2 at (1, 0) with two boxes 1 x 1/2 beside it, by the parallel axes. */
+    @Test
+    void discsArePartsToo() {
+        Compound shape = new Compound(Compound.disc(1, 0, 2), Compound.box(4, 1, 1, 0.5), Compound.box(4, -1, 1, 0.5));
+        double disc = 4 * Math.PI;
+        double x = (disc + 2 * 0.5 * 4) / (disc + 1);
+        double inertia = disc * (2 + (x - 1) * (x - 1)) + 2 * 0.5 * ((1 + 0.25) / 12 + 1 + (4 - x) * (4 - x));
+        assertThat(shape.area()).isEqualTo(disc + 1, within(1e-14));
+        assertThat(shape.centroidX()).isEqualTo(x, within(1e-15));
+        assertThat(shape.centroidY()).isEqualTo(0, within(1e-15));
+        assertThat(shape.unitInertia()).isEqualTo(inertia / (disc + 1), within(1e-14));
+        assertThat(shape.boundingRadius()).isEqualTo(Math.max(Math.hypot(4.5 - x, 1.25), 2 + x - 1), within(1e-14));
+        assertThat(shape.contains(-1 - x + 1e-9, 0)).isTrue();
+        assertThat(shape.contains(-1 - x - 1e-9, 0)).isFalse();
+        assertThat(shape.contains(4 - x, 0)).isFalse();
+        Compound single = new Compound(Compound.disc(7, 8, 2));
+        assertThat(single.partCount()).isEqualTo(1);
+        assertThat(single.radius()).isEqualTo(2);
+        assertThat(single.unitInertia()).isEqualTo(2);
+    }
+
     /** Coordinates that are exact, far from the origin, are so to their differences. */
     @Test
     void nothingIsLostFarFromTheOrigin() {
@@ -109,10 +130,14 @@ class CompoundShapeTest {
 
     @Test
     void whatCannotBeUsedIsRefusedAndNamed() {
-        assertThatThrownBy(() -> new Compound()).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("0 polygons");
+        assertThatThrownBy(() -> new Compound()).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("0 parts");
         assertThatThrownBy(() -> new Compound(Compound.box(0, 0, 1, 1), new double[] {0, 0, 1, 0, 1, 1, 0.9, 0.2}))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("polygon 1 of the compound: vertex 3 is (0.9, 0.2)");
+                .hasMessageContaining("part 1 of the compound: vertex 3 is (0.9, 0.2)");
+        assertThatThrownBy(() -> new Compound(Compound.box(0, 0, 1, 1), new double[] {0, 0, -1}))
+                .hasMessageContaining("part 1 of the compound: radius is -1");
+        assertThatThrownBy(() -> new Compound(new double[] {0, 0, 1, 1})).hasMessageContaining("part 0").hasMessageContaining("4 coordinates");
+        assertThatThrownBy(() -> Compound.disc(0, Double.NaN, 1)).hasMessageContaining("y");
         assertThatThrownBy(() -> Compound.outline(0, 0, 2, 0)).hasMessageContaining("4 coordinates");
         assertThatThrownBy(() -> Compound.outline(0, 0, 2, 2, 2, 0, 0, 2)).hasMessageContaining("meets itself");
         assertThatThrownBy(() -> Compound.outline(0, 0, 2, 0, 2, 2, 1, 0, 0, 2)).hasMessageContaining("meets itself");

@@ -63,8 +63,8 @@ public final class Manifold {
     void begin(ClosestFeatures features, Pose pose) {
         count = 0;
         near = 0;
-        roundA = pose.a.n == 1;
-        roundB = pose.b.n == 1;
+        roundA = pose.a.isRound();
+        roundB = pose.b.isRound();
         nx = features.nx;
         ny = features.ny;
         gap = features.gap;

@@ -467,11 +467,11 @@ public final class NarrowPhase implements Serializable {
 
     /** A circle's lever arm is its radius along the normal, exactly, so that it gets no spin by rounding. */
     private void exactLevers(Manifold contact) {
-        if (pose.a.n == 1) {
+        if (pose.a.isRound()) {
             contact.rAx[0] = pose.a.rounding() * contact.nx;
             contact.rAy[0] = pose.a.rounding() * contact.ny;
         }
-        if (pose.b.n == 1) {
+        if (pose.b.isRound()) {
             contact.rBx[0] = -pose.b.rounding() * contact.nx;
             contact.rBy[0] = -pose.b.rounding() * contact.ny;
         }

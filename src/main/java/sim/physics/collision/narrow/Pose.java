@@ -69,6 +69,11 @@ final class Pose {
             return shape[base + ShapeTable.ROUNDING];
         }
 
+        /** Whether it is a circle that is a whole body: where it touches it is as far from its centre as anywhere. */
+        boolean isRound() {
+            return shape[base + ShapeTable.ROUND] == 1;
+        }
+
         double bounding() {
             return shape[base + ShapeTable.BOUNDING];
         }
@@ -107,7 +112,7 @@ final class Pose {
         }
 
         private void turnTo(double theta) {
-            if (n == 1) {
+            if (n == 1 && core == 0) {
                 vx[0] = cx;
                 vy[0] = cy;
                 return;

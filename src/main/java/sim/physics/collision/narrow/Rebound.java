@@ -34,7 +34,7 @@ final class Rebound {
         boolean ofB = (features.featureB & 1) != 0 || pose.a.n == 1;
         Pose.Placed owner = ofB ? pose.b : pose.a;
         Pose.Placed other = ofB ? pose.a : pose.b;
-        if (!onEdge && other.n > 1) {
+        if (!onEdge && other.n > 1 || isTurning(pose.a) || isTurning(pose.b)) {
             return 0;
         }
         int vertex = (ofB ? features.featureB : features.featureA) >> 1;
@@ -72,6 +72,11 @@ final class Rebound {
         }
         time *= SHORT;
         return hasLeft(pose, ofB ? -ux : ux, ofB ? -uy : uy, time, tolerance) ? Double.POSITIVE_INFINITY : time;
+    }
+
+    /** Whether it is a disc whose centre goes round with the body that it is a part of. */
+    private static boolean isTurning(Pose.Placed part) {
+        return part.n == 1 && !part.isRound();
     }
 
     /** How steeply the less steep one of a corner's edges rises along a direction: the sine of the angle. */

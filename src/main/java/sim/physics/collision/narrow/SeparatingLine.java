@@ -179,7 +179,7 @@ final class SeparatingLine {
         return tau;
     }
 
-    /** Turns to a pair; false if their motion is not uniform, or both are circles. */
+    /** Turns to a pair; false if their motion is not uniform, both are circles, or one is a disc whose centre goes round with its body. */
     private boolean load(int i, int j) {
         if (m != trajectories.data()) { // a reference that is written costs more than one that is compared
             m = trajectories.data();
@@ -198,7 +198,7 @@ final class SeparatingLine {
         countB = (int) shape[baseB + ShapeTable.COUNT];
         rounding = shape[baseA + ShapeTable.ROUNDING] + shape[baseB + ShapeTable.ROUNDING];
         bounding = shape[baseA + ShapeTable.BOUNDING] + shape[baseB + ShapeTable.BOUNDING];
-        return countA > 1 || countB > 1; // two circles have no line
+        return (countA > 1 || countB > 1) && !shapes.goesRound(baseA) && !shapes.goesRound(baseB);
     }
 
     /** Places both bodies at an instant. */

@@ -18,7 +18,8 @@ import sim.physics.shape.Shape;
  *
  * <pre>
  *   base + 0  vertices n     1  rounding radius     2  bounding radius     3  core radius     4  number of bodies that have it
- *   base + 5 + 6k   x, y of vertex k · nx, ny outward normal of edge k (to vertex k + 1) · h = vertex · normal · length
+ *   base + 5  1 for a circle that is a whole body
+ *   base + 6 + 6k   x, y of vertex k · nx, ny outward normal of edge k (to vertex k + 1) · h = vertex · normal · length
  * </pre>
  *
  * <p>The core of a shape is its polygon of vertices; the shape is all that is within the rounding radius of the core.
@@ -32,7 +33,8 @@ public final class ShapeTable implements Serializable {
     static final int BOUNDING = 2;
     static final int CORE = 3;
     static final int USERS = 4;
-    static final int FIRST = 5;
+    static final int ROUND = 5;
+    static final int FIRST = 6;
     static final int VERTEX = 6;
     static final int NX = 2;
     static final int NY = 3;
@@ -69,7 +71,12 @@ public final class ShapeTable implements Serializable {
     }
 
     boolean isCircle(int body) {
-        return data[baseOf[body] + COUNT] == 1;
+        return data[baseOf[body] + ROUND] == 1;
+    }
+
+    /** Whether a shape is a disc whose centre goes round with the body that it is a part of. */
+    boolean goesRound(int base) {
+        return data[base + COUNT] == 1 && data[base + ROUND] == 0;
     }
 
     /** The radius by which a shape reaches beyond its vertices. */
@@ -129,22 +136,22 @@ public final class ShapeTable implements Serializable {
             partsOf[body] = null;
         }
         if (shape.partCount() == 1) {
-            baseOf[body] = use(shape);
+            baseOf[body] = use(shape, shape.vertexCount() == 1);
             return;
         }
         int[] bases = new int[shape.partCount()];
         for (int k = 0; k < bases.length; k++) {
-            bases[k] = use(shape.part(k));
+            bases[k] = use(shape.part(k), false);
         }
         baseOf[body] = bases[0];
         partsOf = Arrays.copyOf(partsOf == null ? new int[0][] : partsOf, baseOf.length);
         partsOf[body] = bases;
     }
 
-    private int use(Shape shape) {
+    private int use(Shape shape, boolean isRound) {
         Integer base = known.get(shape);
         if (base == null) {
-            base = append(shape);
+            base = append(shape, isRound);
             known.put(shape, base);
         }
         data[base + USERS]++;
@@ -182,10 +189,11 @@ public final class ShapeTable implements Serializable {
         return base;
     }
 
-    private int append(Shape shape) {
+    private int append(Shape shape, boolean isRound) {
         int n = shape.vertexCount();
         int base = place(n);
         data[base + COUNT] = n;
+        data[base + ROUND] = isRound ? 1 : 0;
         data[base + ROUNDING] = shape.radius();
         data[base + BOUNDING] = shape.boundingRadius();
         double core = 0;
@@ -226,18 +234,18 @@ public final class ShapeTable implements Serializable {
         double maxY = Double.NEGATIVE_INFINITY;
         for (int part = 0; part < count; part++) {
             int base = base(body, part);
+            double r = data[base + ROUNDING];
             for (int k = 0, o = base + FIRST; k < data[base + COUNT]; k++, o += VERTEX) {
                 double x = cos * data[o] - sin * data[o + 1];
                 double y = sin * data[o] + cos * data[o + 1];
-                minX = Math.min(minX, x);
-                minY = Math.min(minY, y);
-                maxX = Math.max(maxX, x);
-                maxY = Math.max(maxY, y);
+                minX = Math.min(minX, x - r);
+                minY = Math.min(minY, y - r);
+                maxX = Math.max(maxX, x + r);
+                maxY = Math.max(maxY, y + r);
             }
         }
-        double r = data[baseOf[body] + ROUNDING];
         double x = trajectories[at];
         double y = trajectories[at + 1];
-        boxes.set(body, x + minX - r, y + minY - r, x + maxX + r, y + maxY + r);
+        boxes.set(body, x + minX, y + minY, x + maxX, y + maxY);
     }
 }
