@@ -32,10 +32,16 @@ final class Dyn4jMachine implements MachineWorld {
     }
 
     private int add(Convex shape, double x, double y, double friction, boolean fixed) {
+        return add(List.of(shape), x, y, friction, fixed);
+    }
+
+    private int add(List<? extends Convex> shapes, double x, double y, double friction, boolean fixed) {
         Body body = new Body();
-        BodyFixture fixture = body.addFixture(shape, 1);
-        fixture.setFriction(friction);
-        fixture.setRestitution(0);
+        for (Convex shape : shapes) {
+            BodyFixture fixture = body.addFixture(shape, 1);
+            fixture.setFriction(friction);
+            fixture.setRestitution(0);
+        }
         body.setMass(fixed ? MassType.INFINITE : MassType.NORMAL);
         body.translate(x, y);
         world.addBody(body);
@@ -51,6 +57,17 @@ final class Dyn4jMachine implements MachineWorld {
     @Override
     public int disc(double radius, double x, double y, double friction) {
         return add(Geometry.createCircle(radius), x, y, friction, false);
+    }
+
+    @Override
+    public int boxes(double[][] boxes, double x, double y, double friction) {
+        List<Convex> shapes = new ArrayList<>();
+        for (double[] box : boxes) {
+            Convex shape = Geometry.createRectangle(box[2], box[3]);
+            shape.translate(box[0], box[1]);
+            shapes.add(shape);
+        }
+        return add(shapes, x, y, friction, false);
     }
 
     @Override

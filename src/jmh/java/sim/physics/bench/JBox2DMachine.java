@@ -33,16 +33,22 @@ final class JBox2DMachine implements MachineWorld {
     }
 
     private int add(Shape shape, double x, double y, double friction, boolean fixed) {
+        return add(List.of(shape), x, y, friction, fixed);
+    }
+
+    private int add(List<? extends Shape> shapes, double x, double y, double friction, boolean fixed) {
         BodyDef def = new BodyDef();
         def.type = fixed ? BodyType.STATIC : BodyType.DYNAMIC;
         def.position.set((float) x, (float) y);
         Body body = world.createBody(def);
-        FixtureDef fixture = new FixtureDef();
-        fixture.shape = shape;
-        fixture.density = 1;
-        fixture.friction = (float) friction;
-        fixture.restitution = 0;
-        body.createFixture(fixture);
+        for (Shape shape : shapes) {
+            FixtureDef fixture = new FixtureDef();
+            fixture.shape = shape;
+            fixture.density = 1;
+            fixture.friction = (float) friction;
+            fixture.restitution = 0;
+            body.createFixture(fixture);
+        }
         bodies.add(body);
         return bodies.size() - 1;
     }
@@ -59,6 +65,17 @@ final class JBox2DMachine implements MachineWorld {
         CircleShape circle = new CircleShape();
         circle.m_radius = (float) radius;
         return add(circle, x, y, friction, false);
+    }
+
+    @Override
+    public int boxes(double[][] boxes, double x, double y, double friction) {
+        List<PolygonShape> shapes = new ArrayList<>();
+        for (double[] box : boxes) {
+            PolygonShape shape = new PolygonShape();
+            shape.setAsBox((float) (box[2] / 2), (float) (box[3] / 2), new Vec2((float) box[0], (float) box[1]), 0);
+            shapes.add(shape);
+        }
+        return add(shapes, x, y, friction, false);
     }
 
     @Override

@@ -60,6 +60,12 @@ final class JudgedMachine implements MachineWorld {
     }
 
     @Override
+    public int boxes(double[][] boxes, double x, double y, double friction) {
+        world.boxes(boxes, x, y, friction);
+        return add(OwnMachine.compound(boxes), x, y, false);
+    }
+
+    @Override
     public void remove(int body) {
         world.remove(body);
         places.remove(bodies.get(body));

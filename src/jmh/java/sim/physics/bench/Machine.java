@@ -30,6 +30,7 @@ final class Machine {
         ALL.put("boxes", m -> m.pile(40, 0));
         ALL.put("mixed", m -> m.pile(40, 0.5));
         ALL.put("discs", m -> m.pile(40, 1));
+        ALL.put("hooks", m -> m.hooks(40));
         ALL.put("heap", m -> m.pile(200, 0.5));
     }
 
@@ -171,6 +172,18 @@ final class Machine {
             for (int k = 0; k < rows - row; k++) {
                 main = world.box(1, 1, 1.1 * k + 0.55 * row, row + 0.5, 0.6, false);
             }
+        }
+    }
+
+    /** L-shapes that fall into a bin, each one body of two boxes. */
+    private void hooks(int n) {
+        double[][] hook = {{0.175, -0.325, 1, 0.3}, {-0.175, 0.325, 0.3, 1}};
+        world.box(100, 2, 0, -1, 0.5, true);
+        world.box(1, 40, -6, 20, 0.5, true);
+        world.box(1, 40, 6, 20, 0.5, true);
+        Random random = new Random(7);
+        for (int k = 0; k < n; k++) {
+            main = world.boxes(hook, -4.4 + 1.6 * (k % 6) + 0.2 * random.nextDouble(), 1 + 1.6 * (k / 6), 0.5);
         }
     }
 

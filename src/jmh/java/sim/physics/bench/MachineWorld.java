@@ -19,6 +19,13 @@ interface MachineWorld {
     /** Adds a disc; returns its number. */
     int disc(double radius, double x, double y, double friction);
 
+    /**
+     * Adds a body of several boxes, which need not be convex; returns its number.
+     *
+     * @param boxes of each its centre, from the centroid of all, its width and its height
+     */
+    int boxes(double[][] boxes, double x, double y, double friction);
+
     /** Takes a body away. */
     void remove(int body);
 

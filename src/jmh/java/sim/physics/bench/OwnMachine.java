@@ -15,13 +15,12 @@ import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Spring;
 import sim.physics.shape.Circle;
+import sim.physics.shape.Compound;
 import sim.physics.shape.Rectangle;
 import sim.physics.shape.Shape;
 
 /** A machine in this engine, with RK4. */
 final class OwnMachine implements MachineWorld {
-    /** Side of a hub, m. */
-
     private final PhysicsEngine engine = new PhysicsEngine();
     private final List<Body> bodies = new ArrayList<>();
     private final Map<Integer, Body> carriers = new HashMap<>();
@@ -55,6 +54,19 @@ final class OwnMachine implements MachineWorld {
     @Override
     public int disc(double radius, double x, double y, double friction) {
         return add(new Circle(radius), x, y, friction, false);
+    }
+
+    @Override
+    public int boxes(double[][] boxes, double x, double y, double friction) {
+        return add(compound(boxes), x, y, friction, false);
+    }
+
+    static Compound compound(double[][] boxes) {
+        double[][] parts = new double[boxes.length][];
+        for (int k = 0; k < boxes.length; k++) {
+            parts[k] = Compound.box(boxes[k][0], boxes[k][1], boxes[k][2], boxes[k][3]);
+        }
+        return new Compound(parts);
     }
 
     @Override
