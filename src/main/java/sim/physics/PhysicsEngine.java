@@ -1224,7 +1224,7 @@ public final class PhysicsEngine implements Steppable {
      * also where bodies jam. {@link #getRelievedSteps()} says how many steps were; as long as there is none, the limit changes no
      * bit of a run. Work is counted and not timed, so a run is the same on any machine.
      *
-     * <p>Unless set, the limit is 20 million units and 200 more for each body, some seconds. The step in which the limit is met
+     * <p>Unless set, the limit is 10 million units and 200 more for each body, some seconds. The step in which the limit is met
      * and the eight after it are relieved; twice as many each time, up to 256, while events cost too much again within as many steps.
      * Events are found again as soon as the joints can be closed, and no two bodies of joints are deeper in one another than they
      * may be by events. There is no limit while the engine is audited.

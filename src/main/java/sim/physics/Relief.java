@@ -21,7 +21,7 @@ final class Relief implements Serializable {
     static final int SUBSTEPS = 32;
 
     /** Work that a step may cost unless set, and that for each body: some seconds. */
-    static final long USUAL = 20_000_000;
+    static final long USUAL = 10_000_000;
 
     private static final long USUAL_PER_BODY = 200;
 

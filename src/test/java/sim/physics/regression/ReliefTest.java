@@ -251,7 +251,7 @@ class ReliefTest {
     @Test
     void theLimitIsSetBetweenStepsAndPositive() {
         PhysicsEngine engine = new PhysicsEngine();
-        assertThat(engine.getWorkLimit()).isEqualTo(20_000_000);
+        assertThat(engine.getWorkLimit()).isEqualTo(10_000_000);
         assertThatThrownBy(() -> engine.setWorkLimit(0)).isInstanceOf(IllegalArgumentException.class).hasMessageContaining("0");
         engine.add(new Body(new Circle(1)).moving(1, 0));
         engine.add(new Body(new Circle(1)).at(3, 0));
@@ -271,7 +271,7 @@ class ReliefTest {
         engine.step();
         engine.step();
         assertThat(refused).hasSize(1);
-        assertThat(engine.getWorkLimit()).isEqualTo(20_000_400);
+        assertThat(engine.getWorkLimit()).isEqualTo(10_000_400);
         assertThat(engine.getWork()).isPositive();
     }
 

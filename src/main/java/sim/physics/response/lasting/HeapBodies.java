@@ -27,6 +27,9 @@ final class HeapBodies implements Serializable {
 
     private static final int MOST_TIED = 40;
 
+    /** The same for each of many that are tied together: what happens to one of them happens to all. */
+    private static final double MOST_EACH = 2.5;
+
     /** The same for bodies that are not driven. */
     private static final int MOST_OF_ALL = 2000;
 
@@ -167,12 +170,14 @@ final class HeapBodies implements Serializable {
         }
     }
 
-    /** Whether so much has happened to a body in this step that it is to lie on nothing. */
-    boolean hasTooMany(int body, boolean isDriven, boolean isTied) {
+    /** Whether so much has happened to a body in this step, which is tied to some others or to none, that it is to lie on nothing. */
+    boolean hasTooMany(int body, boolean isDriven, int tied) {
         if (!isDriven) {
             return turns[body] > MOST_OF_ALL; // on driven ones that cannot be stopped, as free heaps are
         }
-        return turns[body] > (isTied ? MOST_TIED : MOST) || ends[body] > (isTied ? MOST_ENDS_TIED : MOST_ENDS);
+        boolean isTied = tied > 0;
+        return turns[body] > (isTied ? Math.max(MOST_TIED, MOST_EACH * tied) : MOST)
+                || ends[body] > (isTied ? MOST_ENDS_TIED : MOST_ENDS);
     }
 
     /** Takes note of a change of velocity. */

@@ -151,7 +151,7 @@ public final class Heaps implements Serializable {
 
     /** Whether so much has happened to a body in this step that it is to lie on nothing. */
     private boolean isTooOften(int body) {
-        return by.hasTooMany(body, isDriven(body), motion.isTied(body));
+        return by.hasTooMany(body, isDriven(body), motion.isTied(body) ? motion.companions(body).size : 0);
     }
 
     /** Whether the integrator moves a body also when it lies on others. */
