@@ -10,6 +10,8 @@ import demos.doors.Doors;
 import demos.doors.DoorsWithUI;
 import demos.machines.Machines;
 import demos.machines.MachinesWithUI;
+import demos.mill.Mill;
+import demos.mill.MillWithUI;
 import demos.pair.Pair;
 import demos.pair.PairWithUI;
 import demos.pendulum.Pendulum;
@@ -41,7 +43,7 @@ import sim.util.Properties;
  *   NAME -mason [MASON's own options] [-p name=value …]             runs MASON's command-line loop
  * </pre>
  *
- * <p>Names are collisions, robots, pendulum, bead, doors, pair and machines.
+ * <p>Names are collisions, robots, pendulum, bead, doors, pair, machines and mill.
  */
 public final class Demos {
     private Demos() {}
@@ -73,7 +75,8 @@ public final class Demos {
             new Demo("bead", Bead::new, BeadWithUI::new),
             new Demo("doors", Doors::new, DoorsWithUI::new),
             new Demo("pair", Pair::new, PairWithUI::new),
-            new Demo("machines", Machines::new, MachinesWithUI::new));
+            new Demo("machines", Machines::new, MachinesWithUI::new),
+            new Demo("mill", Mill::new, MillWithUI::new));
 
     private static Demo demo(String name) {
         for (Demo demo : ALL) {
