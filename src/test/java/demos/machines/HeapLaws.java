@@ -28,6 +28,7 @@ final class HeapLaws {
         model.setRows(rows);
         model.start();
         PhysicsEngine engine = model.physics;
+        engine.setWorkLimit(Long.MAX_VALUE); // these are laws of events
         List<Body> bodies = engine.bodies();
         List<Body> car = bodies.subList(bodies.indexOf(model.car.chassis), bodies.size()); // the chassis, and two hubs with their wheels
         long most = 0;

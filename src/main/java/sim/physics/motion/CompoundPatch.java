@@ -44,27 +44,34 @@ final class CompoundPatch extends FlatPatch {
 
     @Override
     void rub(double vx, double vy, double spin, double theta, double[] out) {
+        if (spin == 0) { // all parts alike: no torque, exactly
+            double speed = Math.sqrt(vx * vx + vy * vy);
+            out[0] = -(vx / speed);
+            out[1] = -(vy / speed);
+            out[2] = 0;
+            return;
+        }
         double cos = Trig.cos(theta);
         double sin = Trig.sin(theta);
         double omega = spin / unit;
-        double[] part = new double[State.BLOCK];
+        double fx = 0;
+        double fy = 0;
+        double torque = 0;
         for (int k = 0; k < parts.length; k++) {
-            double share = places[3 * k];
             double x = cos * places[3 * k + 1] - sin * places[3 * k + 2];
             double y = sin * places[3 * k + 1] + cos * places[3 * k + 2];
-            parts[k].friction(vx - omega * y, vy + omega * x, omega, theta, part);
-            out[0] += share * part[0];
-            out[1] += share * part[1];
-            out[2] += share * (part[2] + (x * part[1] - y * part[0]));
+            parts[k].friction(vx - omega * y, vy + omega * x, omega, theta, out);
+            fx += places[3 * k] * out[0];
+            fy += places[3 * k] * out[1];
+            torque += places[3 * k] * (out[2] + (x * out[1] - y * out[0]));
         }
-        out[2] /= unit;
+        out[0] = fx;
+        out[1] = fy;
+        out[2] = torque / unit;
     }
 
     @Override
     void slip(double ux, double uy, double spin, double[] out) {
-        out[0] = 0;
-        out[1] = 0;
-        out[2] = 0;
         rub(ux, uy, spin, 0, out);
         out[0] = -out[0];
         out[1] = -out[1];

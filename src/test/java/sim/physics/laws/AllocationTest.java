@@ -22,6 +22,7 @@ import sim.physics.motion.Rattle;
 import sim.physics.motion.RungeKutta4;
 import sim.physics.motion.SurfaceFriction;
 import sim.physics.shape.Circle;
+import sim.physics.shape.Compound;
 import sim.physics.shape.Rectangle;
 
 /**
@@ -110,6 +111,22 @@ class AllocationTest {
             body.setSurfaceFriction(0.01);
         }
         assertAllocatesNothing(engine, 60);
+    }
+
+    @Test
+    void bodiesOfSeveralParts() {
+        for (double friction : new double[] {0, 1e-4}) {
+            PhysicsEngine engine = circles(10);
+            Compound shape = new Compound(Compound.disc(0, 0, 2), Compound.box(2.5, 1, 3, 0.4), Compound.box(2.5, -1, 3, 0.4));
+            for (int k = 0; k < 20; k++) {
+                engine.add(new Body(shape).at(12 * (k % 8) - 42, 12 * (k / 8) - 20).moving(1 - 0.37 * (k % 5), 0.21 * (k % 7) - 0.7, 0.1));
+            }
+            if (friction > 0) {
+                engine.add(new SurfaceFriction(friction));
+                engine.bodies().forEach(body -> body.setSurfaceFriction(0.01));
+            }
+            assertAllocatesNothing(engine, 60);
+        }
     }
 
     @Test
