@@ -20,6 +20,7 @@ import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.BruteForce;
 import sim.physics.constraint.Constraint;
+import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.ConstraintSolver;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.DirectSolver;
@@ -199,7 +200,10 @@ public final class PhysicsEngine implements Steppable {
             }
             finish();
             isOver = true;
-        } catch (Work.Spent spent) {
+        } catch (Work.Spent | ConstraintException e) {
+            if (e instanceof ConstraintException && relief.relieved() == 0) {
+                throw e; // the author's: what he has set, or a step that is too long
+            }
             relief.begin(steps); // time stepping makes the rest of the step
         } finally {
             end(isOver);
@@ -394,13 +398,13 @@ public final class PhysicsEngine implements Steppable {
             response.heaps().begin();
             settleHeaps(0);
         }
-        work.pause(isFixed());
+        work.apart(isFixed());
         followAll();
-        work.pause(false);
+        work.apart(false);
         clearGroups();
     }
 
-    /** Whether the method's steps are of fixed length: those that the step begins with are bounded, and may be shared by threads. */
+    /** Whether the method's steps are of fixed length: those that the step begins with may be shared by threads. */
     private boolean isFixed() {
         return !(motion.getIntegrator() instanceof AdaptiveIntegrator);
     }
@@ -436,9 +440,10 @@ public final class PhysicsEngine implements Steppable {
             return;
         }
         admission.forgetAnswers();
-        work.pause(isFixed());
+        work.apart(isFixed());
+        work.beginGroup();
         IntList made = motion.late().make(team);
-        work.pause(false);
+        work.apart(false);
         for (int k = 0; k < made.size; k++) {
             publish(made.values[k], timeStep, Entry.BODY);
             detection.endPath(made.values[k]);
@@ -466,6 +471,7 @@ public final class PhysicsEngine implements Steppable {
                 if (mayStay && stays(motion.companions(body))) {
                     detection.setPathEnd(motion.companions(body), timeStep);
                 } else if (isShared && sharedMotion.isDone(body)) {
+                    work.beginGroup();
                     publish(body, motion.advance(body, detection), Entry.TOGETHER);
                     detection.endPath(body);
                 } else {
@@ -500,6 +506,7 @@ public final class PhysicsEngine implements Steppable {
 
     /** Gives a driven body, and those that move with it, new paths from their anchors on. */
     private void follow(int body, Entry entry) {
+        work.beginGroup();
         publish(body, motion.advance(body, detection), entry);
         if (motion.isCoarse() && detection.hasNeighbours(motion.companions(body))) {
             publish(body, motion.advance(body, null), entry); // on its way it comes near others
@@ -1223,6 +1230,9 @@ public final class PhysicsEngine implements Steppable {
      * #setTimeStepping time stepping}, of 32 substeps: at a cost that is known beforehand, but less exactly. So a step ends in time
      * also where bodies jam. {@link #getRelievedSteps()} says how many steps were; as long as there is none, the limit changes no
      * bit of a run. Work is counted and not timed, so a run is the same on any machine.
+     *
+     * <p>Once a step has been relieved, so are steps in which a {@link ConstraintException} is thrown: joints may be where time stepping has
+     * left them.
      *
      * <p>Unless set, the limit is 10 million units and 200 more for each body, some seconds. The step in which the limit is met
      * and the eight after it are relieved; twice as many each time, up to 256, while events cost too much again within as many steps.

@@ -17,13 +17,18 @@ public final class Work implements Serializable {
     private long done;
     private int evaluations;
 
-    /** Up to where it may be spent now. */
+    /** What may be spent in the step, and up to where. */
+    private transient long most = UNLIMITED;
+
     private transient long limit = UNLIMITED;
 
-    /** Whether a step is on its way, and whether what it does now is counted. */
+    /** Whether a step is on its way, and whether what it does now counts for a group alone. */
     private transient boolean isOn;
 
-    private transient boolean isPaused;
+    private transient boolean isApart;
+
+    /** What the group has spent. */
+    private transient long apart;
 
     /** Makes one that has no limit. */
     public Work() {
@@ -45,9 +50,10 @@ public final class Work implements Serializable {
      * @param most units that may be spent in it
      */
     public void begin(long most) {
+        this.most = most;
         limit = most < UNLIMITED - done ? done + most : UNLIMITED;
         isOn = true;
-        isPaused = false;
+        isApart = false;
     }
 
     /** Ends the step: what is asked between steps does not count. */
@@ -57,12 +63,43 @@ public final class Work implements Serializable {
     }
 
     /**
-     * Lets nothing count for a while: what threads share is bounded anyway, and who does how much of it is left open.
+     * Lets what is spent count for groups of bodies, each apart, and not for the step: threads may share it, and who does how much of it is
+     * left open.
      *
      * @param yes false to go on
      */
-    public void pause(boolean yes) {
-        isPaused = yes;
+    public void apart(boolean yes) {
+        isApart = yes;
+    }
+
+    /** A group's turn begins. */
+    public void beginGroup() {
+        apart = 0;
+    }
+
+    /**
+     * Does for groups what another one does, in another thread.
+     *
+     * @param other that of the step
+     */
+    public void match(Work other) {
+        most = other.most;
+        isOn = other.isOn;
+        isApart = true;
+    }
+
+    /** {@return units that the group has spent} */
+    public long spentApart() {
+        return apart;
+    }
+
+    /**
+     * Takes over what another thread has spent on the group whose turn it is.
+     *
+     * @param units not negative
+     */
+    public void takeOver(long units) {
+        apart += units;
     }
 
     /**
@@ -72,12 +109,16 @@ public final class Work implements Serializable {
      * @throws Spent if that is more than is allowed
      */
     public void spend(long units) {
-        if (!isOn || isPaused) {
+        if (!isOn) {
             return;
         }
-        done += units;
-        if (done > limit) {
-            limit = UNLIMITED; // what is left is to be put in order
+        if (isApart) {
+            apart += units;
+        } else {
+            done += units;
+        }
+        if (isApart ? apart > most : done > limit) {
+            isOn = false; // what is left is to be put in order
             throw new Spent();
         }
     }
@@ -104,6 +145,7 @@ public final class Work implements Serializable {
     }
 
     private Object readResolve() {
+        most = UNLIMITED;
         limit = UNLIMITED;
         return this;
     }

@@ -4,6 +4,7 @@ package sim.physics.motion;
 
 import java.util.Arrays;
 import sim.physics.internal.Team;
+import sim.physics.internal.Work;
 
 /** What threads have done with groups of driven bodies in a step before it was the groups' turn, by their first bodies. */
 final class Ahead {
@@ -22,6 +23,7 @@ final class Ahead {
     private double[] length = {};
     private double[] error = {};
     private double[] fineLength = {};
+    private long[] cost = {};
     private boolean isUsed;
 
     /** What integrating a group has thrown, if one has, and its first body. */
@@ -40,6 +42,7 @@ final class Ahead {
             length = new double[bodies];
             error = new double[bodies];
             fineLength = new double[bodies];
+            cost = new long[bodies];
         } else if (isUsed) {
             Arrays.fill(done, NOTHING); // a step that was not finished leaves some
         }
@@ -66,6 +69,11 @@ final class Ahead {
         done[first] = REFUSAL;
     }
 
+    /** Takes note of what it has cost. */
+    void charge(int first, long units) {
+        cost[first] = units;
+    }
+
     /** Takes note that integrating a group has thrown something, which is thrown when it is the group's turn. */
     void fail(int first, Throwable thrown) {
         forget(first);
@@ -77,14 +85,15 @@ final class Ahead {
         done[first] = NOTHING;
     }
 
-    /** What has been done with a group; that is made use of now. */
-    int take(int first) {
+    /** What has been done with a group; that is made use of now, and its work taken over. */
+    int take(int first, Work work) {
         if (first == failed) {
             Team.rethrow(failure);
         }
         int what = first < done.length ? done[first] : NOTHING;
         if (what != NOTHING) {
             done[first] = NOTHING;
+            work.takeOver(cost[first]);
         }
         return what;
     }

@@ -111,7 +111,7 @@ final class DrivenMotion implements Serializable {
             return stay(group);
         }
         int first = group.values[0];
-        int done = motion.late().takeRefused(first) ? Ahead.REFUSAL : ahead == null ? Ahead.NOTHING : ahead.take(first);
+        int done = motion.late().takeRefused(first) ? Ahead.REFUSAL : ahead == null ? Ahead.NOTHING : ahead.take(first, motion.work);
         if (done == Ahead.REFUSAL) {
             tied.setRefused(true);
         } else if (done != Ahead.NOTHING && (!ahead.isCoarse(first) || !areNear(group, neighbours))) {

@@ -140,6 +140,7 @@ public final class SharedMotion implements Team.Work, Serializable {
         }
         for (int k = 1; k < helpers.length; k++) {
             helpers[k].time = motion.time;
+            helpers[k].work.match(motion.work);
             helpers[k].setIntegrator(motion.getIntegrator());
             if (helpers[k].ties == null && motion.ties != null) {
                 helpers[k].setTies(motion.ties.helper());
@@ -169,7 +170,9 @@ public final class SharedMotion implements Team.Work, Serializable {
         IntList group = helper.companions(firsts[item]);
         boolean isLate = isAnyLate && motion.late().has(firsts[item]);
         if (!isLate || !motion.late().advanceAhead(group, helper)) {
+            helper.work.beginGroup();
             helper.drivenMotion.advanceAhead(group, isLate, ahead);
+            ahead.charge(firsts[item], helper.work.spentApart());
         }
     }
 }

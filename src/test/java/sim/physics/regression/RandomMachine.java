@@ -17,6 +17,7 @@ import sim.physics.motion.Gravity;
 import sim.physics.motion.Spring;
 import sim.physics.motion.SurfaceFriction;
 import sim.physics.shape.Circle;
+import sim.physics.shape.Compound;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
 import sim.physics.shape.Shape;
@@ -31,8 +32,15 @@ final class RandomMachine {
     private final Random random;
     private final double restitution;
     private final double friction;
+    private final boolean hasCompounds;
 
     RandomMachine(long seed) {
+        this(seed, false);
+    }
+
+    /** One in which some bodies have several parts. */
+    RandomMachine(long seed, boolean hasCompounds) {
+        this.hasCompounds = hasCompounds;
         random = new Random(seed);
         engine.setTimeStep(1 / 60.0);
         if (random.nextInt(5) > 0) {
@@ -52,11 +60,14 @@ final class RandomMachine {
     }
 
     private Shape shape() {
-        return switch (random.nextInt(4)) {
+        return switch (random.nextInt(hasCompounds ? 7 : 4)) {
             case 0 -> new Circle(0.2 + random.nextDouble() * 0.4);
             case 1 -> new Rectangle(0.3 + random.nextDouble(), 0.3 + random.nextDouble());
             case 2 -> Polygon.regular(3 + random.nextInt(5), 0.3 + random.nextDouble() * 0.4);
-            default -> new Rectangle(0.2, 1.2);
+            case 3 -> new Rectangle(0.2, 1.2);
+            case 4 -> new Compound(Compound.box(0, 0, 1.4, 0.25), Compound.box(-0.575, 0.4, 0.25, 0.6), Compound.box(0.575, 0.4, 0.25, 0.6));
+            case 5 -> new Compound(Compound.disc(0, 0, 0.35), Compound.box(0.55, 0.2, 0.5, 0.12), Compound.box(0.55, -0.2, 0.5, 0.12));
+            default -> Compound.outline(0, 0, 1.2, 0, 1.2, 0.3, 0.3, 0.3, 0.3, 0.9, 0, 0.9);
         };
     }
 
