@@ -12,6 +12,7 @@ import sim.physics.internal.Check;
 import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
+import sim.physics.shape.Shape;
 
 /**
  * Where bodies are: what a robot senses. Answers are about the places that the bodies' getters give, between steps; within a
@@ -34,6 +35,7 @@ public final class Queries {
     private final RayWalk ray;
     private final Surroundings surroundings;
     private final Outline outline = new Outline();
+    private final Stencil stencil = new Stencil();
 
     /** Whether a question is being answered: filters that ask are answered by another. */
     private boolean busy;
@@ -356,6 +358,68 @@ public final class Queries {
         if (high < low) {
             throw new IllegalArgumentException(
                     "high" + axis + " is " + high + ": it must not be less than low" + axis + ", " + low);
+        }
+    }
+
+    /**
+     * Returns the bodies that a shape touches or overlaps where it is put: what is in a zone, or whether there is room for a body.
+     *
+     * @param shape any
+     * @param x its centre
+     * @param y its centre
+     * @param angle rad
+     * @param filter which bodies count, or null
+     * @return in the order of their blocks
+     * @throws IllegalArgumentException if a number is not finite
+     */
+    public List<Body> overlapping(Shape shape, double x, double y, double angle, Predicate<? super Body> filter) {
+        List<Body> found = new ArrayList<>();
+        overlapping(shape, x, y, angle, filter, found);
+        return found;
+    }
+
+    /**
+     * Returns the bodies that a body touches or overlaps where it is. The body need not be in the engine, nor collide with anything: a body that is
+     * in no collision group is a sensor that may be tied to others.
+     *
+     * @param body any; not among the answers
+     * @param filter which bodies count, or null
+     * @return in the order of their blocks
+     */
+    public List<Body> overlapping(Body body, Predicate<? super Body> filter) {
+        Objects.requireNonNull(body, "body");
+        Predicate<Body> others = other -> other != body && (filter == null || filter.test(other));
+        return overlapping(body.getShape(), body.getX(), body.getY(), body.getAngle(), others);
+    }
+
+    /**
+     * Finds the bodies that a shape touches or overlaps where it is put, without garbage if the list has room.
+     *
+     * @param shape any
+     * @param x its centre
+     * @param y its centre
+     * @param angle rad
+     * @param filter which bodies count, or null
+     * @param into gets them at its end, in the order of their blocks
+     * @throws IllegalArgumentException if a number is not finite
+     */
+    public void overlapping(
+            Shape shape, double x, double y, double angle, Predicate<? super Body> filter, List<? super Body> into) {
+        Objects.requireNonNull(shape, "shape");
+        Check.finite("x", x);
+        Check.finite("y", y);
+        Check.finite("angle", angle);
+        Objects.requireNonNull(into, "into");
+        if (busy) {
+            inner().overlapping(shape, x, y, angle, filter, into);
+            return;
+        }
+        busy = true;
+        try {
+            stencil.put(shape, x, y, angle);
+            surroundings.overlapping(stencil, filter, into);
+        } finally {
+            busy = false;
         }
     }
 
