@@ -124,13 +124,14 @@ public final class Compound extends Shape {
 
     @Override
     public Shape part(int part) {
-        return parts[Objects.checkIndex(part, parts.length)];
+        Objects.checkIndex(part, parts.length);
+        return parts.length == 1 ? this : parts[part];
     }
 
     @Override
     boolean isCutAs(Shape that) {
         boolean yes = that.partCount() == parts.length;
-        for (int k = 0; yes && k < parts.length; k++) {
+        for (int k = 0; yes && k < parts.length && parts.length > 1; k++) {
             yes = that.part(k).equals(parts[k]);
         }
         return yes;

@@ -18,6 +18,7 @@ import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.BruteForce;
 import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.SortAndSweep;
+import sim.physics.collision.narrow.Distance;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.WeldJoint;
 import sim.physics.motion.Body;
@@ -58,6 +59,27 @@ class CompoundTest {
             cut[k] = Compound.box(width * ((k + 0.5) / parts - 0.5), 0, width / parts, height);
         }
         return new Compound(cut);
+    }
+
+    /** One measure for many shapes, which come and go in its table. */
+    @Test
+    void oneConvexPartIsAPolygon() {
+        Distance distance = new Distance();
+        SplittableRandom random = new SplittableRandom(8);
+        for (int k = 0; k < 300; k++) {
+            double[] xy = new double[6 + 2 * random.nextInt(5)];
+            for (int m = 0; m < xy.length; m += 2) {
+                double angle = 2 * Math.PI * (m + random.nextDouble()) / xy.length;
+                xy[m] = 2 * Math.cos(angle);
+                xy[m + 1] = Math.sin(angle);
+            }
+            Compound compound = Compound.outline(xy);
+            assertThat(compound.partCount()).isEqualTo(1);
+            Body other = new Body(k % 2 == 0 ? cup() : new Circle(0.3)).at(4, random.nextDouble(), random.nextDouble());
+            double gap = distance.between(new Body(compound), other);
+            assertThat(gap).isEqualTo(distance.between(new Body(new Polygon(xy)), other), within(1e-13));
+            assertThat(distance.between(other, new Body(compound))).isEqualTo(gap, within(1e-13));
+        }
     }
 
     private static void addWalls(PhysicsEngine engine, double half) {

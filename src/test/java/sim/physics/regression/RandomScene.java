@@ -17,6 +17,7 @@ import sim.physics.motion.SurfaceFriction;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
 import sim.physics.shape.Circle;
+import sim.physics.shape.Compound;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
 import sim.physics.shape.Shape;
@@ -81,6 +82,7 @@ final class RandomScene {
     private final Distance distance = new Distance();
     final double restitution;
     private final double friction;
+    private final boolean hasCompounds;
 
     /**
      * Draws a scene.
@@ -88,6 +90,12 @@ final class RandomScene {
      * @param mayDrive whether there may be forces for which bodies need the integrator
      */
     RandomScene(long seed, boolean mayDrive) {
+        this(seed, mayDrive, false);
+    }
+
+    /** One in which some bodies may have several parts. */
+    RandomScene(long seed, boolean mayDrive, boolean hasCompounds) {
+        this.hasCompounds = hasCompounds;
         random = new SplittableRandom(seed);
         engine.setTimeStep(1 / (1 + 239 * random.nextDouble() * random.nextDouble()));
         if (random.nextBoolean()) {
@@ -161,7 +169,10 @@ final class RandomScene {
 
     private Shape shape() {
         double size = 0.3 + 1.2 * random.nextDouble();
-        int kind = random.nextInt(4);
+        int kind = random.nextInt(hasCompounds ? 8 : 4);
+        if (kind >= 4) {
+            return compound(kind, size);
+        }
         if (kind == 0) {
             return new Circle(size);
         }
@@ -175,6 +186,33 @@ final class RandomScene {
         double[] xy = new double[2 * n];
         Arrays.setAll(xy, k -> k % 2 == 0 ? size * StrictMath.cos(angles[k / 2]) : height * StrictMath.sin(angles[k / 2]));
         return new Polygon(xy);
+    }
+
+    /** A hook, a cup, a disc with arms, or a star that is cut. */
+    private Shape compound(int kind, double size) {
+        double thick = size * (0.2 + 0.5 * random.nextDouble());
+        double high = size * (0.3 + random.nextDouble());
+        if (kind == 4) {
+            return Compound.outline(0, 0, 2 * size, 0, 2 * size, thick, thick, thick, thick, thick + high, 0, thick + high);
+        }
+        if (kind == 5) {
+            double leg = size - 0.25 * thick;
+            double up = 0.5 * (thick + high);
+            return new Compound(
+                    Compound.box(0, 0, 2 * size, thick), Compound.box(-leg, up, 0.5 * thick, high), Compound.box(leg, up, 0.5 * thick, high));
+        }
+        if (kind == 6) {
+            return new Compound(
+                    Compound.disc(0, 0, size), Compound.box(size + high / 2, size / 2, high, thick / 4), Compound.disc(-size - thick / 2, 0, thick / 2));
+        }
+        double[] xy = new double[10 + 2 * random.nextInt(6)];
+        for (int k = 0; k < xy.length; k += 2) {
+            double angle = 2 * Math.PI * (k + random.nextDouble()) / xy.length;
+            double radius = size * (k % 4 == 0 ? 1 : 0.4 + 0.4 * random.nextDouble());
+            xy[k] = radius * StrictMath.cos(angle);
+            xy[k + 1] = radius * StrictMath.sin(angle);
+        }
+        return Compound.outline(xy);
     }
 
     private void change(Body body) {
