@@ -5,8 +5,8 @@ package sim.physics;
 import java.io.Serializable;
 
 /**
- * Tells how exact a step was, or all steps of an audited run together. It gives the errors against a motion that is computed
- * again, and says where the energy went:
+ * A report on how exact a step was, or how exact all steps of an audited run were together. It gives the errors against a motion
+ * that is computed again, and says where the energy went:
  *
  * <pre>
  *   energyAfter = energyBefore + work + impacts + authored + drift
