@@ -812,7 +812,7 @@ public final class PhysicsEngine implements Steppable {
      * Adds a force generator.
      *
      * @param <G> class of the generator
-     * @param generator not null
+     * @param generator the generator, not null
      * @return the generator
      * @throws IllegalStateException if it was added already
      */
@@ -830,7 +830,7 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Removes a force generator.
      *
-     * @param generator one that was added
+     * @param generator a generator that was added
      * @throws IllegalStateException if it was not added
      */
     public void remove(ForceGenerator generator) {
@@ -874,10 +874,10 @@ public final class PhysicsEngine implements Steppable {
      * Velocities that the constraint does not allow are changed by the least amount.
      *
      * @param <C> class of the constraint
-     * @param constraint between bodies of this engine that are where its equations require them to be
+     * @param constraint a constraint between bodies of this engine, which are where its equations require them to be
      * @return the constraint
      * @throws IllegalStateException if it was added already, or one of its bodies is not in this engine
-     * @throws IllegalArgumentException if its equations are not satisfied, or none of its bodies can move
+     * @throws IllegalArgumentException if the constraint's equations are not satisfied, or none of its bodies can move
      */
     public <C extends Constraint> C add(C constraint) {
         checkBodies(constraint);
@@ -940,8 +940,8 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Removes a constraint. Within a step, this happens when the collision that is being handled is over.
      *
-     * @param constraint one of this engine
-     * @throws IllegalStateException if it is not in this engine
+     * @param constraint a constraint of this engine
+     * @throws IllegalStateException if the constraint is not in this engine
      */
     public void remove(Constraint constraint) {
         state.requireOpen();
@@ -972,9 +972,9 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Returns the force of a constraint where the bodies are now. Call this between steps.
      *
-     * @param constraint one of this engine
+     * @param constraint a constraint of this engine
      * @return its effect on its first body
-     * @throws IllegalStateException if it is not in this engine, or within a step
+     * @throws IllegalStateException if the constraint is not in this engine, or within a step
      */
     public Reaction getReaction(Constraint constraint) {
         requireBetweenSteps("a reaction was asked for");
@@ -998,7 +998,7 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Sets the solver for the constraint forces, (41).
      *
-     * @param solver not null; it works in memory of its own, so engines in different threads need one each
+     * @param solver the solver, not null; it works in memory of its own, so engines in different threads need one each
      * @throws IllegalStateException within a step
      */
     public void setConstraintSolver(ConstraintSolver solver) {
@@ -1028,7 +1028,7 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Adds a listener for collisions. Within a step, it is told from the next collision on.
      *
-     * @param listener not null
+     * @param listener the listener, not null
      * @throws IllegalStateException if it was added already
      */
     public void addListener(CollisionListener listener) {
@@ -1043,7 +1043,7 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Removes a listener for collisions.
      *
-     * @param listener one that was added
+     * @param listener a listener that was added
      * @throws IllegalStateException if it was not added
      */
     public void removeListener(CollisionListener listener) {
@@ -1055,7 +1055,7 @@ public final class PhysicsEngine implements Steppable {
      * Adds a listener for lasting contacts, which is told when a step is over. When the first listener is added, contacts that
      * last already count as beginning then.
      *
-     * @param listener not null
+     * @param listener the listener, not null
      * @throws IllegalStateException if it was added already
      */
     public void addContactListener(ContactListener listener) {
@@ -1066,7 +1066,7 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Removes a listener for lasting contacts.
      *
-     * @param listener one that was added
+     * @param listener a listener that was added
      * @throws IllegalStateException if it was not added
      */
     public void removeContactListener(ContactListener listener) {
@@ -1143,7 +1143,7 @@ public final class PhysicsEngine implements Steppable {
      * Sets the time step.
      *
      * @param timeStep simulated time per step, not negative; 0 stops time for the bodies
-     * @throws IllegalArgumentException if it is negative or not finite
+     * @throws IllegalArgumentException if the time step is negative or not finite
      */
     public void setTimeStep(double timeStep) {
         Check.notNegative("time step", timeStep);
@@ -1339,7 +1339,7 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Returns the number of steps taken.
      *
-     * @return 0 for a new engine
+     * @return number of steps; 0 for a new engine
      */
     public long getSteps() {
         return steps;
@@ -1348,7 +1348,7 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Returns the integrator of bodies under forces.
      *
-     * @return RK4 unless set
+     * @return the integrator; RK4 unless set
      */
     public Integrator getIntegrator() {
         return motion.getIntegrator();
@@ -1358,7 +1358,7 @@ public final class PhysicsEngine implements Steppable {
      * Sets the integrator of bodies under forces. Free bodies, and bodies under uniform fields only, need none: their paths are
      * exact with any integrator.
      *
-     * @param integrator not null
+     * @param integrator the integrator, not null
      * @throws IllegalStateException within a step
      */
     public void setIntegrator(Integrator integrator) {
@@ -1369,7 +1369,7 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Returns the number of threads that may share the work of a step.
      *
-     * @return 1 unless set
+     * @return number of threads; 1 unless set
      */
     public int getThreads() {
         return team == null ? 1 : team.size();
@@ -1420,7 +1420,7 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Sets the solver for the equations of an impact.
      *
-     * @param solver not null; engines in different threads need one each, as it may have memory of its own
+     * @param solver the solver, not null; engines in different threads need one each, as it may have memory of its own
      */
     public void setImpulseSolver(ImpulseSolver solver) {
         state.requireOpen();
@@ -1445,7 +1445,7 @@ public final class PhysicsEngine implements Steppable {
      * Sets the broad phase. Unless set, the engine chooses one by the number of bodies. The write-up's is
      * {@link sim.physics.collision.broad.SortAndSweep}.
      *
-     * @param broadPhase a new one
+     * @param broadPhase a new broad phase
      * @throws IllegalStateException within a step, or if an engine uses or has used this broad phase, even if it is this engine
      */
     public void setBroadPhase(BroadPhase broadPhase) {

@@ -15,7 +15,7 @@ public interface Constraint extends Serializable {
     /**
      * Returns the first body.
      *
-     * @return never null, and always the same
+     * @return always the same body, never null
      */
     Body getBodyA();
 
@@ -36,14 +36,14 @@ public interface Constraint extends Serializable {
     /**
      * Evaluates the equations.
      *
-     * @param equations takes C, J and J̇ ẋ of all rows
+     * @param equations the object that takes C, J and J̇ ẋ of all rows
      */
     void evaluate(Equations equations);
 
     /**
      * Returns whether an equation is one between angles. Its C is then in rad; that of all others is a length.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @return false unless overridden
      */
     default boolean isAngle(int row) {

@@ -47,7 +47,7 @@ public final class ConstraintException extends IllegalStateException {
     /**
      * Returns how many corrections were tried.
      *
-     * @return their number
+     * @return number of corrections
      */
     public int iterations() {
         return iterations;

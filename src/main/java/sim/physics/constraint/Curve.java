@@ -14,7 +14,7 @@ public interface Curve extends Serializable {
      *
      * @param x x of the point, length
      * @param y y of the point, length
-     * @param f takes f, ∂f/∂x, ∂f/∂y, ∂²f/∂x², ∂²f/∂x∂y, ∂²f/∂y²
+     * @param f array that takes f, ∂f/∂x, ∂f/∂y, ∂²f/∂x², ∂²f/∂x∂y, ∂²f/∂y²
      */
     void evaluate(double x, double y, double[] f);
 
@@ -36,7 +36,7 @@ public interface Curve extends Serializable {
      *
      * @param x x of the centre
      * @param y y of the centre
-     * @param radius greater than 0
+     * @param radius radius, greater than 0
      * @return a curve whose f is half the difference of the squared distance and r², over r
      */
     static Curve circle(double x, double y, double radius) {

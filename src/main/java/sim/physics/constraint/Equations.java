@@ -32,7 +32,7 @@ public final class Equations implements Serializable {
     /**
      * Sets the value of an equation, and the part of its second derivative that comes from the bodies' motion alone.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @param value C, which is to be 0
      * @param curvature the row of J̇ ẋ
      */
@@ -44,7 +44,7 @@ public final class Equations implements Serializable {
     /**
      * Sets the row of J for the first body.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @param x ∂C/∂x
      * @param y ∂C/∂y
      * @param theta ∂C/∂θ
@@ -58,7 +58,7 @@ public final class Equations implements Serializable {
     /**
      * Sets the row of J for the second body. This has no effect if that is the world.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @param x ∂C/∂x
      * @param y ∂C/∂y
      * @param theta ∂C/∂θ
@@ -72,7 +72,7 @@ public final class Equations implements Serializable {
     /**
      * Returns the value of an equation.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @return C
      */
     public double value(int row) {
@@ -82,7 +82,7 @@ public final class Equations implements Serializable {
     /**
      * Returns a row of J̇ ẋ.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @return its value
      */
     public double curvature(int row) {
@@ -92,7 +92,7 @@ public final class Equations implements Serializable {
     /**
      * Returns an entry of J.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @param column 0, 1, 2 for x, y, θ of the first body, 3, 4, 5 of the second one
      * @return its value
      */

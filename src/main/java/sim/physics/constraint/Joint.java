@@ -107,7 +107,7 @@ public abstract class Joint implements Constraint {
      *
      * @param force greatest force, greater than 0; may be infinite
      * @param torque greatest torque, greater than 0; may be infinite
-     * @throws IllegalArgumentException if one is not greater than 0
+     * @throws IllegalArgumentException if the force or the torque is not greater than 0
      */
     public final void setBreakingLoad(double force, double torque) {
         if (!(force > 0)) {

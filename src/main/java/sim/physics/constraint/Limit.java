@@ -76,7 +76,7 @@ public final class Limit extends Switched {
      * @param lower lower bound of {@link Rail#getTravel()}, may be −∞
      * @param upper upper bound, greater than the lower one, may be ∞
      * @param restitution 0 if the body stops there, 1 if it bounces off elastically
-     * @return stops
+     * @return stops with that restitution
      */
     public static Limit travel(Rail rail, double lower, double upper, double restitution) {
         return new Limit(Objects.requireNonNull(rail, "rail").travel(), lower, upper, restitution);

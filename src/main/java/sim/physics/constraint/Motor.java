@@ -95,7 +95,7 @@ public final class Motor extends Switched {
     /**
      * Returns the greatest force or torque.
      *
-     * @return greater than 0
+     * @return force or torque, greater than 0
      */
     public double getLimit() {
         return limit;
@@ -104,7 +104,7 @@ public final class Motor extends Switched {
     /**
      * Sets the greatest force or torque. Like the speed, it may be set at any time.
      *
-     * @param limit greater than 0
+     * @param limit greatest force or torque, greater than 0
      */
     public void setLimit(double limit) {
         boolean isNew = Check.positive("limit", limit) != this.limit;

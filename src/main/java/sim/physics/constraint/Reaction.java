@@ -16,7 +16,7 @@ public record Reaction(double forceX, double forceY, double torque) implements S
     /**
      * Returns the size of the force.
      *
-     * @return not negative
+     * @return force, not negative
      */
     public double force() {
         return Math.sqrt(forceX * forceX + forceY * forceY);

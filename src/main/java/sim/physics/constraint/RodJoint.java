@@ -122,7 +122,7 @@ public final class RodJoint extends Joint implements Link {
     /**
      * Returns the length of the rod.
      *
-     * @return L
+     * @return length L
      */
     public double getLength() {
         return length;

@@ -26,7 +26,7 @@ public final class WireJoint extends Joint {
     /**
      * Threads the centre of a body on a wire.
      *
-     * @param bead the body
+     * @param bead the body that moves along the wire
      * @param wire the wire, in the world
      */
     public WireJoint(Body bead, Curve wire) {
@@ -36,7 +36,7 @@ public final class WireJoint extends Joint {
     /**
      * Threads a point of a body on a wire.
      *
-     * @param bead the body
+     * @param bead the body that moves along the wire
      * @param ax x of the point, in the coordinates of the body
      * @param ay y of the point, in the coordinates of the body
      * @param wire the wire, in the world

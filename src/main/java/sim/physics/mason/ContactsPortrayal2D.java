@@ -32,7 +32,7 @@ public class ContactsPortrayal2D extends EnginePortrayal2D {
      *
      * @param width width of the field that shows the bodies
      * @param height height of that field
-     * @param portrayal draws the contacts
+     * @param portrayal the portrayal that draws the contacts
      */
     public ContactsPortrayal2D(double width, double height, ContactPortrayal2D portrayal) {
         super(width, height);

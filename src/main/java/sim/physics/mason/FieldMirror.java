@@ -36,7 +36,7 @@ public final class FieldMirror implements Steppable {
      * Creates a mirror and fills the field.
      *
      * @param engine the engine to show
-     * @param field where to show it
+     * @param field the field that shows its bodies
      */
     public FieldMirror(PhysicsEngine engine, Continuous2D field) {
         this.engine = Objects.requireNonNull(engine, "engine");

@@ -42,7 +42,7 @@ public class JointsPortrayal2D extends EnginePortrayal2D {
      *
      * @param width width of the field that shows the bodies
      * @param height height of that field
-     * @param portrayal draws everything for which no other portrayal is set
+     * @param portrayal the portrayal that draws everything for which no other one is set
      */
     public JointsPortrayal2D(double width, double height, LinkPortrayal2D portrayal) {
         super(width, height);

@@ -32,12 +32,12 @@ public final class Picture {
      * Creates a kind of picture.
      *
      * @param x left edge of the part of the world to draw
-     * @param y upper edge
+     * @param y upper edge of that part
      * @param width width of that part
      * @param height height of that part
      * @param scale pixels per unit of length
      * @param background colour of the background
-     * @param colors gives the colour of each body, or null for one that is not drawn
+     * @param colors function that gives the colour of each body, or null for one that is not drawn
      * @throws IllegalArgumentException if a number is not finite, or a size or the scale not greater than 0
      */
     public Picture(
@@ -61,7 +61,7 @@ public final class Picture {
      * Draws the bodies where they are.
      *
      * @param engine the engine that has the bodies
-     * @return an image
+     * @return the image
      */
     public BufferedImage draw(PhysicsEngine engine) {
         return draw(engine, new EnginePortrayal2D[0]);
@@ -73,7 +73,7 @@ public final class Picture {
      *
      * @param engine the engine that has the bodies
      * @param layers any number of layers, the last one on top; the size of the world that they were made with does not matter
-     * @return an image
+     * @return the image
      */
     public BufferedImage draw(PhysicsEngine engine, EnginePortrayal2D... layers) {
         int pixelsX = (int) Math.ceil(width * scale);

@@ -81,7 +81,7 @@ public final class BlockSparseMatrix implements Matrix {
      * @param column column of its upper left value
      * @param blockRows number of rows of the block, at least 1
      * @param blockColumns number of columns of the block, at least 1
-     * @return the block, to be filled and filled again
+     * @return the block, whose values may be set again and again
      * @throws IllegalArgumentException if the block does not fit into the matrix
      */
     public DenseMatrix add(int row, int column, int blockRows, int blockColumns) {

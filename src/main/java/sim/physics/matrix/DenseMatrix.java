@@ -43,7 +43,7 @@ public final class DenseMatrix implements Matrix {
      *
      * @param row number of the row, from 0
      * @param column number of the column, from 0
-     * @return the value there
+     * @return the value
      * @throws IllegalArgumentException if there is no such row or column
      */
     public double get(int row, int column) {
@@ -55,7 +55,7 @@ public final class DenseMatrix implements Matrix {
      *
      * @param row number of the row, from 0
      * @param column number of the column, from 0
-     * @param value the value there
+     * @param value the new value
      * @throws IllegalArgumentException if there is no such row or column
      */
     public void set(int row, int column, double value) {

@@ -45,8 +45,8 @@ public final class DiagonalMatrix implements Matrix {
     /**
      * Returns a value of the diagonal.
      *
-     * @param i row and column
-     * @return the value there
+     * @param i number of the row and column
+     * @return the value
      * @throws IllegalArgumentException if there is no such row
      */
     public double get(int i) {
@@ -57,8 +57,8 @@ public final class DiagonalMatrix implements Matrix {
     /**
      * Sets a value of the diagonal.
      *
-     * @param i row and column
-     * @param value the value there
+     * @param i number of the row and column
+     * @param value the new value
      * @throws IllegalArgumentException if there is no such row
      */
     public void set(int i, double value) {

@@ -26,8 +26,8 @@ public interface Matrix extends Serializable {
     /**
      * Computes y = M x.
      *
-     * @param x at least {@link #columns()} values
-     * @param y takes {@link #rows()} values; must not be the same array as x
+     * @param x the vector, at least {@link #columns()} values
+     * @param y array that takes {@link #rows()} values; must not be the same array as x
      * @throws IllegalArgumentException if an array is too short or both are the same
      */
     void times(double[] x, double[] y);
@@ -35,8 +35,8 @@ public interface Matrix extends Serializable {
     /**
      * Computes y = Mᵀ x.
      *
-     * @param x at least {@link #rows()} values
-     * @param y takes {@link #columns()} values; must not be the same array as x
+     * @param x the vector, at least {@link #rows()} values
+     * @param y array that takes {@link #columns()} values; must not be the same array as x
      * @throws IllegalArgumentException if an array is too short or both are the same
      */
     void transposeTimes(double[] x, double[] y);
@@ -52,7 +52,7 @@ public interface Matrix extends Serializable {
      * Returns all values, for tests and inspection. They are read off the products with the unit vectors, so a value that is not
      * finite shows in its whole row.
      *
-     * @return rows of values
+     * @return the values, row by row
      */
     default double[][] toDense() {
         double[][] dense = new double[rows()][columns()];

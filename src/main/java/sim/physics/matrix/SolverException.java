@@ -14,7 +14,7 @@ public final class SolverException extends ArithmeticException {
      *
      * @param what the kind of breakdown
      * @param iterations number of steps until then
-     * @param residual relative residual then
+     * @param residual relative residual at that point
      */
     public SolverException(String what, int iterations, double residual) {
         super(what + " after " + iterations + " iterations, at a relative residual of " + residual);

@@ -17,7 +17,7 @@ public final class Automatic extends AdaptiveIntegrator {
     /**
      * Creates the method.
      *
-     * @param tolerance error of a position that a step may make, length
+     * @param tolerance error of a position that one step may make, length
      * @throws IllegalArgumentException if the tolerance is not a finite number greater than 0
      */
     public Automatic(double tolerance) {

@@ -40,7 +40,7 @@ public class Body implements Serializable {
     /**
      * Creates a movable body of density 1, at rest at the origin.
      *
-     * @param shape its shape
+     * @param shape shape of the body
      */
     public Body(Shape shape) {
         this(shape, false);
@@ -62,7 +62,7 @@ public class Body implements Serializable {
     /**
      * Returns a new body that nothing moves, such as a wall or an anchor.
      *
-     * @param shape its shape
+     * @param shape shape of the body
      * @return a fixed body at the origin
      */
     public static Body fixed(Shape shape) {
@@ -72,9 +72,9 @@ public class Body implements Serializable {
     /**
      * Places the body.
      *
-     * @param x position of the centre of mass, length
-     * @param y position of the centre of mass, length
-     * @return this
+     * @param x x of the centre of mass, length
+     * @param y y of the centre of mass, length
+     * @return this body
      */
     public final Body at(double x, double y) {
         setPosition(x, y);
@@ -84,10 +84,10 @@ public class Body implements Serializable {
     /**
      * Places and turns the body.
      *
-     * @param x position of the centre of mass, length
-     * @param y position of the centre of mass, length
+     * @param x x of the centre of mass, length
+     * @param y y of the centre of mass, length
      * @param angle orientation, rad
-     * @return this
+     * @return this body
      */
     public final Body at(double x, double y, double angle) {
         Check.finite("angle", angle);
@@ -99,9 +99,9 @@ public class Body implements Serializable {
     /**
      * Sets the velocity.
      *
-     * @param vx length/time
-     * @param vy length/time
-     * @return this
+     * @param vx x component of the velocity, length/time
+     * @param vy y component of the velocity, length/time
+     * @return this body
      */
     public final Body moving(double vx, double vy) {
         setVelocity(vx, vy);
@@ -111,10 +111,10 @@ public class Body implements Serializable {
     /**
      * Sets the velocity and the angular velocity.
      *
-     * @param vx length/time
-     * @param vy length/time
-     * @param omega rad/time
-     * @return this
+     * @param vx x component of the velocity, length/time
+     * @param vy y component of the velocity, length/time
+     * @param omega angular velocity, rad/time
+     * @return this body
      */
     public final Body moving(double vx, double vy, double omega) {
         speed("angular velocity", omega);
@@ -202,7 +202,7 @@ public class Body implements Serializable {
      *
      * @param px x of the point, in the coordinates of the body
      * @param py y of the point, in the coordinates of the body
-     * @return its x in world coordinates
+     * @return x in world coordinates
      */
     public final double worldX(double px, double py) {
         Check.finite("px", px);
@@ -215,7 +215,7 @@ public class Body implements Serializable {
      *
      * @param px x of the point, in the coordinates of the body
      * @param py y of the point, in the coordinates of the body
-     * @return its y in world coordinates
+     * @return y in world coordinates
      */
     public final double worldY(double px, double py) {
         Check.finite("px", px);
@@ -228,8 +228,8 @@ public class Body implements Serializable {
      * and that body feels nothing of the speed. To push others on its way, use a movable body, for example on a rail with a
      * motor.
      *
-     * @param x length
-     * @param y length
+     * @param x x of the centre of mass, length
+     * @param y y of the centre of mass, length
      * @throws IllegalArgumentException for NaN or infinity
      */
     public final void setPosition(double x, double y) {
@@ -257,8 +257,8 @@ public class Body implements Serializable {
     /**
      * Sets the velocity of the centre of mass.
      *
-     * @param vx length/time
-     * @param vy length/time
+     * @param vx x component of the velocity, length/time
+     * @param vy y component of the velocity, length/time
      * @throws IllegalArgumentException for NaN or more than 10¹⁵⁰, or if the body is fixed and the velocity is not zero
      */
     public final void setVelocity(double vx, double vy) {
@@ -311,8 +311,8 @@ public class Body implements Serializable {
      * Sets the mass and the moment of inertia.
      *
      * @param mass m, greater than 0
-     * @param inertia I about the centre of mass, mass·length², greater than 0
-     * @throws IllegalArgumentException if one is not a finite number greater than 0, or the body is fixed
+     * @param inertia moment of inertia I about the centre of mass, mass·length², greater than 0
+     * @throws IllegalArgumentException if an argument is not a finite number greater than 0, or the body is fixed
      */
     public final void setMass(double mass, double inertia) {
         Check.positive("mass", mass);
@@ -442,7 +442,7 @@ public class Body implements Serializable {
      *
      * @param kinetic μk, not negative
      * @param atRest μs, not less than μk
-     * @throws IllegalArgumentException if one is negative or not finite, or μs is less than μk
+     * @throws IllegalArgumentException if a coefficient is negative or not finite, or μs is less than μk
      */
     public final void setSurfaceFriction(double kinetic, double atRest) {
         Check.notNegative("kinetic surface friction", kinetic);
@@ -461,7 +461,7 @@ public class Body implements Serializable {
     /**
      * Returns the categories of this body, a set of bits. It is 1 at first.
      *
-     * @return bits
+     * @return categories, bits
      */
     public final long getCategory() {
         return particulars == null ? 1 : particulars.category;
@@ -470,7 +470,7 @@ public class Body implements Serializable {
     /**
      * Returns the categories that this body collides with, a set of bits. These are all categories at first.
      *
-     * @return bits
+     * @return categories, bits
      */
     public final long getCollidesWith() {
         return particulars == null ? -1L : particulars.collidesWith;
@@ -496,8 +496,8 @@ public class Body implements Serializable {
      * Applies a force at the centre of mass during the next step. If a listener calls this within a step, the force acts for the
      * rest of that step. Forces add up, and end with the step.
      *
-     * @param fx force
-     * @param fy force
+     * @param fx x component of the force
+     * @param fy y component of the force
      */
     public final void addForce(double fx, double fy) {
         Check.finite("fx", fx);
@@ -515,8 +515,8 @@ public class Body implements Serializable {
     /**
      * Applies a force at a point during the next step. This is a force at the centre of mass together with the torque r⊥ · f.
      *
-     * @param fx force
-     * @param fy force
+     * @param fx x component of the force
+     * @param fy y component of the force
      * @param px x of the point, in world coordinates
      * @param py y of the point, in world coordinates
      */
@@ -534,7 +534,7 @@ public class Body implements Serializable {
     /**
      * Applies a torque during the next step.
      *
-     * @param torque force·length
+     * @param torque torque, force·length
      */
     public final void addTorque(double torque) {
         requireTorque(torque);
@@ -553,8 +553,8 @@ public class Body implements Serializable {
     /**
      * Applies an impulse at a point, which changes the velocity at once, as in (18) and (24).
      *
-     * @param rx impulse, mass·length/time
-     * @param ry impulse, mass·length/time
+     * @param rx x component of the impulse, mass·length/time
+     * @param ry y component of the impulse, mass·length/time
      * @param px x of the point, in world coordinates
      * @param py y of the point, in world coordinates
      */

@@ -142,7 +142,7 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
     /**
      * Creates the method.
      *
-     * @param tolerance error of a position that a step may make, length
+     * @param tolerance error of a position that one step may make, length
      * @throws IllegalArgumentException if the tolerance is not a finite number greater than 0
      */
     public DormandPrince853(double tolerance) {

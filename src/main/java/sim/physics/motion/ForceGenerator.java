@@ -19,7 +19,7 @@ public interface ForceGenerator extends Serializable {
      *
      * @param body the body to add the force on
      * @param time simulated time of the evaluation
-     * @param forces takes the force
+     * @param forces the object that takes the force
      */
     void addForce(Body body, double time, Forces forces);
 

@@ -74,8 +74,8 @@ public final class Forces implements Serializable {
      * Adds a force at the centre of mass.
      *
      * @param body the body that the force acts on, which must be the one that the generator is asked about
-     * @param fx force
-     * @param fy force
+     * @param fx x component of the force
+     * @param fy y component of the force
      * @throws IllegalArgumentException for NaN or infinity, or for another body
      */
     public void add(Body body, double fx, double fy) {
@@ -92,7 +92,7 @@ public final class Forces implements Serializable {
      * Adds a torque.
      *
      * @param body the body that the torque acts on, which must be the one that the generator is asked about
-     * @param torque force·length
+     * @param torque torque, force·length
      * @throws IllegalArgumentException for NaN or infinity, or for another body
      */
     public void addTorque(Body body, double torque) {
@@ -105,8 +105,8 @@ public final class Forces implements Serializable {
      * Adds a force at a point. This is a force at the centre of mass together with the torque r⊥ · f.
      *
      * @param body the body that the force acts on, which must be the one that the generator is asked about
-     * @param fx force
-     * @param fy force
+     * @param fx x component of the force
+     * @param fy y component of the force
      * @param px x of the point, in world coordinates
      * @param py y of the point, in world coordinates
      * @throws IllegalArgumentException for NaN or infinity, or for another body

@@ -75,7 +75,7 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     /**
      * Creates the method.
      *
-     * @param tolerance error of a position that a step may make, length
+     * @param tolerance error of a position that one step may make, length
      * @throws IllegalArgumentException if the tolerance is not a finite number greater than 0
      */
     public GraggBulirschStoer(double tolerance) {

@@ -14,7 +14,7 @@ public interface Integrator extends Serializable {
      * @param state the state vectors, at t before and at t + h afterwards
      * @param bodies the bodies to advance
      * @param t time
-     * @param h step, of either sign
+     * @param h length of the step, of either sign
      * @param path takes the path in between: for each coordinate of each body of the list, in its order, half the second
      *     derivative and a sixth of the third one at t
      * @return the time advanced: h, or less if the method chooses its own steps

@@ -40,7 +40,7 @@ public final class Rattle implements Integrator {
     /**
      * Creates the method.
      *
-     * @param order 2, 4 or 6
+     * @param order order of the method: 2, 4 or 6
      * @throws IllegalArgumentException if the order is another number
      */
     public Rattle(int order) {

@@ -99,7 +99,7 @@ public final class Spring implements ForceGenerator, Link {
     /**
      * Returns the length at which the spring exerts no force.
      *
-     * @return L
+     * @return length L
      */
     public double getLength() {
         return length;
@@ -108,7 +108,7 @@ public final class Spring implements ForceGenerator, Link {
     /**
      * Returns the stiffness: force per length.
      *
-     * @return k
+     * @return stiffness k
      */
     public double getStiffness() {
         return stiffness;
@@ -117,7 +117,7 @@ public final class Spring implements ForceGenerator, Link {
     /**
      * Returns the damping: force per speed.
      *
-     * @return c
+     * @return damping c
      */
     public double getDamping() {
         return damping;

@@ -44,7 +44,7 @@ public final class Queries {
     /**
      * Creates queries.
      *
-     * @param state the bodies
+     * @param state state that holds the bodies
      */
     public Queries(State state) {
         this(state, Cells.FEW, Cells.LAYING);
@@ -77,7 +77,7 @@ public final class Queries {
      * @param directionX x of the direction, of any length
      * @param directionY y of the direction
      * @param range length of the ray, may be infinite
-     * @param filter which bodies count, or null
+     * @param filter says which bodies count; null for all
      * @return the hit, or null if there is none
      * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
      */
@@ -99,8 +99,8 @@ public final class Queries {
      * @param directionX x of the direction, of any length
      * @param directionY y of the direction
      * @param range length of the ray, may be infinite
-     * @param filter which bodies count, or null
-     * @param into takes the answer
+     * @param filter says which bodies count; null for all
+     * @param into the object that takes the answer
      * @return true if there is such a body, false if there is none
      * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
      */
@@ -152,7 +152,7 @@ public final class Queries {
      * @param directionX x of the direction, of any length
      * @param directionY y of the direction
      * @param range length of the ray, may be infinite
-     * @param filter which bodies count, or null
+     * @param filter says which bodies count; null for all
      * @return a list of hits, nearest first
      * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
      */
@@ -185,10 +185,10 @@ public final class Queries {
      * @param x x of the start
      * @param y y of the start
      * @param from angle of the first ray, rad
-     * @param to angle of the last one, rad
+     * @param to angle of the last ray, rad
      * @param range length of the rays
-     * @param filter which bodies count, or null
-     * @param distances takes one distance per ray, which is the range if the ray meets nothing
+     * @param filter says which bodies count; null for all
+     * @param distances array that takes one distance per ray, which is the range if the ray meets nothing
      * @throws IllegalArgumentException if a number is not finite, or the range negative
      */
     public void fan(
@@ -210,7 +210,7 @@ public final class Queries {
      * @param body any body
      * @param x x of the point
      * @param y y of the point
-     * @return length; 0 inside
+     * @return length; 0 if the point is inside
      */
     public double distance(Body body, double x, double y) {
         Objects.requireNonNull(body, "body");
@@ -223,8 +223,8 @@ public final class Queries {
      *
      * @param x x of the point
      * @param y y of the point
-     * @param distance length; 0 for the bodies at that point
-     * @param filter which bodies count, or null
+     * @param distance greatest distance, length; 0 for the bodies at that point
+     * @param filter says which bodies count; null for all
      * @return a list, in the order of the bodies' blocks
      * @throws IllegalArgumentException if a number is not finite or the distance negative
      */
@@ -239,8 +239,8 @@ public final class Queries {
      *
      * @param x x of the point
      * @param y y of the point
-     * @param distance length; 0 for the bodies at that point
-     * @param filter which bodies count, or null
+     * @param distance greatest distance, length; 0 for the bodies at that point
+     * @param filter says which bodies count; null for all
      * @param into the list to which they are added, in the order of their blocks
      * @throws IllegalArgumentException if a number is not finite or the distance negative
      */
@@ -267,7 +267,7 @@ public final class Queries {
      * @param x x of the point
      * @param y y of the point
      * @param count number of bodies at most, not negative
-     * @param filter which bodies count, or null
+     * @param filter says which bodies count; null for all
      * @return a list, nearest first
      * @throws IllegalArgumentException if a number is not finite or the count negative
      */
@@ -283,7 +283,7 @@ public final class Queries {
      * @param x x of the point
      * @param y y of the point
      * @param count number of bodies at most, not negative
-     * @param filter which bodies count, or null
+     * @param filter says which bodies count; null for all
      * @param into the list to which they are added, nearest first
      * @throws IllegalArgumentException if a number is not finite or the count negative
      */
@@ -309,11 +309,11 @@ public final class Queries {
     /**
      * Returns the bodies that meet a box whose sides are parallel to the axes.
      *
-     * @param lowX its left side
-     * @param lowY its lower side
-     * @param highX its right side, not less than the left one
-     * @param highY its upper side, not less than the lower one
-     * @param filter which bodies count, or null
+     * @param lowX left side of the box
+     * @param lowY lower side of the box
+     * @param highX right side of the box, not less than the left one
+     * @param highY upper side of the box, not less than the lower one
+     * @param filter says which bodies count; null for all
      * @return a list, in the order of the bodies' blocks
      * @throws IllegalArgumentException if a number is not finite, or the sides are the wrong way round
      */
@@ -326,11 +326,11 @@ public final class Queries {
     /**
      * Finds the bodies that meet a box whose sides are parallel to the axes, without garbage if the list has room.
      *
-     * @param lowX its left side
-     * @param lowY its lower side
-     * @param highX its right side, not less than the left one
-     * @param highY its upper side, not less than the lower one
-     * @param filter which bodies count, or null
+     * @param lowX left side of the box
+     * @param lowY lower side of the box
+     * @param highX right side of the box, not less than the left one
+     * @param highY upper side of the box, not less than the lower one
+     * @param filter says which bodies count; null for all
      * @param into the list to which they are added, in the order of their blocks
      * @throws IllegalArgumentException if a number is not finite, or the sides are the wrong way round
      */
@@ -369,7 +369,7 @@ public final class Queries {
      * @param direction direction in which the eye looks, rad
      * @param halfAngle angle of the field to either side, rad, 0 … π
      * @param range distance that the eye can see
-     * @param filter which bodies count, both as seen and as hiding others, or null
+     * @param filter says which bodies count, both to be seen and to hide others; null for all
      * @return a list, with the nearest centre first
      * @throws IllegalArgumentException if a number is not finite or out of its range
      */

@@ -64,7 +64,7 @@ public final class RayHit implements Serializable {
      * Returns the x component of the unit normal of the surface, which points out of the body, or against the ray if that starts
      * inside.
      *
-     * @return its x component
+     * @return x component
      */
     public double nx() {
         return nx;
@@ -74,7 +74,7 @@ public final class RayHit implements Serializable {
      * Returns the y component of the unit normal of the surface, which points out of the body, or against the ray if that starts
      * inside.
      *
-     * @return its y component
+     * @return y component
      */
     public double ny() {
         return ny;

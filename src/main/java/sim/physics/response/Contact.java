@@ -31,7 +31,7 @@ public record Contact(
     /**
      * Returns the other body of the pair.
      *
-     * @param body one of the two
+     * @param body one of the two bodies
      * @return the other one
      * @throws IllegalArgumentException if the body takes no part in this collision
      */

@@ -32,7 +32,7 @@ public record LastingContact(
     /**
      * Returns the other body of the pair.
      *
-     * @param body one of the two
+     * @param body one of the two bodies
      * @return the other one
      * @throws IllegalArgumentException if the body takes no part in this contact
      */
@@ -43,7 +43,7 @@ public record LastingContact(
     /**
      * Returns the force on a body along the x axis.
      *
-     * @param body one of the two
+     * @param body one of the two bodies
      * @return mass·length/time²
      * @throws IllegalArgumentException if the body takes no part in this contact
      */
@@ -54,7 +54,7 @@ public record LastingContact(
     /**
      * Returns the force on a body along the y axis.
      *
-     * @param body one of the two
+     * @param body one of the two bodies
      * @return mass·length/time²
      * @throws IllegalArgumentException if the body takes no part in this contact
      */

@@ -66,8 +66,8 @@ public final class Compound extends Shape {
     /**
      * Returns a disc, as a part of a compound.
      *
-     * @param x its centre, in the coordinates of all parts
-     * @param y its centre
+     * @param x x of its centre, in the coordinates of all parts
+     * @param y y of its centre
      * @param radius length, greater than 0
      * @return x, y, radius
      * @throws IllegalArgumentException if a number is not finite, or the radius not greater than 0
@@ -79,11 +79,11 @@ public final class Compound extends Shape {
     /**
      * Returns the vertices of a rectangle, as a part of a compound.
      *
-     * @param x its centre, in the coordinates of all parts
-     * @param y its centre
-     * @param width along x, length, greater than 0
-     * @param height along y, length, greater than 0
-     * @return x0, y0, x1, y1 …, four vertices
+     * @param x x of its centre, in the coordinates of all parts
+     * @param y y of its centre
+     * @param width extent along x, length, greater than 0
+     * @param height extent along y, length, greater than 0
+     * @return the four vertices: x0, y0, x1, y1 …
      * @throws IllegalArgumentException if a number is not finite, or a length not greater than 0
      */
     public static double[] box(double x, double y, double width, double height) {
@@ -93,12 +93,12 @@ public final class Compound extends Shape {
     /**
      * Returns the vertices of a rectangle that is turned.
      *
-     * @param x its centre, in the coordinates of all parts
-     * @param y its centre
+     * @param x x of its centre, in the coordinates of all parts
+     * @param y y of its centre
      * @param width length, greater than 0
      * @param height length, greater than 0
      * @param angle angle of its width from the x axis towards the y axis, rad
-     * @return x0, y0, x1, y1 …, four vertices
+     * @return the four vertices: x0, y0, x1, y1 …
      * @throws IllegalArgumentException if a number is not finite, or a length not greater than 0
      */
     public static double[] box(double x, double y, double width, double height, double angle) {

@@ -14,8 +14,8 @@ public final class Rectangle extends Shape {
     /**
      * Creates a rectangle.
      *
-     * @param width along x, length, greater than 0
-     * @param height along y, length, greater than 0
+     * @param width extent along x, length, greater than 0
+     * @param height extent along y, length, greater than 0
      * @throws IllegalArgumentException if a length is not a finite number greater than 0, or the area or the moment of inertia
      *     over- or underflows
      */

@@ -156,8 +156,8 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     /**
      * Returns whether a point is in the shape or on its border.
      *
-     * @param x local coordinate
-     * @param y local coordinate
+     * @param x x of the point, in local coordinates
+     * @param y y of the point, in local coordinates
      * @return true if the point is in the shape or on its border
      */
     public final boolean contains(double x, double y) {
