@@ -12,6 +12,7 @@ import sim.physics.internal.Check;
 import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
+import sim.physics.shape.Shape;
 
 /**
  * Answers questions about where bodies are: what a robot senses. Between steps, answers are about the places that the bodies'
@@ -35,6 +36,7 @@ public final class Queries {
     private final RayWalk ray;
     private final Surroundings surroundings;
     private final Outline outline = new Outline();
+    private final Stencil stencil = new Stencil();
 
     /** Whether a question is being answered: filters that ask are answered by another. */
     private boolean busy;
@@ -357,6 +359,69 @@ public final class Queries {
         if (high < low) {
             throw new IllegalArgumentException(
                     "high" + axis + " is " + high + ": it must not be less than low" + axis + ", " + low);
+        }
+    }
+
+    /**
+     * Returns the bodies that a shape touches or overlaps where it is put. This tells what is in a zone, or whether there is
+     * room for a body.
+     *
+     * @param shape any shape
+     * @param x x of its centre
+     * @param y y of its centre
+     * @param angle angle of the shape, rad
+     * @param filter says which bodies count; null for all
+     * @return a list, in the order of the bodies' blocks
+     * @throws IllegalArgumentException if a number is not finite
+     */
+    public List<Body> overlapping(Shape shape, double x, double y, double angle, Predicate<? super Body> filter) {
+        List<Body> found = new ArrayList<>();
+        overlapping(shape, x, y, angle, filter, found);
+        return found;
+    }
+
+    /**
+     * Returns the bodies that a body touches or overlaps where it is. The body need not be in the engine, nor collide with
+     * anything: a body that is in no collision group is a sensor that may be tied to others.
+     *
+     * @param body any body; it is not among the answers
+     * @param filter says which bodies count; null for all
+     * @return a list, in the order of the bodies' blocks
+     */
+    public List<Body> overlapping(Body body, Predicate<? super Body> filter) {
+        Objects.requireNonNull(body, "body");
+        Predicate<Body> others = other -> other != body && (filter == null || filter.test(other));
+        return overlapping(body.getShape(), body.getX(), body.getY(), body.getAngle(), others);
+    }
+
+    /**
+     * Finds the bodies that a shape touches or overlaps where it is put, without garbage if the list has room.
+     *
+     * @param shape any shape
+     * @param x x of its centre
+     * @param y y of its centre
+     * @param angle angle of the shape, rad
+     * @param filter says which bodies count; null for all
+     * @param into the list to which they are added, in the order of their blocks
+     * @throws IllegalArgumentException if a number is not finite
+     */
+    public void overlapping(
+            Shape shape, double x, double y, double angle, Predicate<? super Body> filter, List<? super Body> into) {
+        Objects.requireNonNull(shape, "shape");
+        Check.finite("x", x);
+        Check.finite("y", y);
+        Check.finite("angle", angle);
+        Objects.requireNonNull(into, "into");
+        if (busy) {
+            inner().overlapping(shape, x, y, angle, filter, into);
+            return;
+        }
+        busy = true;
+        try {
+            stencil.put(shape, x, y, angle);
+            surroundings.overlapping(stencil, filter, into);
+        } finally {
+            busy = false;
         }
     }
 

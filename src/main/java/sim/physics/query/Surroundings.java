@@ -72,6 +72,22 @@ final class Surroundings {
         }
     }
 
+    /** The bodies that meet a shape. */
+    void overlapping(Stencil stencil, Predicate<? super Body> which, List<? super Body> into) {
+        double centreX = stencil.x();
+        double centreY = stencil.y();
+        double reach = stencil.reach();
+        boolean some = collect(centreX - reach, centreY - reach, centreX + reach, centreY + reach);
+        int n = some ? candidates.size : census.size;
+        for (int k = 0; k < n; k++) {
+            int i = some ? candidates.values[k] : k;
+            Body body = census.bodies[i];
+            if (body != null && far(i, centreX, centreY) <= reach && (which == null || which.test(body)) && stencil.meets(body)) {
+                into.add(body);
+            }
+        }
+    }
+
     private boolean isAbout(int i, double lowX, double lowY, double highX, double highY) {
         double[] at = census.state.x();
         double centreX = at[State.BLOCK * i];

@@ -13,10 +13,13 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
+import sim.physics.collision.narrow.Distance;
 import sim.physics.motion.Body;
 import sim.physics.shape.Circle;
+import sim.physics.shape.Compound;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
 
 /** Questions, against shapes that only say whether they contain a point. */
 class QueriesTest {
@@ -172,6 +175,45 @@ class QueriesTest {
         assertThat(found).isGreaterThan(10);
     }
 
+    /** Independent of it is the narrow phase: a shape meets what it has no distance from. */
+    @Test
+    void shapesMeetWhatTheyAreNotApartFrom() {
+        scatter(40);
+        Compound cup = new Compound(Compound.box(0, 0, 3, 0.5), Compound.box(-1.25, 0.75, 0.5, 1), Compound.box(1.25, 0.75, 0.5, 1));
+        Compound robot = new Compound(Compound.disc(0, 0, 0.6), Compound.box(0.9, 0.35, 0.8, 0.15), Compound.box(0.9, -0.35, 0.8, 0.15));
+        for (int k = 0; k < 20; k++) {
+            engine.add(new Body(k % 2 == 0 ? cup : robot)
+                    .at(random.nextDouble(-20, 20), random.nextDouble(-20, 20), random.nextDouble(-4, 4)));
+        }
+        Distance distance = new Distance();
+        Shape[] shapes = {new Circle(2), new Rectangle(4, 0.5), Polygon.regular(5, 1.5), cup, robot};
+        int found = 0;
+        for (int k = 0; k < 500; k++) {
+            Body probe = new Body(shapes[k % shapes.length])
+                    .at(random.nextDouble(-20, 20), random.nextDouble(-20, 20), random.nextDouble(-4, 4));
+            List<Body> met = engine.queries().overlapping(probe, null);
+            assertThat(engine.queries().overlapping(probe.getShape(), probe.getX(), probe.getY(), probe.getAngle(), null)).isEqualTo(met);
+            found += met.size();
+            for (Body body : engine.bodies()) {
+                assertThat(met.contains(body)).isEqualTo(distance.between(probe, body) <= 0);
+            }
+        }
+        assertThat(found).isGreaterThan(100);
+    }
+
+    @Test
+    void whatTouchesMeetsAndABodyDoesNotMeetItself() {
+        Body box = engine.add(new Body(new Rectangle(2, 2)).at(0, 0));
+        Body disc = engine.add(new Body(new Circle(1)).at(2, 0));
+        Queries ask = engine.queries();
+        assertThat(ask.overlapping(box, null)).containsExactly(disc);
+        assertThat(ask.overlapping(box, b -> b != disc)).isEmpty();
+        assertThat(ask.overlapping(new Rectangle(2, 2), 0, 2, 0, null)).containsExactly(box);
+        assertThat(ask.overlapping(new Rectangle(2, 2), 0, Math.nextUp(2.0), 0, null)).isEmpty();
+        assertThat(ask.overlapping(new Circle(1), 2, 2, 0, null)).containsExactly(disc);
+        assertThat(ask.overlapping(new Circle(1), -2, 0, 0, null)).containsExactly(box);
+    }
+
     @Test
     void whatStandsBehindIsHidden() {
         Body near = engine.add(new Body(new Circle(1)).at(5, 0));
@@ -192,6 +234,8 @@ class QueriesTest {
         assertThatThrownBy(() -> ask.rayCast(0, 0, 1, 0, -1, null)).hasMessageContaining("range is -1.0");
         assertThatThrownBy(() -> ask.nearest(0, 0, -1, null)).hasMessageContaining("count is -1");
         assertThatThrownBy(() -> ask.inBox(1, 0, 0, 1, null)).hasMessageContaining("highX");
+        assertThatThrownBy(() -> ask.overlapping(new Circle(1), 0, 0, Double.NaN, null)).hasMessageContaining("angle is NaN");
+        assertThatThrownBy(() -> ask.overlapping(null, 0, 0, 0, null)).isInstanceOf(NullPointerException.class);
         assertThatThrownBy(() -> ask.visible(0, 0, 0, 4, 1, null)).hasMessageContaining("halfAngle is 4.0");
     }
 

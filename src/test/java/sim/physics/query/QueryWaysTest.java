@@ -20,8 +20,10 @@ import sim.physics.motion.State;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
 import sim.physics.shape.Circle;
+import sim.physics.shape.Compound;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
 
 /** Questions answered by the cells, and by a look at all bodies: to the bit the same, whatever happens in between. */
 class QueryWaysTest {
@@ -161,6 +163,9 @@ class QueryWaysTest {
             assertThat(cells.within(x, y, d, null)).isEqualTo(near);
             assertThat(usual.within(x, y, d, null)).isEqualTo(near);
             assertThat(cells.inBox(x, y, x + d, y + 2, null)).isEqualTo(all.inBox(x, y, x + d, y + 2, null));
+            Body like = any();
+            assertThat(cells.overlapping(like.getShape(), x, y, d, null)).isEqualTo(all.overlapping(like.getShape(), x, y, d, null));
+            assertThat(usual.overlapping(like, null)).isEqualTo(all.overlapping(like, null));
             int many = random.nextInt(k % 9 == 0 ? 300 : 12);
             assertThat(cells.nearest(x, y, many, null)).isEqualTo(all.nearest(x, y, many, null));
             assertThat(cells.nearest(x, y, 3, b -> b.index() % 9 == 0))
@@ -325,6 +330,7 @@ class QueryWaysTest {
         RayHit hit = new RayHit();
         List<Body> found = new ArrayList<>(500);
         double[] fan = new double[20];
+        Shape shape = new Compound(Compound.box(0, 0, 4, 1), Compound.disc(0, 2, 1));
         for (Queries ask : List.of(all, cells, usual)) {
             long least = Long.MAX_VALUE;
             for (int window = 0; window < 40; window++) {
@@ -336,6 +342,7 @@ class QueryWaysTest {
                     ask.within(x, 3, 5, null, found);
                     ask.inBox(x, 3, x + 5, 8, null, found);
                     ask.nearest(x, 3, 5, null, found);
+                    ask.overlapping(shape, x, 3, 0.1 * k, null, found);
                     ask.fan(x, 3, 0, 6, 20, null, fan);
                 }
                 least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);

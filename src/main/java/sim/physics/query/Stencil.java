@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.query;
+
+import sim.physics.internal.Trig;
+import sim.physics.motion.Body;
+import sim.physics.shape.Shape;
+
+/** A shape that is put somewhere, and whether bodies meet it there. Coordinates are relative to its centre. */
+final class Stencil {
+    private final double[] turn = new double[2];
+    private Shape shape;
+    private double x;
+    private double y;
+
+    /** A part of the shape, and a part of a body. */
+    private final Corners own = new Corners();
+
+    private final Corners other = new Corners();
+
+    /** The corners of a convex polygon, or the centre of a disc. */
+    private static final class Corners {
+        private double[] x = new double[8];
+        private double[] y = new double[8];
+        private int count;
+        private double radius;
+
+        void put(Shape part, double cx, double cy, double cos, double sin) {
+            count = part.vertexCount();
+            radius = part.radius();
+            if (x.length < count) {
+                x = new double[count];
+                y = new double[count];
+            }
+            for (int k = 0; k < count; k++) {
+                x[k] = cx + (cos * part.vertexX(k) - sin * part.vertexY(k));
+                y[k] = cy + (sin * part.vertexX(k) + cos * part.vertexY(k));
+            }
+        }
+
+        private int next(int k) {
+            return k + 1 < count ? k + 1 : 0;
+        }
+
+        /** Whether the line of an edge has all of a polygon beyond it, and no corner on it. */
+        boolean parts(Corners from) {
+            for (int k = 0; k < count; k++) {
+                double ex = x[next(k)] - x[k];
+                double ey = y[next(k)] - y[k];
+                double least = Double.POSITIVE_INFINITY;
+                for (int m = 0; m < from.count; m++) {
+                    least = Math.min(least, (from.x[m] - x[k]) * ey - (from.y[m] - y[k]) * ex);
+                }
+                if (least > 0) {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        /** Square of the distance of a point from a polygon, 0 inside. */
+        double square(double px, double py) {
+            double least = Double.POSITIVE_INFINITY;
+            boolean isInside = true;
+            for (int k = 0; k < count; k++) {
+                double ex = x[next(k)] - x[k];
+                double ey = y[next(k)] - y[k];
+                double qx = px - x[k];
+                double qy = py - y[k];
+                isInside &= qx * ey - qy * ex <= 0;
+                double along = Math.max(0, Math.min(1, (qx * ex + qy * ey) / (ex * ex + ey * ey)));
+                double rx = qx - along * ex;
+                double ry = qy - along * ey;
+                least = Math.min(least, rx * rx + ry * ry);
+            }
+            return isInside ? 0 : least;
+        }
+    }
+
+    /** Puts a shape somewhere. */
+    void put(Shape what, double atX, double atY, double angle) {
+        shape = what;
+        x = atX;
+        y = atY;
+        turn[0] = 1;
+        turn[1] = 0;
+        if (what.vertexCount() > 1) {
+            Trig.sinCos(angle, turn, 0);
+        }
+    }
+
+    double x() {
+        return x;
+    }
+
+    double y() {
+        return y;
+    }
+
+    /** Farthest point from the centre. */
+    double reach() {
+        return shape.boundingRadius();
+    }
+
+    /** Whether a body touches it or overlaps it. */
+    boolean meets(Body body) {
+        Shape of = body.getShape();
+        double cos = 1;
+        double sin = 0;
+        if (of.vertexCount() > 1) {
+            cos = Trig.cos(body.getAngle());
+            sin = Trig.sin(body.getAngle());
+        }
+        for (int i = 0; i < shape.partCount(); i++) {
+            own.put(shape.part(i), 0, 0, turn[0], turn[1]);
+            for (int k = 0; k < of.partCount(); k++) {
+                other.put(of.part(k), body.getX() - x, body.getY() - y, cos, sin);
+                if (doMeet()) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean doMeet() {
+        if (own.count > 1 && other.count > 1) {
+            return !own.parts(other) && !other.parts(own);
+        }
+        double radii = own.radius + other.radius;
+        double square;
+        if (own.count == 1 && other.count == 1) {
+            double dx = other.x[0] - own.x[0];
+            double dy = other.y[0] - own.y[0];
+            square = dx * dx + dy * dy;
+        } else {
+            square = own.count == 1 ? other.square(own.x[0], own.y[0]) : own.square(other.x[0], other.y[0]);
+        }
+        return square <= radii * radii;
+    }
+}
