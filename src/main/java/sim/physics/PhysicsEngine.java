@@ -50,16 +50,16 @@ import sim.physics.response.PairRule;
 import sim.physics.stepping.TimeStepping;
 
 /**
- * A physics engine for MASON: schedule it, and the bodies that were added move, collide and bounce.
+ * A two-dimensional physics engine for MASON. Add bodies to it and schedule it: in each step they move, collide and bounce.
  *
- * <p>{@link #step()} reads like the write-up: motion, collision detection (broad phase, narrow phase), collision
- * response. Engines are independent of each other; one engine is to be used by one thread at a time. The engine is
- * serializable, and a restored one continues bit for bit.
+ * <p>{@link #step()} follows the write-up: motion, collision detection (broad phase and narrow phase), collision response.
+ * Engines are independent of one another. Use each from one thread at a time. An engine is serializable, and a restored one
+ * continues bit for bit.
  */
 public final class PhysicsEngine implements Steppable {
     private static final long serialVersionUID = 3L;
 
-    /** The ordering at which {@link #scheduleOn(Schedule)} runs the engine; agents that steer bodies come before. */
+    /** The ordering at which {@link #scheduleOn(Schedule)} runs the engine. Agents that steer bodies come before it. */
     public static final int ORDERING = 10;
 
     /** Number of bodies from which the broad phase of a new engine is a {@link CellGrid}. */
@@ -151,16 +151,17 @@ public final class PhysicsEngine implements Steppable {
     /** Offset in the step of what is being handled. */
     private double instant;
 
-    /** Makes an empty engine with the time step 1 and the integrator RK4. */
+    /** Creates an empty engine with a time step of 1 and the integrator RK4. */
     public PhysicsEngine() {
         trajectories.begin(0, timeStep);
         detection.begin(0, timeStep);
     }
 
     /**
-     * Advances the bodies by one time step. A time step of 0 changes nothing. If a listener or another part of an author's
-     * throws an exception, the step ends with it: the bodies stay where they are at that instant, the step is not counted, and
-     * the next one goes on from there.
+     * Advances the bodies by one time step. A time step of 0 changes nothing.
+     *
+     * <p>If a listener or other code of yours throws an exception, the step ends there. The bodies stay where they are at that
+     * instant, the step is not counted, and the next one goes on from there.
      */
     public void step() {
         if (stepping || asking || telling) {
@@ -729,10 +730,10 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Adds a body.
      *
-     * @param <B> its class
+     * @param <B> class of the body
      * @param body a body that is in no engine
      * @return the body
-     * @throws IllegalStateException if it is in this engine or in another one
+     * @throws IllegalStateException if the body is already in this engine or in another one
      */
     public <B extends Body> B add(B body) {
         Objects.requireNonNull(body, "body");
@@ -746,11 +747,11 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Removes a body, and the constraints and springs that it has part in; within a step, when the collision that is being handled is
-     * over.
+     * Removes a body, and the constraints and springs that it is part of. Within a step, this happens when the collision that is
+     * being handled is over.
      *
      * @param body a body of this engine
-     * @throws IllegalStateException if it is not in this engine
+     * @throws IllegalStateException if the body is not in this engine
      */
     public void remove(Body body) {
         requireMine(body);
@@ -766,10 +767,10 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Whether a body is in this engine.
+     * Returns whether a body is in this engine.
      *
-     * @param body any
-     * @return true from add to remove
+     * @param body any body
+     * @return true from the time it is added until it is removed
      */
     public boolean contains(Body body) {
         return body != null && body.state() == state;
@@ -783,9 +784,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Questions about where the bodies are: rays, overlaps, neighbours, fields of view.
+     * Returns an object that answers questions about where the bodies are: rays, overlaps, neighbours, fields of view.
      *
-     * @return asks about the bodies as they are when a question is put
+     * @return queries, each answered for the bodies as they are when it is asked
      */
     public Queries queries() {
         queries = queries == null ? new Queries(state) : queries;
@@ -793,9 +794,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * The bodies, in the order of their blocks.
+     * Returns the bodies, in the order of their blocks.
      *
-     * @return a copy
+     * @return a copy of the list
      */
     public List<Body> bodies() {
         List<Body> all = new ArrayList<>(state.bodyCount());
@@ -808,12 +809,12 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Adds a source of forces.
+     * Adds a force generator.
      *
-     * @param <G> its class
-     * @param generator not null
+     * @param <G> class of the generator
+     * @param generator the generator, not null
      * @return the generator
-     * @throws IllegalStateException if it was added before
+     * @throws IllegalStateException if it was added already
      */
     public <G extends ForceGenerator> G add(G generator) {
         Objects.requireNonNull(generator, "generator");
@@ -827,10 +828,10 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Removes a source of forces.
+     * Removes a force generator.
      *
-     * @param generator one that was added
-     * @throws IllegalStateException if it was not
+     * @param generator a generator that was added
+     * @throws IllegalStateException if it was not added
      */
     public void remove(ForceGenerator generator) {
         state.requireOpen();
@@ -842,9 +843,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * The sources of forces, in the order in which they were added.
+     * Returns the force generators, in the order in which they were added.
      *
-     * @return a copy
+     * @return a copy of the list
      */
     public List<ForceGenerator> allForceGenerators() {
         return motion.generators();
@@ -867,15 +868,16 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Adds a constraint, a joint for one; within a step, when the collision that is being handled is over. Its bodies
-     * collide with each other no more, unless {@link Joint#setCollideConnected} says so. Velocities that it does not allow
-     * are changed by the least amount.
+     * Adds a constraint, such as a joint. Within a step, this happens when the collision that is being handled is over.
      *
-     * @param <C> its class
-     * @param constraint between bodies of this engine that are where its equations want them
+     * <p>The constraint's bodies no longer collide with each other, unless {@link Joint#setCollideConnected} lets them.
+     * Velocities that the constraint does not allow are changed by the least amount.
+     *
+     * @param <C> class of the constraint
+     * @param constraint a constraint between bodies of this engine, which are where its equations require them to be
      * @return the constraint
-     * @throws IllegalStateException if it was added already, or a body of it is not in this engine
-     * @throws IllegalArgumentException if its equations are not satisfied, or none of its bodies can move
+     * @throws IllegalStateException if it was added already, or one of its bodies is not in this engine
+     * @throws IllegalArgumentException if the constraint's equations are not satisfied, or none of its bodies can move
      */
     public <C extends Constraint> C add(C constraint) {
         checkBodies(constraint);
@@ -907,11 +909,12 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Adds constraints, and moves the bodies that they have part in to where all their equations are satisfied, by the
-     * mass-weighted least way.
+     * Adds constraints, and moves their bodies to places where all the equations are satisfied. Of all such displacements, the
+     * mass-weighted least one is taken.
      *
      * @param those constraints between bodies of this engine
-     * @throws IllegalStateException if one was added already or is named twice, if there is no such place, or within a step
+     * @throws IllegalStateException if a constraint was added already or is named twice, if there are no such places, or within a
+     *     step
      */
     public void assemble(Constraint... those) {
         Objects.requireNonNull(those, "those");
@@ -935,10 +938,10 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Removes a constraint; within a step, when the collision that is being handled is over.
+     * Removes a constraint. Within a step, this happens when the collision that is being handled is over.
      *
-     * @param constraint one of this engine
-     * @throws IllegalStateException if it is not in this engine
+     * @param constraint a constraint of this engine
+     * @throws IllegalStateException if the constraint is not in this engine
      */
     public void remove(Constraint constraint) {
         state.requireOpen();
@@ -948,30 +951,30 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Whether a constraint is in this engine.
+     * Returns whether a constraint is in this engine.
      *
-     * @param constraint any
-     * @return true from add to remove, or until the joint breaks
+     * @param constraint any constraint
+     * @return true from the time it is added until it is removed, or until the joint breaks
      */
     public boolean contains(Constraint constraint) {
         return constraints != null && constraints.contains(constraint);
     }
 
     /**
-     * The constraints, in the order in which they were added.
+     * Returns the constraints, in the order in which they were added.
      *
-     * @return a copy
+     * @return a copy of the list
      */
     public List<Constraint> allConstraints() {
         return constraints == null ? new ArrayList<>() : constraints.all();
     }
 
     /**
-     * The force of a constraint where the bodies are now, between steps.
+     * Returns the force of a constraint where the bodies are now. Call this between steps.
      *
-     * @param constraint one of this engine
-     * @return what it does to its first body
-     * @throws IllegalStateException if it is not in this engine, or within a step
+     * @param constraint a constraint of this engine
+     * @return its effect on its first body
+     * @throws IllegalStateException if the constraint is not in this engine, or within a step
      */
     public Reaction getReaction(Constraint constraint) {
         requireBetweenSteps("a reaction was asked for");
@@ -983,19 +986,19 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Number of equations of constraints that say what others say already, as a door's second hinge does. They do no harm:
-     * of all forces that do the same the smallest are taken.
+     * Returns the number of constraint equations that only repeat what others say, as a door's second hinge does. They do no
+     * harm: of all forces with the same effect, the smallest are used.
      *
-     * @return rows, as the last step found them
+     * @return number of rows, as found by the last step
      */
     public int getRedundantEquations() {
         return constraints == null ? 0 : constraints.redundant();
     }
 
     /**
-     * Sets how the constraint forces, (41), are solved for.
+     * Sets the solver for the constraint forces, (41).
      *
-     * @param solver not null; it works in memory of its own, so engines of different threads each need one
+     * @param solver the solver, not null; it works in memory of its own, so engines in different threads need one each
      * @throws IllegalStateException within a step
      */
     public void setConstraintSolver(ConstraintSolver solver) {
@@ -1010,9 +1013,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Sets what keeps constraints closed against the errors of the integrator.
+     * Sets the method that keeps constraints closed despite the errors of the integrator.
      *
-     * @param stabilization projection unless set
+     * @param stabilization the method; projection unless set
      * @throws IllegalStateException within a step
      */
     public void setStabilization(Stabilization stabilization) {
@@ -1023,9 +1026,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Adds one who is told of collisions; within a step from the next one on.
+     * Adds a listener for collisions. Within a step, it is told from the next collision on.
      *
-     * @param listener not null
+     * @param listener the listener, not null
      * @throws IllegalStateException if it was added already
      */
     public void addListener(CollisionListener listener) {
@@ -1038,10 +1041,10 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Removes one who is told of collisions.
+     * Removes a listener for collisions.
      *
-     * @param listener one that was added
-     * @throws IllegalStateException if it was not
+     * @param listener a listener that was added
+     * @throws IllegalStateException if it was not added
      */
     public void removeListener(CollisionListener listener) {
         state.requireOpen();
@@ -1049,10 +1052,10 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Adds one who is told of contacts that last, when a step is over. Contacts that last already when the first one is
-     * added begin then.
+     * Adds a listener for lasting contacts, which is told when a step is over. When the first listener is added, contacts that
+     * last already count as beginning then.
      *
-     * @param listener not null
+     * @param listener the listener, not null
      * @throws IllegalStateException if it was added already
      */
     public void addContactListener(ContactListener listener) {
@@ -1061,10 +1064,10 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Removes one who is told of contacts that last.
+     * Removes a listener for lasting contacts.
      *
-     * @param listener one that was added
-     * @throws IllegalStateException if it was not
+     * @param listener a listener that was added
+     * @throws IllegalStateException if it was not added
      */
     public void removeContactListener(ContactListener listener) {
         state.requireOpen();
@@ -1084,10 +1087,10 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * The contacts that last at the end of the last step: what rests or lies on one another, and with which force. Bodies
-     * that bounce are not among them; {@link CollisionListener}s are told of these.
+     * Returns the contacts that last at the end of the last step: which bodies rest or lie on one another, and with what force.
+     * Bodies that bounce are not listed; {@link CollisionListener}s are told of those.
      *
-     * @return a new list, each contact once
+     * @return a new list, with each contact once
      * @throws IllegalStateException within a step
      */
     public List<LastingContact> contacts() {
@@ -1096,10 +1099,10 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * The contacts of one body that last at the end of the last step: what a bumper or a foot feels.
+     * Returns the contacts of one body that last at the end of the last step: what a bumper or a foot feels.
      *
      * @param body a body of this engine
-     * @return a new list, empty if it touches nothing for long
+     * @return a new list, empty if the body has no lasting contact
      * @throws IllegalStateException if the body is not in this engine, or within a step
      */
     public List<LastingContact> contacts(Body body) {
@@ -1109,13 +1112,13 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Lets two bodies collide, or pass through one another.
+     * Sets whether two bodies collide, or pass through one another.
      *
      * @param a a body of this engine
      * @param b another body of this engine
-     * @param collide false to let them pass
-     * @throws IllegalArgumentException if both are the same
-     * @throws IllegalStateException if one is not in this engine
+     * @param collide false to let them pass through one another
+     * @throws IllegalArgumentException if both bodies are the same
+     * @throws IllegalStateException if one of them is not in this engine
      */
     public void setCollisions(Body a, Body b, boolean collide) {
         requireMine(a);
@@ -1128,7 +1131,7 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * The time step.
+     * Returns the time step.
      *
      * @return simulated time per call of {@link #step()}
      */
@@ -1139,8 +1142,8 @@ public final class PhysicsEngine implements Steppable {
     /**
      * Sets the time step.
      *
-     * @param timeStep not negative; 0 stops the bodies' time
-     * @throws IllegalArgumentException if it is negative or not finite
+     * @param timeStep simulated time per step, not negative; 0 stops time for the bodies
+     * @throws IllegalArgumentException if the time step is negative or not finite
      */
     public void setTimeStep(double timeStep) {
         Check.notNegative("time step", timeStep);
@@ -1152,30 +1155,30 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Number of substeps of time stepping.
+     * Returns the number of substeps of time stepping.
      *
-     * @return 0 unless set: events are found in continuous time
+     * @return substeps per step; 0 unless set, which means that events are found in continuous time
      */
     public int getTimeStepping() {
         return isStepped && !relief.isOn() ? timeStepping.getSubsteps() : 0;
     }
 
     /**
-     * Moves the bodies by time stepping, as game engines do, in place of finding events: each step is made of equal substeps, and in
-     * each of them contacts, joints, motors, stops and friction are solved once for impulses. That is of first order in the
-     * substep and needs no accuracy of its integrator, but what a step costs is known beforehand and small, however many bodies press
-     * on one another: for crowds and machines whose looks count more than their places.
+     * Moves the bodies by time stepping, as game engines do, instead of by events. Each step is made of equal substeps. In each
+     * substep, contacts, joints, motors, stops and friction are solved once, for impulses. The method is of first order in the
+     * substep and does not depend on an accurate integrator. But the cost of a step is known beforehand and small, however many
+     * bodies press on one another. Use it for crowds, and for machines whose looks count more than their places.
      *
-     * <p>Bodies may be in one another by some hundredths of their size, joints off by some thousandths of theirs, elastic bodies
-     * lose or gain energy, and what is fast and thin can pass through what is thin. Friction with the plane is that of an ellipsoidal
-     * limit surface. {@link CollisionListener}s are asked when bodies would touch in the step that begins, and told of it when
-     * it is over, as between steps. Threads and the {@link Integrator} are of no effect.
+     * <p>Bodies may overlap by some hundredths of their size, and joints may be off by some thousandths of theirs. Elastic bodies
+     * lose or gain energy. Something fast and thin can pass through something thin. Friction with the plane is that of an
+     * ellipsoidal limit surface. {@link CollisionListener}s are asked when a step begins in which bodies would touch. They are
+     * told when the step is over, as if between steps. Threads and the {@link Integrator} have no effect.
      *
-     * <p>Events are found again when the joints can be closed and bodies of joints are not deep in one another: until then steps of 32 substeps
-     * are made, as {@link #getRelievedSteps()} tells.
+     * <p>When you switch back to events, they are found again as soon as the joints can be closed and jointed bodies do not
+     * overlap deeply. Until then steps of 32 substeps are made, which {@link #getRelievedSteps()} counts.
      *
-     * @param substeps of a step; 4 is usual, twice as many halve the error; 0 for events
-     * @throws IllegalArgumentException if it is negative
+     * @param substeps number of substeps in a step; 4 is usual, twice as many halve the error; 0 for events
+     * @throws IllegalArgumentException if the number is negative
      * @throws IllegalStateException within a step, or if the engine is audited
      */
     public void setTimeStepping(int substeps) {
@@ -1217,30 +1220,32 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Work that a step by events may cost.
+     * Returns the limit of the work that a step by events may cost.
      *
-     * @return in units of {@link #getWork()}
+     * @return the limit, in units of {@link #getWork()}
      */
     public long getWorkLimit() {
         return relief.limit(state.bodyCount());
     }
 
     /**
-     * Bounds what a step by events may cost. When it is about to cost more, the rest of the step and some steps more are made by {@link
-     * #setTimeStepping time stepping}, of 32 substeps: at a cost that is known beforehand, but less exactly. So a step ends in time
-     * also where bodies jam. {@link #getRelievedSteps()} says how many steps were; as long as there is none, the limit changes no
-     * bit of a run. Work is counted and not timed, so a run is the same on any machine.
+     * Bounds the work that a step by events may cost. When a step is about to cost more, {@link #setTimeStepping time stepping}
+     * with 32 substeps makes the rest of it and some steps more. These steps are said to be relieved: their cost is known
+     * beforehand, but they are less exact. So a step ends in time even where bodies jam.
      *
-     * <p>Once a step has been relieved, so are steps in which a {@link ConstraintException} is thrown: joints may be where time stepping has
-     * left them.
+     * <p>{@link #getRelievedSteps()} counts the relieved steps. As long as there are none, the limit changes no bit of a run.
+     * Work is counted, not timed, so a run is the same on any machine.
      *
-     * <p>Unless set, the limit is 10 million units and 200 more for each body, some seconds. The step in which the limit is met
-     * and the eight after it are relieved; twice as many each time, up to 256, while events cost too much again within as many steps.
-     * Events are found again as soon as the joints can be closed, and no two bodies of joints are deeper in one another than they
-     * may be by events. There is no limit while the engine is audited.
+     * <p>Once a step has been relieved, steps in which a {@link ConstraintException} is thrown are relieved too, since joints may
+     * be where time stepping has left them.
      *
-     * @param units some tenths of a microsecond each; {@link Long#MAX_VALUE} for no limit
-     * @throws IllegalArgumentException if it is not at least 1
+     * <p>Unless set, the limit is 10 million units plus 200 for each body, which is some seconds. The step in which the limit is
+     * met and the eight after it are relieved. If events cost too much again within as many steps, twice as many are relieved, up
+     * to 256. Events are found again as soon as the joints can be closed, and no two jointed bodies overlap more deeply than they
+     * may by events. While the engine is audited, there is no limit.
+     *
+     * @param units the limit, in units of some tenths of a microsecond each; {@link Long#MAX_VALUE} for no limit
+     * @throws IllegalArgumentException if the limit is not at least 1
      * @throws IllegalStateException within a step
      */
     public void setWorkLimit(long units) {
@@ -1252,28 +1257,28 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Work of all steps by events: an exact measure of what happens in them. A unit is the acceleration of one body, or a look at a
-     * pair; an event is 8, and a solution of a heap as many as it takes as long as. What each step costs that by nothing is more than
-     * it needs, such as the paths and boxes with which it begins, is not counted.
+     * Returns the work of all steps by events, an exact measure of what happens in them. A unit is the acceleration of one body,
+     * or a look at a pair. An event counts as 8 units, and a solution of a heap as the number of units that take the same time.
+     * What every step costs anyway, such as the paths and boxes with which it begins, is not counted.
      *
-     * @return units, since the engine was made
+     * @return number of units since the engine was made
      */
     public long getWork() {
         return work.done();
     }
 
     /**
-     * Number of steps that time stepping has made, in whole or in part, because events would have cost more than the {@link
-     * #setWorkLimit limit}, or could not be found yet.
+     * Returns the number of steps that time stepping has made, in whole or in part, because events would have cost more than the
+     * {@link #setWorkLimit limit}, or could not be found yet.
      *
-     * @return since the engine was made
+     * @return number of steps since the engine was made
      */
     public long getRelievedSteps() {
         return relief.relieved();
     }
 
     /**
-     * Whether time stepping lets bodies sleep.
+     * Returns whether time stepping lets bodies sleep.
      *
      * @return true unless set
      */
@@ -1282,14 +1287,18 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Lets bodies sleep under time stepping, or not. Those that touch, are tied together or pull at one another by springs are an island, fixed
-     * bodies apart. When all bodies of one have stayed where they are, to two thousandths of their radius, for as long as they would take to
-     * fall by two radii, the island sleeps: its velocities are zero, its places do not change by a bit, its contacts and reactions are those of its
-     * last step, and a step costs nothing for it. It wakes as a whole when something comes near or any of its bodies, forces, joints,
-     * motors or what bears it is changed. Motors that want to run, forces that do not say that they are
-     * {@link ForceGenerator#isAutonomous() autonomous} and constraints of yours keep islands awake.
+     * Sets whether time stepping lets bodies sleep. Bodies that touch, are tied together or pull at one another by springs form
+     * an island; fixed bodies belong to none.
      *
-     * @param allowed false to wake all, for what moves very slowly
+     * <p>An island sleeps when all its bodies have stayed where they are, to two thousandths of their radius, for as long as they
+     * would take to fall by two radii. Its velocities are then zero, and its places do not change by a bit. Its contacts and
+     * reactions are those of its last step, and a step costs nothing for it.
+     *
+     * <p>An island wakes as a whole when something comes near, or when any of its bodies, forces, joints or motors, or what bears
+     * it, is changed. These keep islands awake: motors that want to run, forces that do not say that they are
+     * {@link ForceGenerator#isAutonomous() autonomous}, and constraints of your own.
+     *
+     * @param allowed false to wake all bodies and let none sleep, for scenes where things move very slowly
      * @throws IllegalStateException within a step
      */
     public void setSleepAllowed(boolean allowed) {
@@ -1301,11 +1310,11 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Whether a body sleeps under time stepping. What is changed wakes bodies when the next step begins.
+     * Returns whether a body sleeps under time stepping. A change wakes bodies only when the next step begins.
      *
      * @param body a body of this engine
-     * @return false by events, where bodies at rest cost nothing anyway
-     * @throws IllegalStateException if it is not in this engine
+     * @return whether it sleeps; false by events, where bodies at rest cost nothing anyway
+     * @throws IllegalStateException if the body is not in this engine
      */
     public boolean isAsleep(Body body) {
         requireMine(body);
@@ -1319,37 +1328,37 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Simulated time: the number of steps times their length, so that it does not drift.
+     * Returns the simulated time. It is the number of steps times their length, so it does not drift.
      *
-     * @return 0 for a new engine
+     * @return time; 0 for a new engine
      */
     public double getTime() {
         return epoch + (steps - epochStep) * timeStep;
     }
 
     /**
-     * Number of steps taken.
+     * Returns the number of steps taken.
      *
-     * @return 0 for a new engine
+     * @return number of steps; 0 for a new engine
      */
     public long getSteps() {
         return steps;
     }
 
     /**
-     * The integrator of bodies under forces.
+     * Returns the integrator of bodies under forces.
      *
-     * @return RK4 unless set
+     * @return the integrator; RK4 unless set
      */
     public Integrator getIntegrator() {
         return motion.getIntegrator();
     }
 
     /**
-     * Sets the integrator of bodies under forces. Free bodies, and those under uniform fields only, need none: their
-     * paths are exact with any.
+     * Sets the integrator of bodies under forces. Free bodies, and bodies under uniform fields only, need none: their paths are
+     * exact with any integrator.
      *
-     * @param integrator not null
+     * @param integrator the integrator, not null
      * @throws IllegalStateException within a step
      */
     public void setIntegrator(Integrator integrator) {
@@ -1358,9 +1367,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Number of threads that may share the work of a step.
+     * Returns the number of threads that may share the work of a step.
      *
-     * @return 1 unless set
+     * @return number of threads; 1 unless set
      */
     public int getThreads() {
         return team == null ? 1 : team.size();
@@ -1377,19 +1386,20 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Lets several threads share the work of a step: the islands of joints and the single bodies that the integrator drives,
-     * the boxes of bodies, and the searches for impacts that begin with the step. The results are the same bit for bit
-     * whatever the number, and so are the counts of work, the order of events and what is thrown. What happens within the
-     * step, impact by impact, stays with the stepping thread, as does all code of authors: bodies under a
-     * {@link ForceGenerator} that does not say that it {@link ForceGenerator#isConcurrent() is concurrent}, islands with a
-     * constraint that is not of this library. A step with too little to share is not shared.
+     * Sets how many threads may share the work of a step. They share the islands of joints and the single bodies that the
+     * integrator drives, the boxes of bodies, and the searches for impacts that begin with the step. The results are the same bit
+     * for bit whatever the number, and so are the counts of work, the order of events and the exceptions thrown.
      *
-     * <p>The helpers are threads of {@link java.util.concurrent.ForkJoinPool#commonPool()}, or of the pool in which the step
-     * is made; the engine owns none. If they are busy elsewhere the stepping thread does the work; but it waits for one that
-     * has taken a portion. While the engine is audited, driven bodies are integrated by the stepping thread.
+     * <p>What happens within the step, impact by impact, stays with the stepping thread. So does all code of your own: bodies
+     * under a {@link ForceGenerator} that does not say that it {@link ForceGenerator#isConcurrent() is concurrent}, and islands
+     * with a constraint that is not of this library. A step with too little to share is not shared.
      *
-     * @param threads the stepping one included; 1 for that one alone
-     * @throws IllegalArgumentException if it is less than 1
+     * <p>The helpers are threads of {@link java.util.concurrent.ForkJoinPool#commonPool()}, or of the pool in which the step is
+     * made; the engine owns none. If they are busy elsewhere, the stepping thread does the work. But it waits for a helper that
+     * has taken a portion. While the engine is audited, the stepping thread integrates the driven bodies.
+     *
+     * @param threads their number, including the stepping thread; 1 for that one alone
+     * @throws IllegalArgumentException if the number is less than 1
      * @throws IllegalStateException within a step
      */
     public void setThreads(int threads) {
@@ -1408,9 +1418,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Sets how the equations of an impact are solved.
+     * Sets the solver for the equations of an impact.
      *
-     * @param solver not null; engines of different threads each need one, as it may have memory of its own
+     * @param solver the solver, not null; engines in different threads need one each, as it may have memory of its own
      */
     public void setImpulseSolver(ImpulseSolver solver) {
         state.requireOpen();
@@ -1419,10 +1429,10 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Sets how the coefficients of two bodies make that of their contact; also of contacts that last.
+     * Sets the rules by which the coefficients of two bodies make those of their contact. They hold for lasting contacts too.
      *
-     * @param restitution the smaller one unless set
-     * @param friction the geometric mean unless set
+     * @param restitution rule for restitution; the smaller coefficient unless set
+     * @param friction rule for friction; the geometric mean unless set
      */
     public void setPairRules(PairRule restitution, PairRule friction) {
         state.requireOpen();
@@ -1432,11 +1442,11 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Chooses the broad phase, which the engine else chooses by the number of bodies: the write-up's is
+     * Sets the broad phase. Unless set, the engine chooses one by the number of bodies. The write-up's is
      * {@link sim.physics.collision.broad.SortAndSweep}.
      *
-     * @param broadPhase a new one
-     * @throws IllegalStateException within a step, or if it is or was that of an engine, be it this one
+     * @param broadPhase a new broad phase
+     * @throws IllegalStateException within a step, or if an engine uses or has used this broad phase, even if it is this engine
      */
     public void setBroadPhase(BroadPhase broadPhase) {
         Objects.requireNonNull(broadPhase, "broadPhase");
@@ -1447,10 +1457,10 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Chooses how impacts are found: in continuous time, so that nothing tunnels, or by the write-up's bisection over
-     * the last step, which looks at the bodies only when a step is over.
+     * Sets how impacts are found: in continuous time, so that nothing tunnels, or by the write-up's bisection over the last step,
+     * which looks at the bodies only when a step is over.
      *
-     * @param continuous true unless set
+     * @param continuous true for continuous time, false for bisection; true unless set
      */
     public void setContinuousDetection(boolean continuous) {
         requireBetweenSteps("the way to find impacts was set");
@@ -1459,23 +1469,24 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * The pairs of bodies that collide and overlap where they are now; bodies with a joint between them do not. What
-     * touches or lies on one another may be there with a depth of rounding, see {@link #getDeepestPenetration()}. Bodies
-     * that were added overlapping are driven apart only by their own motion; better call {@link #separate()} before the
-     * first step.
+     * Returns the pairs of bodies that overlap where they are now. Only bodies that collide count; those with a joint between
+     * them normally do not. Bodies that touch or lie on one another may be listed with a depth of rounding, see
+     * {@link #getDeepestPenetration()}. Bodies that overlapped when they were added are driven apart only by their own motion, so
+     * it is better to call {@link #separate()} before the first step.
      *
-     * @return one entry a pair, deepest first
+     * @return one entry per pair, deepest first
      */
     public List<Overlap> overlaps() {
         return (stepping ? new Overlaps(detection.filter()) : admission.overlaps()).find(bodies());
     }
 
     /**
-     * Moves overlapping bodies apart, each pair by the least way and the lighter body the farther, without gain of
-     * kinetic energy. Joints that this opens are closed, and what overlaps then is parted again.
+     * Moves overlapping bodies apart, without a gain of kinetic energy. Each pair is moved by the shortest distance that parts
+     * it, the lighter body farther than the heavier. Joints that this opens are closed, and bodies that then overlap are parted
+     * again.
      *
-     * @return number of sweeps over all pairs, 0 if nothing overlapped
-     * @throws IllegalStateException if there is no room; the bodies stay where the attempt left them
+     * @return number of sweeps over all pairs; 0 if nothing overlapped
+     * @throws IllegalStateException if there is no room; the bodies then stay where the attempt left them
      */
     public int separate() {
         requireBetweenSteps("bodies were to be separated");
@@ -1484,38 +1495,38 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Number of collisions.
+     * Returns the number of collisions.
      *
-     * @return since the engine was made
+     * @return number since the engine was made
      */
     public long getImpacts() {
         return response.impacts() + (timeStepping == null ? 0 : timeStepping.decisions().impacts());
     }
 
     /**
-     * The deepest penetration at which a collision was ever solved.
+     * Returns the deepest penetration at which a collision was ever solved.
      *
-     * @return length, not negative; rounding
+     * @return length, not negative; a matter of rounding
      */
     public double getDeepestPenetration() {
         return 0 - Math.min(response.deepest(), timeStepping == null ? 0 : timeStepping.deepest());
     }
 
     /**
-     * Number of poses at which the narrow phase looked at a pair: an exact measure of its work.
+     * Returns the number of poses at which the narrow phase looked at a pair, an exact measure of its work.
      *
-     * @return since the engine was made or restored
+     * @return number since the engine was made or restored
      */
     public long getNarrowPhaseEvaluations() {
         return detection.narrowPhase().evaluations() + (timeStepping == null ? 0 : timeStepping.looks());
     }
 
     /**
-     * Lets the engine find out how exact its steps are: by how much bodies miss their places, and where energy goes. It
-     * changes no bit of the run. Steps of bodies that an integrator drives take ten times as long with methods of high
-     * order and fifty times with RK4. When it is off, it costs nothing.
+     * Sets whether the engine audits its steps: by how much bodies miss their places, and where energy goes. An audit changes no
+     * bit of the run. Steps of bodies that an integrator drives take ten times as long with methods of high order, and fifty
+     * times as long with RK4. When it is off, the audit costs nothing.
      *
-     * @param audited true to begin anew, false to end; false unless set
+     * @param audited true to begin a new audit, false to end it; false unless set
      * @throws IllegalStateException within a step
      */
     public void setAudited(boolean audited) {
@@ -1532,9 +1543,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * What the audit says of the last step.
+     * Returns the audit's report on the last step.
      *
-     * @return all zero before the first step
+     * @return the report; all zero before the first step
      * @throws IllegalStateException if the engine is not audited
      */
     public StepReport getStepReport() {
@@ -1542,21 +1553,21 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * What the audit says of all steps since it began.
+     * Returns the audit's report on all steps since it began.
      *
-     * @return sums, and the energies at both ends
+     * @return sums over the steps, and the energies at both ends
      * @throws IllegalStateException if the engine is not audited
      */
     public StepReport getRunReport() {
         return audit().run();
     }
 
-    /** {@return whether MASON's inspectors leave out what the audit says of the last step, as there is none} */
+    /** {@return whether MASON's inspectors leave out the audit's report on the last step, since there is none} */
     public boolean hideStepReport() {
         return audit == null;
     }
 
-    /** {@return whether MASON's inspectors leave out what the audit says of all steps, as there is none} */
+    /** {@return whether MASON's inspectors leave out the audit's report on all steps, since there is none} */
     public boolean hideRunReport() {
         return audit == null;
     }
@@ -1569,7 +1580,7 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Kinetic energy of all bodies.
+     * Returns the kinetic energy of all bodies.
      *
      * @return Σ m v²/2 + I ω²/2
      */
@@ -1583,12 +1594,12 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Starts the engine on a schedule: one step in each unit of schedule time. If it was started before, there or on another
-     * schedule, that ends: no engine makes two steps at a time.
+     * Schedules the engine, to make one step in each unit of schedule time. If it was scheduled before, on this schedule or on
+     * another, that ends: no engine makes two steps at a time.
      *
      * @param schedule MASON's schedule
-     * @return stops the engine
-     * @throws IllegalStateException if the schedule has come to its end, as one does on which nothing is left
+     * @return an object that stops the engine
+     * @throws IllegalStateException if the schedule has come to its end, as it does when nothing is left on it
      */
     public Repeating scheduleOn(Schedule schedule) {
         Objects.requireNonNull(schedule, "schedule");

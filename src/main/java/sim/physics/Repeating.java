@@ -9,8 +9,8 @@ import sim.engine.Stoppable;
 import sim.physics.internal.Check;
 
 /**
- * Repeats a Steppable on MASON's schedule by scheduling itself again, because the schedule's own methods for that
- * changed between versions of MASON in a way that breaks compiled libraries.
+ * Repeats a Steppable on MASON's schedule, by scheduling itself again each time. The schedule's own methods for that are not
+ * used, because they changed between versions of MASON in a way that breaks compiled libraries.
  */
 public final class Repeating implements Steppable, Stoppable {
     private static final long serialVersionUID = 1L;
@@ -20,10 +20,10 @@ public final class Repeating implements Steppable, Stoppable {
     private final double interval;
 
     /**
-     * Makes a repetition; schedule it once to start it.
+     * Creates a repetition. Schedule it once to start it.
      *
-     * @param target what to repeat
-     * @param ordering its ordering
+     * @param target the object to step repeatedly
+     * @param ordering ordering on the schedule
      * @param interval schedule time between repetitions, greater than 0
      * @throws IllegalArgumentException if the interval is not a finite number greater than 0
      */

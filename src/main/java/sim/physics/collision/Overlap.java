@@ -9,6 +9,6 @@ import sim.physics.motion.Body;
  *
  * @param a one body
  * @param b the other body
- * @param depth the least way that parts them, length, positive
+ * @param depth the shortest displacement that parts them, length, positive
  */
 public record Overlap(Body a, Body b, double depth) {}

@@ -8,27 +8,26 @@ import sim.physics.motion.Body;
 /**
  * One to three equations C(x) = 0, (34), between the positions of two bodies, or of a body and the world.
  *
- * <p>The engine keeps C = 0 and Ċ = J ẋ = 0, (35), by forces Jᵀ λ, (40), that do no work. An author's own constraint
- * says what C, J = ∂C/∂x and J̇ ẋ are, at the positions and velocities that its bodies have at the instant of the
- * call; nothing else is asked of it.
+ * <p>The engine keeps C = 0 and Ċ = J ẋ = 0, (35), by forces Jᵀ λ, (40), which do no work. A constraint of your own provides C, J
+ * = ∂C/∂x and J̇ ẋ for the positions and velocities that its bodies have at the instant of the call. Nothing else is asked of it.
  */
 public interface Constraint extends Serializable {
     /**
-     * The first body.
+     * Returns the first body.
      *
-     * @return never null, and always the same
+     * @return always the same body, never null
      */
     Body getBodyA();
 
     /**
-     * The second body.
+     * Returns the second body.
      *
-     * @return always the same; null: the world
+     * @return always the same body; null for the world
      */
     Body getBodyB();
 
     /**
-     * Number of equations.
+     * Returns the number of equations.
      *
      * @return 1, 2 or 3, always the same
      */
@@ -37,14 +36,14 @@ public interface Constraint extends Serializable {
     /**
      * Evaluates the equations.
      *
-     * @param equations takes C, J and J̇ ẋ of all rows
+     * @param equations the object that takes C, J and J̇ ẋ of all rows
      */
     void evaluate(Equations equations);
 
     /**
-     * Whether an equation is one between angles: its C is in rad, that of all others is a length.
+     * Returns whether an equation is one between angles. Its C is then in rad; that of all others is a length.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @return false unless overridden
      */
     default boolean isAngle(int row) {
@@ -52,9 +51,9 @@ public interface Constraint extends Serializable {
     }
 
     /**
-     * A length that the constraint's equations are of the size of: positions are accurate to its rounding.
+     * Returns a length that tells the size of the constraint's equations. Positions are accurate to the rounding of this length.
      *
-     * @return positive; the radius of the larger body unless overridden
+     * @return positive length; the radius of the larger body unless overridden
      */
     default double getSize() {
         double size = getBodyA().getShape().boundingRadius();

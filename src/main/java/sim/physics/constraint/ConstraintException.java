@@ -4,7 +4,7 @@ package sim.physics.constraint;
 
 import java.util.List;
 
-/** Constraints that no motion, or no motion near enough, can satisfy. */
+/** Thrown when no motion, or no motion near enough, can satisfy the constraints. */
 public final class ConstraintException extends IllegalStateException {
     private static final long serialVersionUID = 1L;
 
@@ -12,10 +12,10 @@ public final class ConstraintException extends IllegalStateException {
     private final double residual;
 
     /**
-     * Makes an exception.
+     * Creates an exception.
      *
-     * @param what what cannot be satisfied
-     * @param iterations how many corrections were tried
+     * @param what the equations that cannot be satisfied
+     * @param iterations number of corrections that were tried
      * @param residual the largest value of C that is left
      */
     public ConstraintException(String what, int iterations, double residual) {
@@ -45,18 +45,19 @@ public final class ConstraintException extends IllegalStateException {
     }
 
     /**
-     * Corrections that were tried.
+     * Returns how many corrections were tried.
      *
-     * @return their number
+     * @return number of corrections
      */
     public int iterations() {
         return iterations;
     }
 
     /**
-     * What is left.
+     * Returns the residual.
      *
-     * @return the largest value of C, a length or an angle; where bodies could not be moved onto them, that where they are
+     * @return the largest value of C that is left, a length or an angle; if the bodies could not be moved onto the constraints,
+     *     its value where they are
      */
     public double residual() {
         return residual;

@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import sim.physics.motion.State;
 
-/** Solves J W Jᵀ λ = −J W F − J̇ ẋ, (41): {@link DirectSolver} or {@link GlobalSolver}. */
+/** Solves J W Jᵀ λ = −J W F − J̇ ẋ, (41), for the constraint forces: {@link DirectSolver} or {@link GlobalSolver}. */
 public abstract class ConstraintSolver implements Serializable {
     private static final long serialVersionUID = 1L;
 

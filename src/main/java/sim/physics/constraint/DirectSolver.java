@@ -6,13 +6,13 @@ import java.util.Arrays;
 import sim.physics.motion.State;
 
 /**
- * Block elimination in the order of the island's tree: O(n) for trees, and the least fill-in that minimum degree finds
- * for loops.
+ * Solves by block elimination, in the order of the island's tree. The work is O(n) for trees. For loops, the order is that of the
+ * least fill-in that minimum degree finds.
  *
- * <p>Where masses are spread, λ is refined with residuals of twice the precision, which makes it right to rounding
- * whatever the order of elimination was (formulation stiffness: Ascher, Pai and Cloutier 1997). Where constraints are
- * redundant, the matrix is made a little heavier on its diagonal and the same refinement takes the effect away again:
- * what is left is the λ of least norm (proximal point iteration; Rockafellar 1976).
+ * <p>Where masses differ widely, λ is refined with residuals of twice the precision. That makes it right to rounding, whatever
+ * the order of elimination was (formulation stiffness: Ascher, Pai and Cloutier 1997). Where constraints are redundant, the
+ * matrix is made a little heavier on its diagonal, and the same refinement removes the effect of that. What is left is the λ of
+ * least norm (proximal point iteration; Rockafellar 1976).
  */
 public final class DirectSolver extends ConstraintSolver {
     private static final long serialVersionUID = 1L;
@@ -36,7 +36,7 @@ public final class DirectSolver extends ConstraintSolver {
     private double[] right = {};
     private double[] pull = {};
 
-    /** Makes a solver. */
+    /** Creates a solver. */
     public DirectSolver() {
         // grows with the islands
     }

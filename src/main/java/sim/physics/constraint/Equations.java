@@ -17,7 +17,7 @@ public final class Equations implements Serializable {
     final double[] jA = new double[3 * ROWS];
     final double[] jB = new double[3 * ROWS];
 
-    /** Makes equations that hold nothing. */
+    /** Creates equations that hold nothing. */
     public Equations() {
         // filled by a constraint
     }
@@ -30,9 +30,9 @@ public final class Equations implements Serializable {
     }
 
     /**
-     * Sets the value of an equation and what the bodies' motion alone does to its second derivative.
+     * Sets the value of an equation, and the part of its second derivative that comes from the bodies' motion alone.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @param value C, which is to be 0
      * @param curvature the row of J̇ ẋ
      */
@@ -44,7 +44,7 @@ public final class Equations implements Serializable {
     /**
      * Sets the row of J for the first body.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @param x ∂C/∂x
      * @param y ∂C/∂y
      * @param theta ∂C/∂θ
@@ -56,9 +56,9 @@ public final class Equations implements Serializable {
     }
 
     /**
-     * Sets the row of J for the second body; of no effect if that is the world.
+     * Sets the row of J for the second body. This has no effect if that is the world.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @param x ∂C/∂x
      * @param y ∂C/∂y
      * @param theta ∂C/∂θ
@@ -70,9 +70,9 @@ public final class Equations implements Serializable {
     }
 
     /**
-     * The value of an equation.
+     * Returns the value of an equation.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @return C
      */
     public double value(int row) {
@@ -80,9 +80,9 @@ public final class Equations implements Serializable {
     }
 
     /**
-     * A row of J̇ ẋ.
+     * Returns a row of J̇ ẋ.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @return its value
      */
     public double curvature(int row) {
@@ -90,9 +90,9 @@ public final class Equations implements Serializable {
     }
 
     /**
-     * An entry of J.
+     * Returns an entry of J.
      *
-     * @param row 0, 1, 2
+     * @param row number of the row: 0, 1, 2
      * @param column 0, 1, 2 for x, y, θ of the first body, 3, 4, 5 of the second one
      * @return its value
      */

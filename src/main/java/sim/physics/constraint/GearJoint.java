@@ -6,8 +6,8 @@ import sim.physics.internal.Check;
 import sim.physics.motion.Body;
 
 /**
- * Two bodies that turn in a fixed ratio: θA + ratio · θB keeps the value that it has now. Angles do not wrap: it holds
- * after any number of turns.
+ * Makes two bodies turn in a fixed ratio: θA + ratio · θB keeps its present value. Angles do not wrap, so this holds after any
+ * number of turns.
  */
 public final class GearJoint extends Joint {
     private static final long serialVersionUID = 1L;
@@ -19,8 +19,8 @@ public final class GearJoint extends Joint {
      * Gears two bodies.
      *
      * @param a a body
-     * @param b another body, or null to keep the first one's angle
-     * @param ratio turns of the first body for one turn of the second, the other way round; −1 keeps their angle
+     * @param b another body, or null to keep the angle of the first one
+     * @param ratio turns of the first body, in the opposite sense, for one turn of the second; −1 keeps the angle between them
      */
     public GearJoint(Body a, Body b, double ratio) {
         super(a, b);
@@ -29,7 +29,7 @@ public final class GearJoint extends Joint {
     }
 
     /**
-     * Turns of the first body for one turn of the second, the other way round.
+     * Returns the number of turns that the first body makes, in the opposite sense, for one turn of the second.
      *
      * @return any number
      */

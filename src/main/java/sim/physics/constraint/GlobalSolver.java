@@ -11,9 +11,9 @@ import sim.physics.matrix.Matrix;
 import sim.physics.matrix.SolverException;
 
 /**
- * The write-up's own way: J as a {@link BlockSparseMatrix}, W as a {@link DiagonalMatrix}, and J W Jᵀ λ = b, (41), by
- * {@link BiConjugateGradient} through {@code times} and {@code transposeTimes} alone. It is the reference of
- * {@link DirectSolver}. Where constraints are redundant, or nearly so, it may not converge, and says so by a
+ * Solves in the write-up's own way: J is a {@link BlockSparseMatrix}, W a {@link DiagonalMatrix}, and J W Jᵀ λ = b, (41), is
+ * solved by {@link BiConjugateGradient} through {@code times} and {@code transposeTimes} alone. It is the reference for
+ * {@link DirectSolver}. Where constraints are redundant, or nearly so, it may not converge, and then throws a
  * {@link SolverException}.
  */
 public final class GlobalSolver extends ConstraintSolver {
@@ -23,7 +23,7 @@ public final class GlobalSolver extends ConstraintSolver {
 
     private final BiConjugateGradient method = new BiConjugateGradient(1e-15, 20_000);
 
-    /** Makes a solver. */
+    /** Creates a solver. */
     public GlobalSolver() {
         // matrices are made anew for each solve
     }

@@ -7,7 +7,10 @@ import sim.physics.internal.Check;
 import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
 
-/** What the joints of this package have in common: their bodies, and what becomes of them. */
+/**
+ * The base class of the joints in this package. It holds their two bodies, and settings that all joints have: whether the bodies
+ * collide, and the load at which the joint breaks.
+ */
 public abstract class Joint implements Constraint {
     private static final long serialVersionUID = 1L;
 
@@ -43,7 +46,7 @@ public abstract class Joint implements Constraint {
     }
 
     /**
-     * Whether the two bodies collide with one another.
+     * Returns whether the two bodies collide with one another.
      *
      * @return false unless set
      */
@@ -52,12 +55,15 @@ public abstract class Joint implements Constraint {
     }
 
     /**
-     * Sets whether the two bodies collide with one another; at any time, between steps and by a listener within one. Bodies that
-     * overlap when they begin to collide are as others that are put into one another: {@code PhysicsEngine.separate()} parts
-     * them, else they pass through one another until their boxes are apart. Where there are several joints between two bodies, each of them
-     * has to let them collide; motors and stops are not asked beside joints, see {@link Motor#setCollideConnected}.
+     * Sets whether the two bodies collide with one another. You may call this at any time, between steps or from a listener
+     * within one.
      *
-     * @param collide false: they may overlap
+     * <p>If the bodies overlap when they begin to collide, they are treated as other bodies that are put into one another:
+     * {@code PhysicsEngine.separate()} parts them, else they pass through one another until their boxes are apart. Where there
+     * are several joints between two bodies, each of them has to let them collide. Where there are joints, motors and stops have
+     * no say, see {@link Motor#setCollideConnected}.
+     *
+     * @param collide false to let them overlap
      */
     public final void setCollideConnected(boolean collide) {
         boolean isNew = collide != collideConnected;
@@ -77,7 +83,7 @@ public abstract class Joint implements Constraint {
     }
 
     /**
-     * The load at which the joint breaks.
+     * Returns the force at which the joint breaks.
      *
      * @return force; infinite unless set
      */
@@ -86,7 +92,7 @@ public abstract class Joint implements Constraint {
     }
 
     /**
-     * The torque at which the joint breaks.
+     * Returns the torque at which the joint breaks.
      *
      * @return torque; infinite unless set
      */
@@ -95,12 +101,13 @@ public abstract class Joint implements Constraint {
     }
 
     /**
-     * Lets the joint break when its force or its torque (see {@link Reaction}) is greater than a limit at the start of a
-     * step. A pin has no torque of its own. May be called at any time, and holds from the next step on.
+     * Sets the load at which the joint breaks. It breaks if its force or its torque (see {@link Reaction}) is greater than the
+     * limit at the start of a step. A pin has no torque of its own. You may call this at any time; it holds from the next step
+     * on.
      *
-     * @param force greater than 0; may be infinite
-     * @param torque greater than 0; may be infinite
-     * @throws IllegalArgumentException if one is not greater than 0
+     * @param force greatest force, greater than 0; may be infinite
+     * @param torque greatest torque, greater than 0; may be infinite
+     * @throws IllegalArgumentException if the force or the torque is not greater than 0
      */
     public final void setBreakingLoad(double force, double torque) {
         if (!(force > 0)) {

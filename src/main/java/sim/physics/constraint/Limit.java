@@ -8,9 +8,10 @@ import sim.physics.motion.Body;
 import sim.physics.motion.SwitchedRow;
 
 /**
- * Stops of a joint: a coordinate stays between two bounds. It hits a bound as bodies hit one another, with a restitution,
- * and rests there as long as it is pressed against it. Angles do not wrap: bounds may be any number of turns away. What is put beyond
- * a bound, or is there when the stops are added, is not torn back: it is held where it is, until it moves back by itself.
+ * The stops of a joint: a coordinate stays between two bounds. It hits a bound as bodies hit one another, with a restitution, and
+ * rests there as long as it is pressed against it. Angles do not wrap: bounds may be any number of turns away. If a coordinate is
+ * put beyond a bound, or is beyond one when the stops are added, it is not torn back. It is held where it is until it moves back
+ * by itself.
  */
 public final class Limit extends Switched {
     private static final long serialVersionUID = 1L;
@@ -26,12 +27,12 @@ public final class Limit extends Switched {
     private int side;
 
     /**
-     * Makes stops on any coordinate.
+     * Creates stops on any coordinate.
      *
-     * @param coordinate a constraint of one row: its C is bounded; it need not be in an engine
-     * @param lower bound, may be −∞
-     * @param upper bound, greater than the lower one, may be ∞
-     * @param restitution 0: it stops; 1: it bounces off elastically
+     * @param coordinate a constraint of one row, whose C is bounded; it need not be in an engine
+     * @param lower lower bound, may be −∞
+     * @param upper upper bound, greater than the lower one, may be ∞
+     * @param restitution 0 to stop at a bound, 1 to bounce off elastically
      */
     public Limit(Constraint coordinate, double lower, double upper, double restitution) {
         super(coordinate);
@@ -44,12 +45,12 @@ public final class Limit extends Switched {
     }
 
     /**
-     * Makes stops for the angle of a body against another one, from where the two are now.
+     * Creates stops for the angle of a body against another one, counted from where the two are now.
      *
      * @param a a body
      * @param b another body, or null for the world
-     * @param lower bound of θA − θB less what it is now, rad
-     * @param upper bound
+     * @param lower lower bound of θA − θB less its present value, rad
+     * @param upper upper bound
      * @return stops that do not bounce
      */
     public static Limit angle(Body a, Body b, double lower, double upper) {
@@ -57,11 +58,11 @@ public final class Limit extends Switched {
     }
 
     /**
-     * Makes the ends of a rail.
+     * Creates the ends of a rail.
      *
-     * @param rail a slider or a slot; its ends hold from when they are added themselves, and are removed by themselves
-     * @param lower bound of {@link Rail#getTravel()}, may be −∞
-     * @param upper bound, greater than the lower one, may be ∞
+     * @param rail a slider or a slot; its ends hold once they are added themselves, and are removed separately
+     * @param lower lower bound of {@link Rail#getTravel()}, may be −∞
+     * @param upper upper bound, greater than the lower one, may be ∞
      * @return stops that do not bounce
      */
     public static Limit travel(Rail rail, double lower, double upper) {
@@ -69,28 +70,28 @@ public final class Limit extends Switched {
     }
 
     /**
-     * Makes the ends of a rail, with buffers.
+     * Creates the ends of a rail, with buffers.
      *
      * @param rail a slider or a slot
-     * @param lower bound of {@link Rail#getTravel()}, may be −∞
-     * @param upper bound, greater than the lower one, may be ∞
-     * @param restitution 0: the body stops there; 1: it bounces off elastically
-     * @return stops
+     * @param lower lower bound of {@link Rail#getTravel()}, may be −∞
+     * @param upper upper bound, greater than the lower one, may be ∞
+     * @param restitution 0 if the body stops there, 1 if it bounces off elastically
+     * @return stops with that restitution
      */
     public static Limit travel(Rail rail, double lower, double upper, double restitution) {
         return new Limit(Objects.requireNonNull(rail, "rail").travel(), lower, upper, restitution);
     }
 
     /**
-     * Makes a rope: two points that are not farther apart than its length.
+     * Creates a rope: it keeps two points from getting farther apart than its length.
      *
      * @param a a body
-     * @param ax point in the coordinates of the first body
-     * @param ay point in the coordinates of the first body
+     * @param ax x of the point of the first body, in its coordinates
+     * @param ay y of the point of the first body, in its coordinates
      * @param b another body, or null for the world
-     * @param bx point in the coordinates of the second body
-     * @param by point in the coordinates of the second body
-     * @param length of the rope
+     * @param bx x of the point of the second body, in its coordinates
+     * @param by y of the point of the second body, in its coordinates
+     * @param length length of the rope
      * @return stops that do not bounce
      */
     public static Limit rope(Body a, double ax, double ay, Body b, double bx, double by, double length) {
@@ -98,27 +99,27 @@ public final class Limit extends Switched {
     }
 
     /**
-     * The lower bound.
+     * Returns the lower bound.
      *
-     * @return of the coordinate; may be −∞
+     * @return bound of the coordinate; may be −∞
      */
     public double getLower() {
         return lower;
     }
 
     /**
-     * The upper bound.
+     * Returns the upper bound.
      *
-     * @return of the coordinate; may be ∞
+     * @return bound of the coordinate; may be ∞
      */
     public double getUpper() {
         return upper;
     }
 
     /**
-     * With which restitution the coordinate hits a bound.
+     * Returns the restitution with which the coordinate hits a bound.
      *
-     * @return 0: it stops; 1: it bounces off elastically
+     * @return 0 if it stops, 1 if it bounces off elastically
      */
     public double getRestitution() {
         return restitution;

@@ -8,8 +8,8 @@ import sim.physics.motion.Body;
 import sim.physics.motion.SwitchedRow;
 
 /**
- * A motor: it brings a coordinate to a speed and keeps it there, with a force or torque that is never greater than its
- * limit. With the speed 0 it is a brake, or the dry friction of a joint.
+ * A motor. It brings a coordinate to a speed and keeps it there, with a force or torque that is never greater than its limit.
+ * With speed 0 it is a brake, or the dry friction of a joint.
  */
 public final class Motor extends Switched {
     private static final long serialVersionUID = 1L;
@@ -27,11 +27,11 @@ public final class Motor extends Switched {
     private double scale;
 
     /**
-     * Makes a motor on any coordinate.
+     * Creates a motor on any coordinate.
      *
-     * @param coordinate a constraint of one row: its C is driven; it need not be in an engine
-     * @param speed of C
-     * @param limit the greatest force or torque along C, greater than 0
+     * @param coordinate a constraint of one row, whose C is driven; it need not be in an engine
+     * @param speed speed of C
+     * @param limit greatest force or torque along C, greater than 0
      */
     public Motor(Constraint coordinate, double speed, double limit) {
         super(coordinate);
@@ -40,12 +40,12 @@ public final class Motor extends Switched {
     }
 
     /**
-     * Makes a motor that turns a body against another one.
+     * Creates a motor that turns a body against another one.
      *
      * @param a a body
      * @param b another body, or null for the world
      * @param speed θ̇A − θ̇B, rad/time
-     * @param torque the greatest one, greater than 0
+     * @param torque greatest torque, greater than 0
      * @return a motor
      */
     public static Motor turning(Body a, Body b, double speed, double torque) {
@@ -53,11 +53,11 @@ public final class Motor extends Switched {
     }
 
     /**
-     * Makes a motor that drives a body along its rail.
+     * Creates a motor that drives a body along its rail.
      *
-     * @param rail a slider or a slot; the motor acts from when it is added itself, and is removed by itself
-     * @param speed of {@link Rail#getTravel()}, length/time
-     * @param force the greatest one along the rail, greater than 0
+     * @param rail a slider or a slot; the motor acts once it is added itself, and is removed separately
+     * @param speed speed of {@link Rail#getTravel()}, length/time
+     * @param force greatest force along the rail, greater than 0
      * @return a motor
      */
     public static Motor sliding(Rail rail, double speed, double force) {
@@ -65,7 +65,7 @@ public final class Motor extends Switched {
     }
 
     /**
-     * The speed that the motor aims at.
+     * Returns the speed that the motor aims at.
      *
      * @return rate of the coordinate
      */
@@ -74,7 +74,8 @@ public final class Motor extends Switched {
     }
 
     /**
-     * Sets the speed that the motor aims at; at any time: between steps, or by a listener, from that instant on.
+     * Sets the speed that the motor aims at. You may call this at any time, between steps or from a listener; it holds from that
+     * instant on.
      *
      * @param speed rate of the coordinate
      */
@@ -92,18 +93,18 @@ public final class Motor extends Switched {
     }
 
     /**
-     * The greatest force or torque.
+     * Returns the greatest force or torque.
      *
-     * @return greater than 0
+     * @return force or torque, greater than 0
      */
     public double getLimit() {
         return limit;
     }
 
     /**
-     * Sets the greatest force or torque; at any time, as the speed.
+     * Sets the greatest force or torque. Like the speed, it may be set at any time.
      *
-     * @param limit greater than 0
+     * @param limit greatest force or torque, greater than 0
      */
     public void setLimit(double limit) {
         boolean isNew = Check.positive("limit", limit) != this.limit;

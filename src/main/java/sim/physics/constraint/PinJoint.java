@@ -7,7 +7,7 @@ import sim.physics.motion.Body;
 import sim.physics.motion.Link;
 
 /**
- * A hinge: a point of one body stays on a point of another one, or of the world, (42)–(46).
+ * A hinge. A point of one body stays on a point of another one, or of the world, (42)–(46).
  *
  * <pre>
  *   C = (xA + R(θA) rA) − (xB + R(θB) rB)        J = [ 1  0  −rAy  −1  0   rBy ]     r: the arms, turned
@@ -15,8 +15,9 @@ import sim.physics.motion.Link;
  *   J̇ ẋ = −θ̇A² rA + θ̇B² rB
  * </pre>
  *
- * <p>The constructors with one point take it in the <i>world</i>, the one with two in the <i>bodies</i>, and {@link RodJoint}'s
- * with as many numbers does not. {@link #worldPoint} and {@link #bodyPoints} say it by their names.
+ * <p>Beware: the constructors with one point take it in coordinates of the <i>world</i>, and the one with two points takes them
+ * in those of the <i>bodies</i>. The constructor of {@link RodJoint} with as many numbers takes points of the world. The names of
+ * {@link #worldPoint} and {@link #bodyPoints} say which points they take.
  */
 public final class PinJoint extends Joint implements Link {
     private static final long serialVersionUID = 1L;
@@ -27,12 +28,12 @@ public final class PinJoint extends Joint implements Link {
     private final double by;
 
     /**
-     * Pins two bodies together, where they are now, at a point.
+     * Pins two bodies together at a point, where the bodies are now.
      *
      * @param a a body
      * @param b another body, or null for the world
-     * @param x point, in world coordinates
-     * @param y point, in world coordinates
+     * @param x x of the point, in world coordinates
+     * @param y y of the point, in world coordinates
      */
     public PinJoint(Body a, Body b, double x, double y) {
         super(a, b);
@@ -44,11 +45,11 @@ public final class PinJoint extends Joint implements Link {
     }
 
     /**
-     * Pins a body, where it is now, to a point of the world.
+     * Pins a body to a point of the world, where the body is now.
      *
      * @param a a body
-     * @param x point, in world coordinates
-     * @param y point, in world coordinates
+     * @param x x of the point, in world coordinates
+     * @param y y of the point, in world coordinates
      */
     public PinJoint(Body a, double x, double y) {
         this(a, null, x, y);
@@ -56,14 +57,14 @@ public final class PinJoint extends Joint implements Link {
 
     /**
      * Pins a point of one body to a point of another one, wherever the two are. The points are in the <i>bodies'</i> own
-     * coordinates, and not in the world's: {@link #bodyPoints} is the same and says so.
+     * coordinates, not in those of the world. {@link #bodyPoints} does the same, and its name says so.
      *
      * @param a a body
-     * @param ax point in the coordinates of the first body
-     * @param ay point in the coordinates of the first body
+     * @param ax x of the point of the first body, in its coordinates
+     * @param ay y of the point of the first body, in its coordinates
      * @param b another body, or null for the world
-     * @param bx point in the coordinates of the second body
-     * @param by point in the coordinates of the second body
+     * @param bx x of the point of the second body, in its coordinates
+     * @param by y of the point of the second body, in its coordinates
      */
     public PinJoint(Body a, double ax, double ay, Body b, double bx, double by) {
         super(a, b);
@@ -76,12 +77,12 @@ public final class PinJoint extends Joint implements Link {
     }
 
     /**
-     * Pins two bodies together, where they are now, at a point of the world.
+     * Pins two bodies together at a point of the world, where the bodies are now.
      *
      * @param a a body
      * @param b another body, or null for the world
-     * @param x point, in world coordinates
-     * @param y point, in world coordinates
+     * @param x x of the point, in world coordinates
+     * @param y y of the point, in world coordinates
      * @return a pin
      */
     public static PinJoint worldPoint(Body a, Body b, double x, double y) {
@@ -92,12 +93,12 @@ public final class PinJoint extends Joint implements Link {
      * Pins a point of one body to a point of another one, wherever the two are.
      *
      * @param a a body
-     * @param ax point in the coordinates of the first body
-     * @param ay point in the coordinates of the first body
+     * @param ax x of the point of the first body, in its coordinates
+     * @param ay y of the point of the first body, in its coordinates
      * @param b another body, or null for the world
-     * @param bx point in the coordinates of the second body
-     * @param by point in the coordinates of the second body
-     * @return a pin; where its points are not in one place yet, {@code PhysicsEngine.assemble} puts them there
+     * @param bx x of the point of the second body, in its coordinates
+     * @param by y of the point of the second body, in its coordinates
+     * @return a pin; if its points are not in one place yet, {@code PhysicsEngine.assemble} puts them there
      */
     public static PinJoint bodyPoints(Body a, double ax, double ay, Body b, double bx, double by) {
         return new PinJoint(a, ax, ay, b, bx, by);

@@ -7,8 +7,8 @@ import sim.physics.motion.Body;
 import sim.physics.motion.Link;
 
 /**
- * A point of one body moves along a straight line of another one, or of the world. With n the normal of the line, which turns with the
- * second body, and d = pA − pB:
+ * A rail or a slot: a point of one body moves along a straight line of another one, or of the world. With n the normal of the
+ * line, which turns with the second body, and d = pA − pB:
  *
  * <pre>
  *   C0 = n·d            J = [ n  rA⊥·n   −n  −rB⊥·n + n⊥·d ]
@@ -38,9 +38,9 @@ public abstract sealed class Rail extends Joint implements Link permits SliderJo
     }
 
     /**
-     * How far the first body has slid.
+     * Returns how far the first body has slid.
      *
-     * @return distance along the line from where it was when the joint was made
+     * @return distance along the line from its place when the joint was made
      */
     public final double getTravel() {
         first.evaluate();
@@ -51,7 +51,7 @@ public abstract sealed class Rail extends Joint implements Link permits SliderJo
     }
 
     /**
-     * Direction of the line, in the coordinates of the second body.
+     * Returns the x component of the direction of the line, in the coordinates of the second body.
      *
      * @return x of a vector of length 1
      */
@@ -60,7 +60,7 @@ public abstract sealed class Rail extends Joint implements Link permits SliderJo
     }
 
     /**
-     * Direction of the line, in the coordinates of the second body.
+     * Returns the y component of the direction of the line, in the coordinates of the second body.
      *
      * @return y of a vector of length 1
      */

@@ -5,18 +5,18 @@ package sim.physics.constraint;
 import java.io.Serializable;
 
 /**
- * What a constraint does to its first body at one instant: Jᵀ λ, (40). The second body gets the opposite force at the same
- * place.
+ * The force and torque of a constraint on its first body at one instant: Jᵀ λ, (40). The second body gets the opposite force at
+ * the same place.
  *
- * @param forceX force
- * @param forceY force
- * @param torque about the first body's centre of mass
+ * @param forceX force along x
+ * @param forceY force along y
+ * @param torque torque about the first body's centre of mass
  */
 public record Reaction(double forceX, double forceY, double torque) implements Serializable {
     /**
-     * Size of the force.
+     * Returns the size of the force.
      *
-     * @return not negative
+     * @return force, not negative
      */
     public double force() {
         return Math.sqrt(forceX * forceX + forceY * forceY);

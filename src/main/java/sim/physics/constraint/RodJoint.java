@@ -14,8 +14,9 @@ import sim.physics.motion.Link;
  *   J̇ ẋ = n·(−θ̇A² rA + θ̇B² rB) + (ḋ·ḋ − (n·ḋ)²) / |d|
  * </pre>
  *
- * <p>The constructor without a length takes points of the <i>world</i>, the one with a length points of the <i>bodies</i>, and
- * {@link PinJoint}'s with as many numbers as the first, too. {@link #worldPoints} and {@link #bodyPoints} say it by their names.
+ * <p>Beware: the constructor without a length takes points of the <i>world</i>, and the one with a length takes points of the
+ * <i>bodies</i>. So does the constructor of {@link PinJoint} that has as many numbers as the first. The names of
+ * {@link #worldPoints} and {@link #bodyPoints} say which points they take.
  */
 public final class RodJoint extends Joint implements Link {
     private static final long serialVersionUID = 1L;
@@ -25,31 +26,31 @@ public final class RodJoint extends Joint implements Link {
     private final double length;
 
     /**
-     * Links two points by a rod as long as their distance is now. The points are where they are in the <i>world</i>, and not in
-     * the bodies' own coordinates: {@link #worldPoints} is the same and says so.
+     * Links two points by a rod whose length is their present distance. The points are given where they are in the <i>world</i>,
+     * not in the bodies' own coordinates. {@link #worldPoints} does the same, and its name says so.
      *
      * @param a a body
-     * @param worldAX point, in world coordinates
-     * @param worldAY point, in world coordinates
+     * @param worldAX x of the point of the first body, in world coordinates
+     * @param worldAY y of the point of the first body, in world coordinates
      * @param b another body, or null for the world
-     * @param worldBX point, in world coordinates
-     * @param worldBY point, in world coordinates
-     * @throws IllegalArgumentException if both points are the same: that is a {@link PinJoint}
+     * @param worldBX x of the point of the second body, in world coordinates
+     * @param worldBY y of the point of the second body, in world coordinates
+     * @throws IllegalArgumentException if both points are the same: use a {@link PinJoint} for that
      */
     public RodJoint(Body a, double worldAX, double worldAY, Body b, double worldBX, double worldBY) {
         this(Anchor.at(a, worldAX, worldAY), Anchor.at(b, worldBX, worldBY), distance(worldAX - worldBX, worldAY - worldBY));
     }
 
     /**
-     * Links two points of bodies, wherever the two are, by a rod.
+     * Links two points of bodies by a rod, wherever the bodies are.
      *
      * @param a a body
-     * @param ax point in the coordinates of the first body
-     * @param ay point in the coordinates of the first body
+     * @param ax x of the point of the first body, in its coordinates
+     * @param ay y of the point of the first body, in its coordinates
      * @param b another body, or null for the world
-     * @param bx point in the coordinates of the second body
-     * @param by point in the coordinates of the second body
-     * @param length of the rod
+     * @param bx x of the point of the second body, in its coordinates
+     * @param by y of the point of the second body, in its coordinates
+     * @param length length of the rod
      */
     public RodJoint(Body a, double ax, double ay, Body b, double bx, double by, double length) {
         this(Anchor.local(a, ax, ay), Anchor.local(b, bx, by), Check.positive("length", length));
@@ -67,32 +68,32 @@ public final class RodJoint extends Joint implements Link {
     }
 
     /**
-     * Links two points by a rod as long as their distance is now, where the bodies are now.
+     * Links two points by a rod whose length is their present distance, where the bodies are now.
      *
      * @param a a body
-     * @param ax point, in world coordinates
-     * @param ay point, in world coordinates
+     * @param ax x of the point of the first body, in world coordinates
+     * @param ay y of the point of the first body, in world coordinates
      * @param b another body, or null for the world
-     * @param bx point, in world coordinates
-     * @param by point, in world coordinates
+     * @param bx x of the point of the second body, in world coordinates
+     * @param by y of the point of the second body, in world coordinates
      * @return a rod
-     * @throws IllegalArgumentException if both points are the same: that is a {@link PinJoint}
+     * @throws IllegalArgumentException if both points are the same: use a {@link PinJoint} for that
      */
     public static RodJoint worldPoints(Body a, double ax, double ay, Body b, double bx, double by) {
         return new RodJoint(a, ax, ay, b, bx, by);
     }
 
     /**
-     * Links two points of bodies by a rod as long as their distance is now.
+     * Links two points of bodies by a rod whose length is their present distance.
      *
      * @param a a body
-     * @param ax point in the coordinates of the first body
-     * @param ay point in the coordinates of the first body
+     * @param ax x of the point of the first body, in its coordinates
+     * @param ay y of the point of the first body, in its coordinates
      * @param b another body, or null for the world
-     * @param bx point in the coordinates of the second body
-     * @param by point in the coordinates of the second body
+     * @param bx x of the point of the second body, in its coordinates
+     * @param by y of the point of the second body, in its coordinates
      * @return a rod
-     * @throws IllegalArgumentException if both points are in one place: that is a {@link PinJoint}
+     * @throws IllegalArgumentException if both points are in one place: use a {@link PinJoint} for that
      */
     public static RodJoint bodyPoints(Body a, double ax, double ay, Body b, double bx, double by) {
         Anchor first = Anchor.local(a, ax, ay);
@@ -103,15 +104,15 @@ public final class RodJoint extends Joint implements Link {
     }
 
     /**
-     * Links two points of bodies, wherever the two are, by a rod.
+     * Links two points of bodies by a rod, wherever the bodies are.
      *
      * @param a a body
-     * @param ax point in the coordinates of the first body
-     * @param ay point in the coordinates of the first body
+     * @param ax x of the point of the first body, in its coordinates
+     * @param ay y of the point of the first body, in its coordinates
      * @param b another body, or null for the world
-     * @param bx point in the coordinates of the second body
-     * @param by point in the coordinates of the second body
-     * @param length of the rod
+     * @param bx x of the point of the second body, in its coordinates
+     * @param by y of the point of the second body, in its coordinates
+     * @param length length of the rod
      * @return a rod
      */
     public static RodJoint bodyPoints(Body a, double ax, double ay, Body b, double bx, double by, double length) {
@@ -119,9 +120,9 @@ public final class RodJoint extends Joint implements Link {
     }
 
     /**
-     * Length of the rod.
+     * Returns the length of the rod.
      *
-     * @return L
+     * @return length L
      */
     public double getLength() {
         return length;

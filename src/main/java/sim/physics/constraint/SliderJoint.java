@@ -5,8 +5,8 @@ package sim.physics.constraint;
 import sim.physics.motion.Body;
 
 /**
- * A rail: a point of one body moves along a straight line of another one, or of the world, and the two do not turn
- * against each other: {@link Rail}, and C1 = θA − θB − c.
+ * A rail. A point of one body moves along a straight line of another one, or of the world, and the two do not turn against each
+ * other: the equation of a {@link Rail}, and C1 = θA − θB − c.
  */
 public final class SliderJoint extends Rail {
     private static final long serialVersionUID = 1L;
@@ -18,10 +18,10 @@ public final class SliderJoint extends Rail {
      *
      * @param a the body that slides
      * @param b the body with the rail, or null for the world
-     * @param x point, in world coordinates
-     * @param y point, in world coordinates
-     * @param dx direction of the line, of any length
-     * @param dy direction of the line
+     * @param x x of the point, in world coordinates
+     * @param y y of the point, in world coordinates
+     * @param dx x of the direction of the line, of any length
+     * @param dy y of the direction of the line
      */
     public SliderJoint(Body a, Body b, double x, double y, double dx, double dy) {
         super(a, b, x, y, dx, dy);

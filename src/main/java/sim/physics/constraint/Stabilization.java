@@ -6,10 +6,10 @@ import java.io.Serializable;
 import sim.physics.internal.Check;
 
 /**
- * What keeps constraints closed against the errors of the integrator: {@link #projection()} after each step, or
- * {@link #feedback(double, double)} within its forces.
+ * The method that keeps constraints closed despite the errors of the integrator: {@link #projection()} after each step, or
+ * {@link #feedback(double, double)} within the constraint forces.
  *
- * @param isFeedback false: projection
+ * @param isFeedback true for feedback, false for projection
  * @param position gain of C, 1/time²
  * @param velocity gain of Ċ, 1/time
  */
@@ -17,10 +17,10 @@ public record Stabilization(boolean isFeedback, double position, double velocity
     /**
      * Checks the gains.
      *
-     * @param isFeedback false: projection
+     * @param isFeedback true for feedback, false for projection
      * @param position gain of C, 1/time², not negative
      * @param velocity gain of Ċ, 1/time, not negative
-     * @throws IllegalArgumentException if one is negative or not finite
+     * @throws IllegalArgumentException if a gain is negative or not finite
      */
     public Stabilization {
         Check.notNegative("position gain", position);
@@ -28,8 +28,8 @@ public record Stabilization(boolean isFeedback, double position, double velocity
     }
 
     /**
-     * Projection onto C = 0 and Ċ = 0 after each step: joints stay closed to rounding, and the order of the integrator
-     * is kept.
+     * Returns the projection onto C = 0 and Ċ = 0 after each step. Joints stay closed to rounding, and the integrator keeps its
+     * order.
      *
      * @return the engine's default
      */
@@ -38,14 +38,15 @@ public record Stabilization(boolean isFeedback, double position, double velocity
     }
 
     /**
-     * Springs and dampers in (41): C″ = −p C − v Ċ (Baumgarte 1972). Joints stay open by what the step's error and the
-     * gains make of it, and energy is put in or taken out; it is for comparison. With Euler's method, a step of 1 and
-     * both gains 0.3 the write-up's pendulum of Figure 3 ends its first swing 28.03 degrees above where it began.
+     * Returns a feedback by springs and dampers in (41): C″ = −p C − v Ċ (Baumgarte 1972). Joints stay open by an amount that
+     * depends on the step's error and the gains, and energy is put in or taken out. It is there for comparison. With Euler's
+     * method, a step of 1 and both gains 0.3, the write-up's pendulum of Figure 3 ends its first swing 28.03 degrees above its
+     * start.
      *
      * @param position p, 1/time²
      * @param velocity v, 1/time
      * @return a feedback
-     * @throws IllegalArgumentException if one is negative or not finite
+     * @throws IllegalArgumentException if a gain is negative or not finite
      */
     public static Stabilization feedback(double position, double velocity) {
         return new Stabilization(true, position, velocity);

@@ -80,8 +80,8 @@ abstract class Switched implements Constraint {
     }
 
     /**
-     * What this acts on: the constraint that it was made with; the rail of a motor or of ends of a rail; a {@link RodJoint} of a
-     * rope, a {@link GearJoint} of a turn.
+     * Returns the coordinate that this acts on: the constraint that it was made with, the rail if it is a motor or an end of a
+     * rail, a {@link RodJoint} for a rope, a {@link GearJoint} for a turn.
      *
      * @return never null
      */
@@ -90,7 +90,7 @@ abstract class Switched implements Constraint {
     }
 
     /**
-     * Whether the two bodies collide with one another, if no joint says so.
+     * Returns whether the two bodies collide with one another, if no joint decides that.
      *
      * @return false unless set
      */
@@ -99,10 +99,10 @@ abstract class Switched implements Constraint {
     }
 
     /**
-     * Sets whether the two bodies collide with one another, at any time, as {@link Joint#setCollideConnected} does. It counts where
-     * only motors and stops are between the two, as a rope is for one; else the joints say it.
+     * Sets whether the two bodies collide with one another. As with {@link Joint#setCollideConnected}, you may call this at any
+     * time. It counts where only motors and stops are between the two bodies, such as a rope. Otherwise the joints decide.
      *
-     * @param collide false: they may overlap
+     * @param collide false to let them overlap
      */
     public void setCollideConnected(boolean collide) {
         boolean isNew = collide != collideConnected;

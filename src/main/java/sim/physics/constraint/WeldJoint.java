@@ -5,7 +5,7 @@ package sim.physics.constraint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Link;
 
-/** Two bodies that move as one: a {@link PinJoint} that does not turn either. */
+/** Makes two bodies move as one: a {@link PinJoint} that does not turn either. */
 public final class WeldJoint extends Joint implements Link {
     private static final long serialVersionUID = 1L;
 
@@ -17,8 +17,8 @@ public final class WeldJoint extends Joint implements Link {
      *
      * @param a a body
      * @param b another body, or null for the world
-     * @param x the point at which the joint's force is read, in world coordinates
-     * @param y the point at which the joint's force is read, in world coordinates
+     * @param x x of the point at which the joint's force is read, in world coordinates
+     * @param y y of the point at which the joint's force is read, in world coordinates
      */
     public WeldJoint(Body a, Body b, double x, double y) {
         super(a, b);

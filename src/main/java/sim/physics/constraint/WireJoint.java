@@ -12,9 +12,9 @@ import sim.physics.motion.Body;
  *   C = f(p)   (25)        Ċ = ∇f·ṗ   (26)        C″ = ∇f·p″ + ṗᵀ H ṗ   (27), (28)
  * </pre>
  *
- * <p>The write-up lets the force of the wire act at right angles to the bead's <i>velocity</i>, (30) and (31), and finds
- * λ by a division by ẋ + ẏ, (33). That is singular when the bead is at rest. Here it acts along ∇f, at right angles to
- * the wire, which is the same direction whenever the bead moves; it is (40), and (29) and (32) are (41).
+ * <p>In the write-up, the force of the wire acts at right angles to the bead's <i>velocity</i>, (30) and (31), and λ is found by
+ * dividing by ẋ + ẏ, (33). That is singular when the bead is at rest. Here the force acts along ∇f, at right angles to the wire,
+ * which is the same direction whenever the bead moves. It is (40), and (29) and (32) are (41).
  */
 public final class WireJoint extends Joint {
     private static final long serialVersionUID = 1L;
@@ -26,8 +26,8 @@ public final class WireJoint extends Joint {
     /**
      * Threads the centre of a body on a wire.
      *
-     * @param bead the body
-     * @param wire in the world
+     * @param bead the body that moves along the wire
+     * @param wire the wire, in the world
      */
     public WireJoint(Body bead, Curve wire) {
         this(bead, 0, 0, wire);
@@ -36,10 +36,10 @@ public final class WireJoint extends Joint {
     /**
      * Threads a point of a body on a wire.
      *
-     * @param bead the body
-     * @param ax point in the coordinates of the body
-     * @param ay point in the coordinates of the body
-     * @param wire in the world
+     * @param bead the body that moves along the wire
+     * @param ax x of the point, in the coordinates of the body
+     * @param ay y of the point, in the coordinates of the body
+     * @param wire the wire, in the world
      */
     public WireJoint(Body bead, double ax, double ay, Curve wire) {
         super(bead, null);
@@ -48,7 +48,7 @@ public final class WireJoint extends Joint {
     }
 
     /**
-     * The point that stays on the wire, in the coordinates of the body.
+     * Returns the x coordinate of the point that stays on the wire, in the coordinates of the body.
      *
      * @return x, length
      */
@@ -57,7 +57,7 @@ public final class WireJoint extends Joint {
     }
 
     /**
-     * The point that stays on the wire, in the coordinates of the body.
+     * Returns the y coordinate of the point that stays on the wire, in the coordinates of the body.
      *
      * @return y, length
      */
@@ -66,9 +66,9 @@ public final class WireJoint extends Joint {
     }
 
     /**
-     * The wire.
+     * Returns the wire.
      *
-     * @return in the world
+     * @return a curve in the world
      */
     public Curve getWire() {
         return wire;

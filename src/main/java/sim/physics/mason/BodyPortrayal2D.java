@@ -22,9 +22,9 @@ public class BodyPortrayal2D extends SimplePortrayal2D {
     private final transient Paint paint;
 
     /**
-     * Makes a portrayal.
+     * Creates a portrayal.
      *
-     * @param paint fills the shape
+     * @param paint paint that fills the shape
      */
     public BodyPortrayal2D(Paint paint) {
         this.paint = Objects.requireNonNull(paint, "paint");
@@ -41,7 +41,7 @@ public class BodyPortrayal2D extends SimplePortrayal2D {
         return outline((Body) object, range).intersects(range.clip.x, range.clip.y, range.clip.width, range.clip.height);
     }
 
-    /** {@inheritDoc} For a plain body its properties one by one; an author's subclass shows its own. */
+    /** {@inheritDoc} A plain body shows its properties one by one; your own subclass shows its own. */
     @Override
     public Inspector getInspector(LocationWrapper wrapper, GUIState state) {
         Object object = wrapper == null ? null : wrapper.getObject();

@@ -17,8 +17,8 @@ import sim.portrayal.SimpleInspector;
 import sim.portrayal.SimplePortrayal2D;
 
 /**
- * Draws a contact that lasts in a {@link ContactsPortrayal2D}: its point, its normal, and the force on the second body, or on the one
- * that can move, as an arrow.
+ * Draws a lasting contact in a {@link ContactsPortrayal2D}: its point, its normal, and an arrow for the force on the second body,
+ * or on the one that can move.
  */
 public class ContactPortrayal2D extends SimplePortrayal2D {
     private static final long serialVersionUID = 1L;
@@ -34,10 +34,10 @@ public class ContactPortrayal2D extends SimplePortrayal2D {
     private double greatest;
 
     /**
-     * Makes a portrayal.
+     * Creates a portrayal.
      *
-     * @param paint of points and normals
-     * @param forcePaint of forces; null: none are drawn
+     * @param paint paint of points and normals
+     * @param forcePaint paint of forces; null to draw none
      */
     public ContactPortrayal2D(Paint paint, Paint forcePaint) {
         this.paint = Objects.requireNonNull(paint, "paint");
@@ -45,9 +45,9 @@ public class ContactPortrayal2D extends SimplePortrayal2D {
     }
 
     /**
-     * How long arrows are.
+     * Returns how long arrows are.
      *
-     * @return length of the world by force; 0: the greatest force so far is a little longer than its body
+     * @return length in the world per force; 0 if the greatest force so far is a little longer than its body
      */
     public double getForceScale() {
         return forceScale;
@@ -56,7 +56,7 @@ public class ContactPortrayal2D extends SimplePortrayal2D {
     /**
      * Sets how long arrows are.
      *
-     * @param scale length of the world by force; 0: the greatest force so far is a little longer than its body
+     * @param scale length in the world per force; 0 to make the greatest force so far a little longer than its body
      */
     public void setForceScale(double scale) {
         forceScale = Check.notNegative("scale", scale);
@@ -97,7 +97,7 @@ public class ContactPortrayal2D extends SimplePortrayal2D {
         return sketch.arrow(contact.x(), contact.y(), contact.x() + scale * fx, contact.y() + scale * fy);
     }
 
-    /** {@inheritDoc} Its bodies and force as they are at the end of each step. */
+    /** {@inheritDoc} It shows the bodies and the force as they are at the end of each step. */
     @Override
     public Inspector getInspector(LocationWrapper wrapper, GUIState state) {
         Object field = wrapper == null ? null : wrapper.getFieldPortrayal().getField();

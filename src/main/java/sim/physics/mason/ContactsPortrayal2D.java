@@ -10,29 +10,29 @@ import sim.portrayal.Portrayal;
 import sim.util.Double2D;
 
 /**
- * A layer of a display that shows the contacts which last at the end of a step, as {@link PhysicsEngine#contacts()} lists them: where
- * bodies rest or lie on one another, the normal there, and the force. Bodies that bounce have none. It is used as
- * {@link JointsPortrayal2D} is; a click on one inspects it.
+ * A layer of a display that shows the contacts which last at the end of a step, as {@link PhysicsEngine#contacts()} lists them:
+ * where bodies rest or lie on one another, the normal there, and the force. Bodies that bounce have none. Use it like
+ * {@link JointsPortrayal2D}. A click on a contact inspects it.
  */
 public class ContactsPortrayal2D extends EnginePortrayal2D {
     private final ContactPortrayal2D portrayal;
 
     /**
-     * Makes a layer that draws points and normals in red, and forces in magenta.
+     * Creates a layer that draws points and normals in red, and forces in magenta.
      *
-     * @param width of the field that the bodies are shown in
-     * @param height of that field
+     * @param width width of the field that shows the bodies
+     * @param height height of that field
      */
     public ContactsPortrayal2D(double width, double height) {
         this(width, height, new ContactPortrayal2D(new Color(200, 0, 0), Color.MAGENTA));
     }
 
     /**
-     * Makes a layer.
+     * Creates a layer.
      *
-     * @param width of the field that the bodies are shown in
-     * @param height of that field
-     * @param portrayal draws the contacts
+     * @param width width of the field that shows the bodies
+     * @param height height of that field
+     * @param portrayal the portrayal that draws the contacts
      */
     public ContactsPortrayal2D(double width, double height, ContactPortrayal2D portrayal) {
         super(width, height);

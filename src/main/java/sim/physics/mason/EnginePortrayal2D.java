@@ -16,8 +16,8 @@ import sim.util.Bag;
 import sim.util.Double2D;
 
 /**
- * A layer of a display over a {@code ContinuousPortrayal2D}: its field is a {@link PhysicsEngine}, and the part of the world that it
- * covers is that of the bodies' field. It reads the engine when it is drawn, and keeps nothing in it.
+ * A layer of a display over a {@code ContinuousPortrayal2D}. Its field is a {@link PhysicsEngine}, and it covers the same part of
+ * the world as the bodies' field. It reads the engine when it is drawn, and keeps nothing in it.
  */
 public abstract class EnginePortrayal2D extends FieldPortrayal2D {
     private final double width;
@@ -29,10 +29,10 @@ public abstract class EnginePortrayal2D extends FieldPortrayal2D {
     }
 
     /**
-     * Sets whose parts are drawn; to be called when a model starts and when one is loaded.
+     * Sets the engine whose parts are drawn. Call this when a model starts and when one is loaded.
      *
      * @param engine a {@link PhysicsEngine}, or null for nothing
-     * @throws IllegalArgumentException if it is something else
+     * @throws IllegalArgumentException if it is anything else
      */
     @Override
     public void setField(Object engine) {
@@ -48,7 +48,7 @@ public abstract class EnginePortrayal2D extends FieldPortrayal2D {
     }
 
     /**
-     * Width of the world that is shown.
+     * Returns the width of the world that is shown.
      *
      * @return length
      */
@@ -57,7 +57,7 @@ public abstract class EnginePortrayal2D extends FieldPortrayal2D {
     }
 
     /**
-     * Height of the world that is shown.
+     * Returns the height of the world that is shown.
      *
      * @return length
      */

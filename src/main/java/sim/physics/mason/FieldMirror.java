@@ -14,11 +14,11 @@ import sim.util.Double2D;
 
 /**
  * Shows the bodies of an engine in a field of MASON, at the places where the engine has them. Step it after the engine: in a
- * {@code GUIState} by {@code scheduleRepeatingImmediatelyAfter}, or on the model's schedule with {@link #ORDERING}. The field is a picture of the engine; moving an object in the field does not move the body. What else is in the field
- * stays there.
+ * {@code GUIState} by {@code scheduleRepeatingImmediatelyAfter}, or on the model's schedule with {@link #ORDERING}. The field is
+ * a picture of the engine, so moving an object in the field does not move the body. Other objects in the field stay there.
  *
- * <p>MASON draws what is in a window, by its centre, and as far outside as the field's discretization is long. So let that be no less than
- * half the length of the longest body, or walls vanish when one zooms in.
+ * <p>MASON draws the objects whose centres lie in a window, or outside it by no more than the field's discretization. So make the
+ * discretization no less than half the length of the longest body, or walls vanish when one zooms in.
  */
 public final class FieldMirror implements Steppable {
     private static final long serialVersionUID = 2L;
@@ -33,10 +33,10 @@ public final class FieldMirror implements Steppable {
     private List<Body> shown = new ArrayList<>();
 
     /**
-     * Makes a mirror and fills the field.
+     * Creates a mirror and fills the field.
      *
      * @param engine the engine to show
-     * @param field where to show it
+     * @param field the field that shows its bodies
      */
     public FieldMirror(PhysicsEngine engine, Continuous2D field) {
         this.engine = Objects.requireNonNull(engine, "engine");
@@ -54,7 +54,7 @@ public final class FieldMirror implements Steppable {
         update();
     }
 
-    /** Puts the field right. */
+    /** Brings the field up to date. */
     public void update() {
         List<Body> bodies = engine.bodies();
         for (Body body : shown) {

@@ -11,8 +11,8 @@ import sim.portrayal.Portrayal;
 import sim.util.Double2D;
 
 /**
- * A layer of a display that shows what ties bodies: joints, motors, stops, ropes, and the springs and other forces that act between two
- * bodies. Attach it over the {@code ContinuousPortrayal2D} of the bodies, and set the engine as its field:
+ * A layer of a display that shows what ties bodies: joints, motors, stops, ropes, and the springs and other forces that act
+ * between two bodies. Attach it over the {@code ContinuousPortrayal2D} of the bodies, and set the engine as its field:
  *
  * <pre>
  *   private final JointsPortrayal2D joints = new JointsPortrayal2D(100, 100);   // the size of the bodies' field
@@ -21,28 +21,28 @@ import sim.util.Double2D;
  *   joints.setField(((Model) state).physics);                                   // in start() and load()
  * </pre>
  *
- * <p>Each is drawn by a {@link LinkPortrayal2D} of a colour, unless you set another portrayal for its class. A click on one inspects
- * it: its bodies, its force, its gap, and what may be set.
+ * <p>Each of them is drawn by a {@link LinkPortrayal2D} of one colour, unless you set another portrayal for its class. A click on
+ * one of them opens an inspector with its bodies, its force, its gap, and the properties that may be set.
  */
 public class JointsPortrayal2D extends EnginePortrayal2D {
     private final LinkPortrayal2D portrayal;
 
     /**
-     * Makes a layer that draws in dark orange.
+     * Creates a layer that draws in dark orange.
      *
-     * @param width of the field that the bodies are shown in
-     * @param height of that field
+     * @param width width of the field that shows the bodies
+     * @param height height of that field
      */
     public JointsPortrayal2D(double width, double height) {
         this(width, height, new LinkPortrayal2D(new Color(220, 110, 0)));
     }
 
     /**
-     * Makes a layer.
+     * Creates a layer.
      *
-     * @param width of the field that the bodies are shown in
-     * @param height of that field
-     * @param portrayal draws what no other portrayal is set for
+     * @param width width of the field that shows the bodies
+     * @param height height of that field
+     * @param portrayal the portrayal that draws everything for which no other one is set
      */
     public JointsPortrayal2D(double width, double height, LinkPortrayal2D portrayal) {
         super(width, height);

@@ -24,9 +24,11 @@ import sim.util.Double2D;
 
 /**
  * Draws a joint, a motor, a stop or a spring in a {@link JointsPortrayal2D}, and finds it under the mouse. Pins are rings, welds
- * squares, rods lines, rails lines with a box that slides, wires their curves, ropes lines that sag, springs zigzags, motors arrows,
- * stops arcs and bars, gears two rings and a dashed line; what else acts between two bodies is a dashed line. Symbols are as large as
- * their bodies make them, or as you say, in lengths of the world: they grow when one zooms in.
+ * squares, rods lines, rails lines with a box that slides, wires their curves, ropes lines that sag, springs zigzags, motors
+ * arrows, stops arcs and bars, and gears two rings and a dashed line. Whatever else acts between two bodies is a dashed line.
+ *
+ * <p>The size of symbols depends on that of their bodies, unless you set it. Sizes are lengths of the world, so symbols grow when
+ * one zooms in.
  */
 public class LinkPortrayal2D extends SimplePortrayal2D {
     private static final long serialVersionUID = 1L;
@@ -35,18 +37,18 @@ public class LinkPortrayal2D extends SimplePortrayal2D {
     private double size;
 
     /**
-     * Makes a portrayal.
+     * Creates a portrayal.
      *
-     * @param paint of lines and symbols
+     * @param paint paint of lines and symbols
      */
     public LinkPortrayal2D(Paint paint) {
         this.paint = Objects.requireNonNull(paint, "paint");
     }
 
     /**
-     * The size of symbols.
+     * Returns the size of symbols.
      *
-     * @return radius of a pin's ring, length; 0: as the bodies make it
+     * @return radius of a pin's ring, length; 0 if it depends on the bodies
      */
     public double getSize() {
         return size;
@@ -55,7 +57,7 @@ public class LinkPortrayal2D extends SimplePortrayal2D {
     /**
      * Sets the size of symbols.
      *
-     * @param size radius of a pin's ring, length; 0: 0.15 times the root of the bodies' mean area
+     * @param size radius of a pin's ring, length; 0 for 0.15 times the root of the bodies' mean area
      */
     public void setSize(double size) {
         this.size = Check.notNegative("size", size);
@@ -89,7 +91,7 @@ public class LinkPortrayal2D extends SimplePortrayal2D {
         return symbols.sketch;
     }
 
-    /** {@inheritDoc} Of a constraint its bodies, force and gap; of a spring its length and force. */
+    /** {@inheritDoc} It shows the bodies, force and gap of a constraint, and the length and force of a spring. */
     @Override
     public Inspector getInspector(LocationWrapper wrapper, GUIState state) {
         Object object = wrapper == null ? null : wrapper.getObject();

@@ -29,15 +29,15 @@ public final class Picture {
     private final Function<Body, Color> colors;
 
     /**
-     * Makes a kind of picture.
+     * Creates a kind of picture.
      *
      * @param x left edge of the part of the world to draw
-     * @param y upper edge
-     * @param width its width
-     * @param height its height
+     * @param y upper edge of that part
+     * @param width width of that part
+     * @param height height of that part
      * @param scale pixels per unit of length
-     * @param background colour of the ground
-     * @param colors colour of each body, null for one that is not drawn
+     * @param background colour of the background
+     * @param colors function that gives the colour of each body, or null for one that is not drawn
      * @throws IllegalArgumentException if a number is not finite, or a size or the scale not greater than 0
      */
     public Picture(
@@ -60,20 +60,20 @@ public final class Picture {
     /**
      * Draws the bodies where they are.
      *
-     * @param engine whose bodies
-     * @return an image
+     * @param engine the engine that has the bodies
+     * @return the image
      */
     public BufferedImage draw(PhysicsEngine engine) {
         return draw(engine, new EnginePortrayal2D[0]);
     }
 
     /**
-     * Draws the bodies where they are, and what layers of displays show over them: a {@link JointsPortrayal2D}, a
-     * {@link ContactsPortrayal2D}. Their fields are set to the engine.
+     * Draws the bodies where they are, and over them what layers of a display show, such as a {@link JointsPortrayal2D} or a
+     * {@link ContactsPortrayal2D}. The layers' fields are set to the engine.
      *
-     * @param engine whose bodies
-     * @param layers none or some, the last one on top; the size of the world that they were made with does not matter
-     * @return an image
+     * @param engine the engine that has the bodies
+     * @param layers any number of layers, the last one on top; the size of the world that they were made with does not matter
+     * @return the image
      */
     public BufferedImage draw(PhysicsEngine engine, EnginePortrayal2D... layers) {
         int pixelsX = (int) Math.ceil(width * scale);
@@ -105,9 +105,9 @@ public final class Picture {
     /**
      * Draws the bodies into a PNG file.
      *
-     * @param engine whose bodies
-     * @param file where to
-     * @throws IOException if it cannot be written
+     * @param engine the engine that has the bodies
+     * @param file file to write
+     * @throws IOException if the file cannot be written
      */
     public void write(PhysicsEngine engine, File file) throws IOException {
         write(engine, file, new EnginePortrayal2D[0]);
@@ -116,10 +116,10 @@ public final class Picture {
     /**
      * Draws the bodies into a PNG file, with layers over them.
      *
-     * @param engine whose bodies
-     * @param file where to
-     * @param layers what is drawn over them
-     * @throws IOException if it cannot be written
+     * @param engine the engine that has the bodies
+     * @param file file to write
+     * @param layers layers to draw over the bodies
+     * @throws IOException if the file cannot be written
      */
     public void write(PhysicsEngine engine, File file, EnginePortrayal2D... layers) throws IOException {
         if (!ImageIO.write(draw(engine, layers), "png", file)) {

@@ -6,24 +6,24 @@ import java.io.Serializable;
 import java.util.Arrays;
 
 /**
- * The biconjugate gradient method for M x = b, the solver of the write-up's chapter <i>Matrix Optimization</i> and its
- * reference [9]. It uses M only through {@link Matrix#times} and {@link Matrix#transposeTimes}. Source: Fletcher 1976;
- * Barrett et al., <i>Templates for the Solution of Linear Systems</i>, 1994, section 2.3.5.
+ * The biconjugate gradient method for M x = b, which is the solver of the write-up's chapter <i>Matrix Optimization</i> and its
+ * reference [9]. It uses M only through {@link Matrix#times} and {@link Matrix#transposeTimes}. Source: Fletcher 1976; Barrett et
+ * al., <i>Templates for the Solution of Linear Systems</i>, 1994, section 2.3.5.
  *
- * <p>The residual is updated along the way; where it is small enough, the true one ‖b − M x‖ is computed, and the
- * method starts again from that one until it is within the tolerance too. A tolerance below 1e-13 may be beyond what
- * doubles can reach: the solver goes on as long as the true residual halves, and then 1e-13 will do.
+ * <p>The residual is updated along the way. Where it is small enough, the true one ‖b − M x‖ is computed, and the method starts
+ * again from that one until it is within the tolerance too. A tolerance below 1e-13 may be beyond what doubles can reach. The
+ * solver then goes on as long as the true residual halves, and then accepts 1e-13.
  *
- * <p>A run that does not halve the true residual, by a breakdown or in half of the iterations, is followed by one with
- * another shadow residual, r̃ = r/‖r‖ + Mh/‖Mh‖ instead of r, where h is a fixed sequence without a pattern. That heals
- * nearly every breakdown unless M is singular. If it does not help, the outcome is an exception if the run broke down,
- * and else a report that says "not converged". In neither case is a wrong answer called right. The breakdowns are
- * those of the method: r̃·r = 0, p̃·M p = 0, overflow.
+ * <p>If a run does not halve the true residual, because of a breakdown or within half of the iterations, it is followed by one
+ * with another shadow residual: r̃ = r/‖r‖ + Mh/‖Mh‖ instead of r, where h is a fixed sequence without a pattern. That heals
+ * nearly every breakdown unless M is singular. If it does not help, the outcome is an exception if the run broke down, and
+ * otherwise a report that says "not converged". In neither case is a wrong answer called right. The breakdowns are those of the
+ * method: r̃·r = 0, p̃·M p = 0, overflow.
  *
- * <p>A preconditioner is a diagonal matrix near M⁻¹ (Jacobi: 1/mᵢᵢ), which is multiplied and not divided by. It changes
- * the way and not the goal, which is always the residual of the system as given.
+ * <p>A preconditioner is a diagonal matrix near M⁻¹ (Jacobi: 1/mᵢᵢ), which is multiplied by, not divided by. It changes the way
+ * but not the goal, which is always the residual of the system as given.
  *
- * <p>Settings are fixed; the workspace is reused, grows with the largest system so far and is not serialized.
+ * <p>Settings are fixed. The workspace is reused, grows with the largest system so far, and is not serialized.
  */
 public final class BiConjugateGradient implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -80,17 +80,17 @@ public final class BiConjugateGradient implements Serializable {
     private transient double[] z;
     private transient double[] zShadow;
 
-    /** Makes a solver with the relative tolerance 1e-14 and 20 iterations per unknown. */
+    /** Creates a solver with the relative tolerance 1e-14 and 20 iterations per unknown. */
     public BiConjugateGradient() {
         this(1e-14, 0);
     }
 
     /**
-     * Makes a solver.
+     * Creates a solver.
      *
-     * @param tolerance of ‖b − M x‖ / ‖b‖, greater than 0
-     * @param maxIterations 0 for 20 per unknown
-     * @throws IllegalArgumentException if one is out of its range
+     * @param tolerance tolerance of ‖b − M x‖ / ‖b‖, greater than 0
+     * @param maxIterations greatest number of iterations; 0 for 20 per unknown
+     * @throws IllegalArgumentException if an argument is out of its range
      */
     public BiConjugateGradient(double tolerance, int maxIterations) {
         if (!(tolerance > 0 && tolerance < Double.POSITIVE_INFINITY)) {
@@ -106,10 +106,10 @@ public final class BiConjugateGradient implements Serializable {
      * Solves M x = b.
      *
      * @param m a square matrix of n rows
-     * @param b right side, at least n values
-     * @param x start value, at least n values; replaced by the solution, or by the best iterate if it did not converge;
+     * @param b right-hand side, at least n values
+     * @param x start value, at least n values; replaced by the solution, or by the best iterate if the method did not converge;
      *     left as it was on an exception
-     * @return how it went; not converged if the iterations were used up or the residual does not fall any more
+     * @return report on the solution; not converged if the iterations were used up or the residual does not fall any more
      * @throws SolverException on a breakdown or if a value is not a number
      * @throws IllegalArgumentException if the sizes do not fit
      */
@@ -121,10 +121,10 @@ public final class BiConjugateGradient implements Serializable {
      * Solves M x = b with a preconditioner.
      *
      * @param m a square matrix of n rows
-     * @param b right side, at least n values
+     * @param b right-hand side, at least n values
      * @param x start value, as without a preconditioner
-     * @param inverse n finite values near M⁻¹, none of them zero; null for none
-     * @return how it went
+     * @param inverse n finite values near M⁻¹, none of them zero; null for no preconditioner
+     * @return report on the solution
      * @throws SolverException on a breakdown or if a value is not a number
      * @throws IllegalArgumentException if the sizes do not fit or a value of the preconditioner is zero or not finite
      */
@@ -134,13 +134,12 @@ public final class BiConjugateGradient implements Serializable {
     }
 
     /**
-     * Solves M x = b and allocates nothing: the report is in {@link #converged()}, {@link #iterations()} and
-     * {@link #residual()}.
+     * Solves M x = b and allocates nothing. The report is in {@link #converged()}, {@link #iterations()} and {@link #residual()}.
      *
      * @param m a square matrix of n rows
-     * @param b right side, at least n values
+     * @param b right-hand side, at least n values
      * @param x start value, as in {@link #solve(Matrix, double[], double[])}
-     * @param inverse n finite values near M⁻¹, none of them zero; null for none
+     * @param inverse n finite values near M⁻¹, none of them zero; null for no preconditioner
      * @return whether it converged
      * @throws SolverException on a breakdown or if a value is not a number
      * @throws IllegalArgumentException if the sizes do not fit or a value of the preconditioner is zero or not finite
@@ -173,25 +172,25 @@ public final class BiConjugateGradient implements Serializable {
     }
 
     /**
-     * Whether the last solution converged.
+     * Returns whether the last solution converged.
      *
-     * @return false also if it ended in an exception
+     * @return true if it did; false also if it ended in an exception
      */
     public boolean converged() {
         return converged;
     }
 
     /**
-     * Steps of the last solution.
+     * Returns the number of steps of the last solution.
      *
-     * @return 0 …
+     * @return number, from 0
      */
     public int iterations() {
         return iterations;
     }
 
     /**
-     * True residual of the last solution.
+     * Returns the true residual of the last solution.
      *
      * @return ‖b − M x‖ / ‖b‖
      */

@@ -5,8 +5,8 @@ package sim.physics.matrix;
 import java.util.Arrays;
 
 /**
- * A matrix that is zero but for some blocks, each stored with its row and column offset: the write-up's J and J̇
- * (chapter <i>Matrix Optimization</i>, section <i>Block Sparse Matrix</i>).
+ * A matrix that is zero except for some blocks, each stored with its row and column offset: the write-up's J and J̇ (chapter
+ * <i>Matrix Optimization</i>, section <i>Block Sparse Matrix</i>).
  *
  * <pre>
  *             column offset
@@ -19,12 +19,12 @@ import java.util.Arrays;
  *            +---------------+
  * </pre>
  *
- * <p>A product multiplies each block by the section of the vector that begins at the block's <i>column</i> offset, and
- * adds the result to the section of the answer that begins at its <i>row</i> offset. The transposed product changes the
- * roles of the two. (The write-up takes the section of the vector at the <i>row</i> index, in its text and in its
- * example, which is right only for a block whose two offsets are equal. It is a slip.)
+ * <p>A product multiplies each block by the section of the vector that begins at the block's <i>column</i> offset. It adds the
+ * result to the section of the answer that begins at the block's <i>row</i> offset. In the transposed product, the two change
+ * roles. (The write-up takes the section of the vector at the <i>row</i> index, in its text and in its example. That is a slip:
+ * it is right only for a block whose two offsets are equal.)
  *
- * <p>A block stays live: its values may be set again at each step, without a new one being made.
+ * <p>A block stays live: its values may be set again at each step, without a new block being made.
  */
 public final class BlockSparseMatrix implements Matrix {
     private static final long serialVersionUID = 1L;
@@ -37,10 +37,10 @@ public final class BlockSparseMatrix implements Matrix {
     private int[] columnOffset = new int[4];
 
     /**
-     * Makes a zero matrix.
+     * Creates a zero matrix.
      *
-     * @param rows not negative
-     * @param columns not negative
+     * @param rows number of rows, not negative
+     * @param columns number of columns, not negative
      * @throws IllegalArgumentException if a size is negative
      */
     public BlockSparseMatrix(int rows, int columns) {
@@ -51,12 +51,12 @@ public final class BlockSparseMatrix implements Matrix {
     }
 
     /**
-     * Adds a block; blocks that overlap add up.
+     * Adds a block. Blocks that overlap add up.
      *
-     * @param row of its upper left value
-     * @param column of its upper left value
-     * @param block kept, not copied, so that its values may be set again
-     * @throws IllegalArgumentException if it does not fit in
+     * @param row row of its upper left value
+     * @param column column of its upper left value
+     * @param block the block; kept, not copied, so that its values may be set again
+     * @throws IllegalArgumentException if the block does not fit into the matrix
      */
     public void add(int row, int column, DenseMatrix block) {
         if (row < 0 || column < 0 || block.rows() > rows - row || block.columns() > columns - column) {
@@ -75,14 +75,14 @@ public final class BlockSparseMatrix implements Matrix {
     }
 
     /**
-     * Makes a zero block and adds it.
+     * Creates a zero block and adds it.
      *
-     * @param row of its upper left value
-     * @param column of its upper left value
-     * @param blockRows rows of the block, at least 1
-     * @param blockColumns columns of the block, at least 1
-     * @return the block, to be filled and filled again
-     * @throws IllegalArgumentException if it does not fit in
+     * @param row row of its upper left value
+     * @param column column of its upper left value
+     * @param blockRows number of rows of the block, at least 1
+     * @param blockColumns number of columns of the block, at least 1
+     * @return the block, whose values may be set again and again
+     * @throws IllegalArgumentException if the block does not fit into the matrix
      */
     public DenseMatrix add(int row, int column, int blockRows, int blockColumns) {
         DenseMatrix block = new DenseMatrix(blockRows, blockColumns);
@@ -90,7 +90,7 @@ public final class BlockSparseMatrix implements Matrix {
         return block;
     }
 
-    /** Removes all blocks; the room for them stays. */
+    /** Removes all blocks. The room for them stays. */
     public void clear() {
         Arrays.fill(blocks, 0, count, null);
         count = 0;

@@ -5,9 +5,8 @@ package sim.physics.matrix;
 import java.util.Arrays;
 
 /**
- * The identity with a border of some rows below and as many columns on the right, of which only blocks are stored: the
- * write-up's matrix of a collision (chapter <i>Matrix Optimization</i>, section <i>Bordered Diagonal Identity
- * Matrix</i>).
+ * The identity with a border of some rows below and as many columns on the right. Only blocks of the border are stored. This is
+ * the write-up's matrix of a collision (chapter <i>Matrix Optimization</i>, section <i>Bordered Diagonal Identity Matrix</i>).
  *
  * <pre>
  *         n       m
@@ -26,11 +25,11 @@ public final class BorderedIdentityMatrix implements Matrix {
     private final BlockSparseMatrix blocks;
 
     /**
-     * Makes an identity with an empty border.
+     * Creates an identity with an empty border.
      *
-     * @param identity rows of the identity, n
-     * @param border rows and columns of the border, m
-     * @throws IllegalArgumentException if a size is negative or the sum is no int
+     * @param identity number of rows of the identity, n
+     * @param border number of rows and columns of the border, m
+     * @throws IllegalArgumentException if a size is negative or the sum does not fit into an int
      */
     public BorderedIdentityMatrix(int identity, int border) {
         Vectors.checkNotNegative("identity", identity);
@@ -44,12 +43,12 @@ public final class BorderedIdentityMatrix implements Matrix {
     }
 
     /**
-     * Adds a block to the border; blocks that overlap add up.
+     * Adds a block to the border. Blocks that overlap add up.
      *
-     * @param row of its upper left value
-     * @param column of its upper left value
-     * @param block kept, not copied, so that its values may be set again
-     * @throws IllegalArgumentException if it reaches into the identity or out of the matrix
+     * @param row row of its upper left value
+     * @param column column of its upper left value
+     * @param block the block; kept, not copied, so that its values may be set again
+     * @throws IllegalArgumentException if the block reaches into the identity or out of the matrix
      */
     public void add(int row, int column, DenseMatrix block) {
         if (row < identity && column < identity) {
@@ -60,14 +59,14 @@ public final class BorderedIdentityMatrix implements Matrix {
     }
 
     /**
-     * Makes a zero block and adds it to the border.
+     * Creates a zero block and adds it to the border.
      *
-     * @param row of its upper left value
-     * @param column of its upper left value
-     * @param blockRows rows of the block, at least 1
-     * @param blockColumns columns of the block, at least 1
-     * @return the block, to be filled and filled again
-     * @throws IllegalArgumentException if it reaches into the identity or out of the matrix
+     * @param row row of its upper left value
+     * @param column column of its upper left value
+     * @param blockRows number of rows of the block, at least 1
+     * @param blockColumns number of columns of the block, at least 1
+     * @return the block, whose values may be set again and again
+     * @throws IllegalArgumentException if the block reaches into the identity or out of the matrix
      */
     public DenseMatrix add(int row, int column, int blockRows, int blockColumns) {
         DenseMatrix block = new DenseMatrix(blockRows, blockColumns);
@@ -90,7 +89,7 @@ public final class BorderedIdentityMatrix implements Matrix {
         return identity + border;
     }
 
-    /** Values of the blocks; the identity needs none. */
+    /** {@return the number of values of the blocks; the identity needs none} */
     @Override
     public int storedValues() {
         return blocks.storedValues();

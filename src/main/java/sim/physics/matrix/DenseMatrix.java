@@ -13,11 +13,11 @@ public final class DenseMatrix implements Matrix {
     private final double[] values;
 
     /**
-     * Makes a matrix.
+     * Creates a matrix.
      *
-     * @param rows at least 1
-     * @param columns at least 1
-     * @param values row by row, copied; none for a zero matrix
+     * @param rows number of rows, at least 1
+     * @param columns number of columns, at least 1
+     * @param values values row by row, copied; none for a zero matrix
      * @throws IllegalArgumentException if the sizes are not positive or do not fit the values
      */
     public DenseMatrix(int rows, int columns, double... values) {
@@ -39,11 +39,11 @@ public final class DenseMatrix implements Matrix {
     }
 
     /**
-     * A value.
+     * Returns a value.
      *
-     * @param row 0 …
-     * @param column 0 …
-     * @return the value there
+     * @param row number of the row, from 0
+     * @param column number of the column, from 0
+     * @return the value
      * @throws IllegalArgumentException if there is no such row or column
      */
     public double get(int row, int column) {
@@ -53,9 +53,9 @@ public final class DenseMatrix implements Matrix {
     /**
      * Sets a value.
      *
-     * @param row 0 …
-     * @param column 0 …
-     * @param value the value there
+     * @param row number of the row, from 0
+     * @param column number of the column, from 0
+     * @param value the new value
      * @throws IllegalArgumentException if there is no such row or column
      */
     public void set(int row, int column, double value) {

@@ -5,7 +5,7 @@ package sim.physics.matrix;
 import java.util.Objects;
 
 /**
- * A square matrix with values on its diagonal only, stored as one array: the write-up's W (chapter <i>Matrix
+ * A square matrix that has values on its diagonal only, stored as one array: the write-up's W (chapter <i>Matrix
  * Optimization</i>, section <i>Diagonal Matrix</i>).
  */
 public final class DiagonalMatrix implements Matrix {
@@ -14,10 +14,10 @@ public final class DiagonalMatrix implements Matrix {
     private final double[] values;
 
     /**
-     * Makes a zero matrix.
+     * Creates a zero matrix.
      *
-     * @param n rows and columns
-     * @throws IllegalArgumentException if it is negative
+     * @param n number of rows and columns
+     * @throws IllegalArgumentException if n is negative
      */
     public DiagonalMatrix(int n) {
         Vectors.checkNotNegative("n", n);
@@ -25,28 +25,28 @@ public final class DiagonalMatrix implements Matrix {
     }
 
     /**
-     * Makes a matrix of given values.
+     * Creates a matrix with given values.
      *
-     * @param values of the diagonal; kept, not copied
+     * @param values values of the diagonal; kept, not copied
      */
     public DiagonalMatrix(double[] values) {
         this.values = Objects.requireNonNull(values, "values");
     }
 
     /**
-     * The diagonal itself, not a copy: what is written there is the matrix's.
+     * Returns the diagonal itself, not a copy: writing to it changes the matrix.
      *
-     * @return value i is that in row i and column i
+     * @return the array, whose value i is that in row i and column i
      */
     public double[] values() {
         return values;
     }
 
     /**
-     * A value of the diagonal.
+     * Returns a value of the diagonal.
      *
-     * @param i row and column
-     * @return the value there
+     * @param i number of the row and column
+     * @return the value
      * @throws IllegalArgumentException if there is no such row
      */
     public double get(int i) {
@@ -57,8 +57,8 @@ public final class DiagonalMatrix implements Matrix {
     /**
      * Sets a value of the diagonal.
      *
-     * @param i row and column
-     * @param value the value there
+     * @param i number of the row and column
+     * @param value the new value
      * @throws IllegalArgumentException if there is no such row
      */
     public void set(int i, double value) {
@@ -90,7 +90,7 @@ public final class DiagonalMatrix implements Matrix {
         }
     }
 
-    /** The transpose of a diagonal matrix is the matrix itself. */
+    /** Multiplies the matrix by a vector, as it is its own transpose. */
     @Override
     public void transposeTimes(double[] x, double[] y) {
         times(x, y);

@@ -5,54 +5,54 @@ package sim.physics.matrix;
 import java.io.Serializable;
 
 /**
- * A matrix as an iterative solver sees it: all that it can do is multiply itself, or its transpose, by a vector. That
- * is what lets the write-up's solver work on each of the sparse forms without looking inside.
+ * A matrix as an iterative solver sees it: all that it can do is multiply itself, or its transpose, by a vector. So the
+ * write-up's solver works on each of the sparse forms without looking inside.
  */
 public interface Matrix extends Serializable {
     /**
-     * Number of rows.
+     * Returns the number of rows.
      *
      * @return length of M x
      */
     int rows();
 
     /**
-     * Number of columns.
+     * Returns the number of columns.
      *
      * @return length of x
      */
     int columns();
 
     /**
-     * y = M x.
+     * Computes y = M x.
      *
-     * @param x at least {@link #columns()} values
-     * @param y takes {@link #rows()} values; another array than x
+     * @param x the vector, at least {@link #columns()} values
+     * @param y array that takes {@link #rows()} values; must not be the same array as x
      * @throws IllegalArgumentException if an array is too short or both are the same
      */
     void times(double[] x, double[] y);
 
     /**
-     * y = Mᵀ x.
+     * Computes y = Mᵀ x.
      *
-     * @param x at least {@link #rows()} values
-     * @param y takes {@link #columns()} values; another array than x
+     * @param x the vector, at least {@link #rows()} values
+     * @param y array that takes {@link #columns()} values; must not be the same array as x
      * @throws IllegalArgumentException if an array is too short or both are the same
      */
     void transposeTimes(double[] x, double[] y);
 
     /**
-     * How many values are stored.
+     * Returns the number of values that are stored.
      *
      * @return the sum over all blocks
      */
     int storedValues();
 
     /**
-     * All values, for tests and for looking at. They are read off the products with the unit vectors, so that a value
-     * which is not finite shows in its whole row.
+     * Returns all values, for tests and inspection. They are read off the products with the unit vectors, so a value that is not
+     * finite shows in its whole row.
      *
-     * @return rows of values
+     * @return the values, row by row
      */
     default double[][] toDense() {
         double[][] dense = new double[rows()][columns()];
@@ -72,10 +72,10 @@ public interface Matrix extends Serializable {
     /**
      * Checks the arguments of a product.
      *
-     * @param x operand
-     * @param needed values that it must have
-     * @param y result
-     * @param made values that it must have room for
+     * @param x the operand
+     * @param needed number of values that it must have
+     * @param y the result
+     * @param made number of values that it must have room for
      * @throws IllegalArgumentException if an array is too short or both are the same
      */
     static void check(double[] x, int needed, double[] y, int made) {

@@ -5,10 +5,10 @@ package sim.physics.matrix;
 import java.io.Serializable;
 
 /**
- * What an iterative solver did.
+ * Tells what an iterative solver did.
  *
  * @param converged whether the residual is as small as was asked for, see {@link BiConjugateGradient}
- * @param iterations how many steps it took, over all restarts
+ * @param iterations number of steps over all restarts
  * @param residual ‖b − M x‖ / ‖b‖, computed from x and not updated along the way
  */
 public record SolveReport(boolean converged, int iterations, double residual) implements Serializable {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.matrix;
 
-/** A solver broke down and has no answer. */
+/** Thrown when a solver breaks down and has no answer. */
 public final class SolverException extends ArithmeticException {
     private static final long serialVersionUID = 1L;
 
@@ -10,11 +10,11 @@ public final class SolverException extends ArithmeticException {
     private final double residual;
 
     /**
-     * Makes an exception.
+     * Creates an exception.
      *
-     * @param what which breakdown
-     * @param iterations steps until then
-     * @param residual relative residual then
+     * @param what the kind of breakdown
+     * @param iterations number of steps until then
+     * @param residual relative residual at that point
      */
     public SolverException(String what, int iterations, double residual) {
         super(what + " after " + iterations + " iterations, at a relative residual of " + residual);
@@ -23,18 +23,18 @@ public final class SolverException extends ArithmeticException {
     }
 
     /**
-     * Steps until the breakdown.
+     * Returns the number of steps until the breakdown.
      *
-     * @return 0 …
+     * @return number, from 0
      */
     public int iterations() {
         return iterations;
     }
 
     /**
-     * Residual at the breakdown.
+     * Returns the residual at the breakdown.
      *
-     * @return relative to the right side
+     * @return residual relative to the right-hand side
      */
     public double residual() {
         return residual;

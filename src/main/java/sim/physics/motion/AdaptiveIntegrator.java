@@ -6,14 +6,15 @@ import sim.physics.internal.Check;
 import sim.physics.internal.IntList;
 
 /**
- * A method that takes a tolerance in place of a step. It chooses its steps so that the error of a position is about the
- * tolerance in each of them, in units of length; of an angle, about that of the body's rim, but never more than 2 · 10⁻³. The engine's time step then
- * only says when the state is published, and when agents act. Where forces and joints depend on the state alone, steps that
- * want to be much longer go on beyond it, and the state is read from their dense output; elsewhere they end there, so that
- * the engine's step had better be long.
+ * A method that takes a tolerance instead of a step. It chooses its steps so that the error of a position in each of them is
+ * about the tolerance, in units of length. The error of an angle is about that of the body's rim, but never more than 2 · 10⁻³.
  *
- * <p>The error at the end of a run is as many tolerances as the scene makes of a small change on its way: about the time
- * in units of the step for a pendulum, and more where motion is chaotic.
+ * <p>The engine's time step then only says when the state is published and when agents act. Where forces and joints depend on the
+ * state alone, steps that would be much longer go on beyond the engine's step, and the state is read from their dense output.
+ * Elsewhere they end with the engine's step, so that step had better be long.
+ *
+ * <p>The error at the end of a run is the tolerance times the factor by which the scene amplifies a small change on its way. That
+ * factor is about the time in units of the step for a pendulum, and more where motion is chaotic.
  */
 public abstract class AdaptiveIntegrator implements Integrator {
     private static final long serialVersionUID = 1L;
@@ -55,7 +56,7 @@ public abstract class AdaptiveIntegrator implements Integrator {
     }
 
     /**
-     * The error of a position that a step may make.
+     * Returns the error of a position that a step may make.
      *
      * @return length
      */

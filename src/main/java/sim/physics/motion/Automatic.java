@@ -6,7 +6,7 @@ import sim.physics.internal.IntList;
 
 /**
  * Chooses the method as well as the step: {@link DormandPrince853}, and {@link RadauIIA} for as long as a group of bodies is
- * stiff. The one to take when you do not know.
+ * stiff. Use it when you do not know which method to take.
  */
 public final class Automatic extends AdaptiveIntegrator {
     private static final long serialVersionUID = 1L;
@@ -15,10 +15,10 @@ public final class Automatic extends AdaptiveIntegrator {
     private final RadauIIA implicit;
 
     /**
-     * Makes the method.
+     * Creates the method.
      *
-     * @param tolerance error of a position that a step may make, length
-     * @throws IllegalArgumentException if it is not a finite number greater than 0
+     * @param tolerance error of a position that one step may make, length
+     * @throws IllegalArgumentException if the tolerance is not a finite number greater than 0
      */
     public Automatic(double tolerance) {
         super(tolerance);

@@ -9,14 +9,14 @@ import sim.physics.internal.Trig;
 import sim.physics.shape.Shape;
 
 /**
- * A rigid body: a shape, a mass, and a view on its block of the state vectors.
+ * A rigid body. It has a shape, a mass, and a view of its block of the state vectors.
  *
- * <p>Position means the position of the centre of mass, which is the origin of the shape's own coordinates; angles are
- * in rad and turn from the x axis to the y axis. Units are the author's own; nothing in the engine depends on their
- * size. A body may be subclassed (an agent that <i>is</i> a body) or held by an agent.
+ * <p>The position of a body is that of its centre of mass, which is the origin of the shape's own coordinates. Angles are in rad,
+ * from the x axis to the y axis. Units are your own: nothing in the engine depends on their size. You may subclass Body (an agent
+ * that <i>is</i> a body), or let an agent hold one.
  *
- * <p>Between steps every property may be set; the next step starts from what was set. New bodies have the mass of
- * their area (density 1), restitution 1, no friction, and collide with everything.
+ * <p>You may set every property between steps; the next step starts from what was set. A new body has the mass of its area
+ * (density 1), restitution 1 and no friction, and collides with everything.
  */
 public class Body implements Serializable {
     private static final long serialVersionUID = 3L;
@@ -38,9 +38,9 @@ public class Body implements Serializable {
     private Particulars particulars;
 
     /**
-     * Makes a movable body of density 1 at the origin, at rest.
+     * Creates a movable body of density 1, at rest at the origin.
      *
-     * @param shape its shape
+     * @param shape shape of the body
      */
     public Body(Shape shape) {
         this(shape, false);
@@ -60,9 +60,9 @@ public class Body implements Serializable {
     }
 
     /**
-     * Makes a body that nothing moves: a wall, an anchor.
+     * Returns a new body that nothing moves, such as a wall or an anchor.
      *
-     * @param shape its shape
+     * @param shape shape of the body
      * @return a fixed body at the origin
      */
     public static Body fixed(Shape shape) {
@@ -72,9 +72,9 @@ public class Body implements Serializable {
     /**
      * Places the body.
      *
-     * @param x position of the centre of mass, length
-     * @param y position of the centre of mass, length
-     * @return this
+     * @param x x of the centre of mass, length
+     * @param y y of the centre of mass, length
+     * @return this body
      */
     public final Body at(double x, double y) {
         setPosition(x, y);
@@ -84,10 +84,10 @@ public class Body implements Serializable {
     /**
      * Places and turns the body.
      *
-     * @param x position of the centre of mass, length
-     * @param y position of the centre of mass, length
+     * @param x x of the centre of mass, length
+     * @param y y of the centre of mass, length
      * @param angle orientation, rad
-     * @return this
+     * @return this body
      */
     public final Body at(double x, double y, double angle) {
         Check.finite("angle", angle);
@@ -99,9 +99,9 @@ public class Body implements Serializable {
     /**
      * Sets the velocity.
      *
-     * @param vx length/time
-     * @param vy length/time
-     * @return this
+     * @param vx x component of the velocity, length/time
+     * @param vy y component of the velocity, length/time
+     * @return this body
      */
     public final Body moving(double vx, double vy) {
         setVelocity(vx, vy);
@@ -109,12 +109,12 @@ public class Body implements Serializable {
     }
 
     /**
-     * Sets velocity and angular velocity.
+     * Sets the velocity and the angular velocity.
      *
-     * @param vx length/time
-     * @param vy length/time
-     * @param omega rad/time
-     * @return this
+     * @param vx x component of the velocity, length/time
+     * @param vy y component of the velocity, length/time
+     * @param omega angular velocity, rad/time
+     * @return this body
      */
     public final Body moving(double vx, double vy, double omega) {
         speed("angular velocity", omega);
@@ -125,8 +125,8 @@ public class Body implements Serializable {
     }
 
     /**
-     * The shape, in coordinates whose origin is the centre of mass. Bodies of an engine may share one that is equal to the
-     * shapes they were made with.
+     * Returns the shape, in coordinates whose origin is the centre of mass. It may be another object than the body was made with:
+     * bodies of an engine may share one of several equal shapes.
      *
      * @return never null
      */
@@ -135,7 +135,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Whether nothing moves this body.
+     * Returns whether this body is one that nothing moves.
      *
      * @return true for a body made by {@link #fixed(Shape)}
      */
@@ -144,7 +144,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Position of the centre of mass.
+     * Returns the x coordinate of the centre of mass.
      *
      * @return x, length
      */
@@ -153,7 +153,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Position of the centre of mass.
+     * Returns the y coordinate of the centre of mass.
      *
      * @return y, length
      */
@@ -162,7 +162,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Orientation. It does not wrap: after one turn it is 2π more.
+     * Returns the orientation. The angle does not wrap: after one turn it is greater by 2π.
      *
      * @return θ, rad
      */
@@ -171,7 +171,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Velocity of the centre of mass.
+     * Returns the x component of the velocity of the centre of mass.
      *
      * @return ẋ, length/time
      */
@@ -180,7 +180,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Velocity of the centre of mass.
+     * Returns the y component of the velocity of the centre of mass.
      *
      * @return ẏ, length/time
      */
@@ -189,7 +189,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Angular velocity.
+     * Returns the angular velocity.
      *
      * @return θ̇, rad/time
      */
@@ -198,11 +198,11 @@ public class Body implements Serializable {
     }
 
     /**
-     * Where a point of the body is in the world: a wheel, a sensor, the tip of an arm.
+     * Returns the x coordinate, in the world, of a point of the body, such as a wheel, a sensor or the tip of an arm.
      *
-     * @param px point, in the coordinates of the body
-     * @param py point, in the coordinates of the body
-     * @return its x in world coordinates
+     * @param px x of the point, in the coordinates of the body
+     * @param py y of the point, in the coordinates of the body
+     * @return x in world coordinates
      */
     public final double worldX(double px, double py) {
         Check.finite("px", px);
@@ -211,11 +211,11 @@ public class Body implements Serializable {
     }
 
     /**
-     * Where a point of the body is in the world.
+     * Returns the y coordinate, in the world, of a point of the body.
      *
-     * @param px point, in the coordinates of the body
-     * @param py point, in the coordinates of the body
-     * @return its y in world coordinates
+     * @param px x of the point, in the coordinates of the body
+     * @param py y of the point, in the coordinates of the body
+     * @return y in world coordinates
      */
     public final double worldY(double px, double py) {
         Check.finite("px", px);
@@ -224,11 +224,12 @@ public class Body implements Serializable {
     }
 
     /**
-     * Moves the body to another place (teleports it when a simulation runs): a body that was on the way is passed through, and feels
-     * nothing of the speed. What is to push others on its way is a movable body, on a rail with a motor for one.
+     * Puts the body in another place. In a running simulation this teleports it: it passes through any body that was on the way,
+     * and that body feels nothing of the speed. To push others on its way, use a movable body, for example on a rail with a
+     * motor.
      *
-     * @param x length
-     * @param y length
+     * @param x x of the centre of mass, length
+     * @param y y of the centre of mass, length
      * @throws IllegalArgumentException for NaN or infinity
      */
     public final void setPosition(double x, double y) {
@@ -241,7 +242,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Turns the body.
+     * Turns the body to an angle.
      *
      * @param angle θ, rad
      * @throws IllegalArgumentException for NaN or infinity
@@ -256,8 +257,8 @@ public class Body implements Serializable {
     /**
      * Sets the velocity of the centre of mass.
      *
-     * @param vx length/time
-     * @param vy length/time
+     * @param vx x component of the velocity, length/time
+     * @param vy y component of the velocity, length/time
      * @throws IllegalArgumentException for NaN or more than 10¹⁵⁰, or if the body is fixed and the velocity is not zero
      */
     public final void setVelocity(double vx, double vy) {
@@ -287,7 +288,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Mass.
+     * Returns the mass.
      *
      * @return m, infinite for a fixed body
      */
@@ -296,10 +297,10 @@ public class Body implements Serializable {
     }
 
     /**
-     * Sets the mass; the moment of inertia becomes that of a body of uniform density.
+     * Sets the mass. The moment of inertia becomes that of a body of uniform density.
      *
      * @param mass m, greater than 0
-     * @throws IllegalArgumentException if it is not a finite number greater than 0, or the body is fixed
+     * @throws IllegalArgumentException if the mass is not a finite number greater than 0, or the body is fixed
      */
     public final void setMass(double mass) {
         Check.positive("mass", mass);
@@ -307,11 +308,11 @@ public class Body implements Serializable {
     }
 
     /**
-     * Sets mass and moment of inertia.
+     * Sets the mass and the moment of inertia.
      *
      * @param mass m, greater than 0
-     * @param inertia I about the centre of mass, mass·length², greater than 0
-     * @throws IllegalArgumentException if one is not a finite number greater than 0, or the body is fixed
+     * @param inertia moment of inertia I about the centre of mass, mass·length², greater than 0
+     * @throws IllegalArgumentException if an argument is not a finite number greater than 0, or the body is fixed
      */
     public final void setMass(double mass, double inertia) {
         Check.positive("mass", mass);
@@ -329,7 +330,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Moment of inertia about the centre of mass.
+     * Returns the moment of inertia about the centre of mass.
      *
      * @return I, mass·length², infinite for a fixed body
      */
@@ -338,7 +339,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Coefficient of restitution e of (17).
+     * Returns the coefficient of restitution, e of (17).
      *
      * @return 0 (plastic) … 1 (elastic)
      */
@@ -350,14 +351,14 @@ public class Body implements Serializable {
      * Sets the coefficient of restitution.
      *
      * @param restitution e, 0 … 1
-     * @throws IllegalArgumentException if it is outside 0 … 1
+     * @throws IllegalArgumentException if e is outside 0 … 1
      */
     public final void setRestitution(double restitution) {
         setSurface(Check.between("restitution", restitution, 0, 1), surface.friction, surface.speed);
     }
 
     /**
-     * Coefficient of friction between this body and bodies that it hits.
+     * Returns the coefficient of friction between this body and bodies that it hits.
      *
      * @return μ
      */
@@ -369,14 +370,14 @@ public class Body implements Serializable {
      * Sets the coefficient of friction between this body and bodies that it hits.
      *
      * @param friction μ, not negative
-     * @throws IllegalArgumentException if it is negative or not finite
+     * @throws IllegalArgumentException if μ is negative or not finite
      */
     public final void setFriction(double friction) {
         setSurface(surface.restitution, Check.notNegative("friction", friction), surface.speed);
     }
 
     /**
-     * How fast the body's surface moves along its boundary, as a conveyor belt does.
+     * Returns the speed at which the body's surface moves along its boundary, as a conveyor belt does.
      *
      * @return speed, counter-clockwise; 0 unless set
      */
@@ -385,13 +386,16 @@ public class Body implements Serializable {
     }
 
     /**
-     * Lets the body's surface move along its boundary, relative to the body: that of a conveyor belt, or of a track. By friction it drives
-     * what touches it, so both need one; where the body itself can move it gets the opposite force. It moves to the left as seen from the
-     * body's middle: with y upwards, what lies on a belt goes to −x at a positive speed. At any time, as friction. A pair's surfaces
-     * pass one another as two that run into the same sense do, at the sum of both.
+     * Sets the speed at which the body's surface moves along its boundary, relative to the body, as that of a conveyor belt or a
+     * track does. Friction drives the bodies that touch it, so they and this body need friction. If this body can move, it gets
+     * the opposite force.
+     *
+     * <p>As seen from the middle of the body, a surface with a positive speed moves to the left. So where y points upwards, a
+     * body on top of a belt goes to −x. Where two such surfaces meet, they move past one another at the sum of both speeds, as
+     * two surfaces do that run in the same sense. Like friction, the speed may be set at any time.
      *
      * @param speed length/time, counter-clockwise (from the x to the y axis)
-     * @throws IllegalArgumentException if it is not finite
+     * @throws IllegalArgumentException if the speed is not finite
      */
     public final void setBeltSpeed(double speed) {
         setSurface(surface.restitution, surface.friction, Check.finite("belt speed", speed));
@@ -406,7 +410,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Kinetic coefficient of friction between this body and the plane below it, see {@link SurfaceFriction}.
+     * Returns the kinetic coefficient of friction between this body and the plane below it, see {@link SurfaceFriction}.
      *
      * @return μk
      */
@@ -415,7 +419,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Static coefficient of friction between this body and the plane below it.
+     * Returns the static coefficient of friction between this body and the plane below it.
      *
      * @return μs, at least μk
      */
@@ -427,7 +431,7 @@ public class Body implements Serializable {
      * Sets both coefficients of friction between this body and the plane below it to one value.
      *
      * @param friction μk = μs, not negative
-     * @throws IllegalArgumentException if it is negative or not finite
+     * @throws IllegalArgumentException if the value is negative or not finite
      */
     public final void setSurfaceFriction(double friction) {
         setSurfaceFriction(friction, friction);
@@ -438,7 +442,7 @@ public class Body implements Serializable {
      *
      * @param kinetic μk, not negative
      * @param atRest μs, not less than μk
-     * @throws IllegalArgumentException if one is negative or not finite, or μs is less than μk
+     * @throws IllegalArgumentException if a coefficient is negative or not finite, or μs is less than μk
      */
     public final void setSurfaceFriction(double kinetic, double atRest) {
         Check.notNegative("kinetic surface friction", kinetic);
@@ -455,29 +459,29 @@ public class Body implements Serializable {
     }
 
     /**
-     * The categories of this body, a set of bits; 1 at first.
+     * Returns the categories of this body, a set of bits. It is 1 at first.
      *
-     * @return bits
+     * @return categories, bits
      */
     public final long getCategory() {
         return particulars == null ? 1 : particulars.category;
     }
 
     /**
-     * The categories that this body collides with; all at first.
+     * Returns the categories that this body collides with, a set of bits. These are all categories at first.
      *
-     * @return bits
+     * @return categories, bits
      */
     public final long getCollidesWith() {
         return particulars == null ? -1L : particulars.collidesWith;
     }
 
     /**
-     * Sets which bodies this body can collide with: two bodies collide if each one's category is among those that the
-     * other collides with.
+     * Sets which bodies this body can collide with. Two bodies collide if each of them has a category that the other one collides
+     * with.
      *
      * @param category the categories of this body, bits
-     * @param collidesWith the categories it collides with, bits
+     * @param collidesWith the categories that it collides with, bits
      */
     public final void setCollisionGroup(long category, long collidesWith) {
         state.write(index);
@@ -489,11 +493,11 @@ public class Body implements Serializable {
     }
 
     /**
-     * Applies a force at the centre of mass during the next step; called by a listener within a step, for the rest of it. Forces add
-     * up; they end with the step.
+     * Applies a force at the centre of mass during the next step. If a listener calls this within a step, the force acts for the
+     * rest of that step. Forces add up, and end with the step.
      *
-     * @param fx force
-     * @param fy force
+     * @param fx x component of the force
+     * @param fy y component of the force
      */
     public final void addForce(double fx, double fy) {
         Check.finite("fx", fx);
@@ -509,12 +513,12 @@ public class Body implements Serializable {
     }
 
     /**
-     * Applies a force at a point during the next step: a force at the centre of mass and the torque r⊥ · f.
+     * Applies a force at a point during the next step. This is a force at the centre of mass together with the torque r⊥ · f.
      *
-     * @param fx force
-     * @param fy force
-     * @param px point, in world coordinates
-     * @param py point, in world coordinates
+     * @param fx x component of the force
+     * @param fy y component of the force
+     * @param px x of the point, in world coordinates
+     * @param py y of the point, in world coordinates
      */
     public final void addForceAt(double fx, double fy, double px, double py) {
         Check.finite("px", px);
@@ -530,7 +534,7 @@ public class Body implements Serializable {
     /**
      * Applies a torque during the next step.
      *
-     * @param torque force·length
+     * @param torque torque, force·length
      */
     public final void addTorque(double torque) {
         requireTorque(torque);
@@ -547,12 +551,12 @@ public class Body implements Serializable {
     }
 
     /**
-     * Changes the velocity at once by an impulse at a point, as (18) and (24) have it.
+     * Applies an impulse at a point, which changes the velocity at once, as in (18) and (24).
      *
-     * @param rx impulse, mass·length/time
-     * @param ry impulse, mass·length/time
-     * @param px point, in world coordinates
-     * @param py point, in world coordinates
+     * @param rx x component of the impulse, mass·length/time
+     * @param ry y component of the impulse, mass·length/time
+     * @param px x of the point, in world coordinates
+     * @param py y of the point, in world coordinates
      */
     public final void addImpulseAt(double rx, double ry, double px, double py) {
         Check.finite("rx", rx);
@@ -567,7 +571,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * Kinetic energy of this body.
+     * Returns the kinetic energy of this body.
      *
      * @return m v²/2 + I ω²/2
      */
@@ -582,7 +586,7 @@ public class Body implements Serializable {
     }
 
     /**
-     * The state that holds this body's block.
+     * Returns the state that holds this body's block.
      *
      * @return the engine's state, or the body's own
      */
@@ -591,9 +595,9 @@ public class Body implements Serializable {
     }
 
     /**
-     * The number of this body's block.
+     * Returns the number of this body's block.
      *
-     * @return 0 …
+     * @return number, from 0
      */
     public final int index() {
         return index;

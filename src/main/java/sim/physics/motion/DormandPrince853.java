@@ -5,12 +5,12 @@ package sim.physics.motion;
 import sim.physics.internal.IntList;
 
 /**
- * The explicit method of Dormand and Prince of order 8, with steps chosen by embedded formulas of orders 5 and 3: the
- * code DOP853 of Hairer, Nørsett and Wanner, <i>Solving Ordinary Differential Equations I</i>, 2nd edition, II.5 and
- * II.10. The one to take for 5 to 10 right digits where the forces are smooth.
+ * The explicit method of Dormand and Prince of order 8, whose steps are chosen by embedded formulas of orders 5 and 3. This is
+ * the code DOP853 of Hairer, Nørsett and Wanner, <i>Solving Ordinary Differential Equations I</i>, 2nd edition, II.5 and II.10.
+ * Use it for 5 to 10 correct digits where the forces are smooth.
  *
- * <p>The positions of a stage are found from the accelerations alone: with velocities v0 + h Σ aᵢⱼ ẍⱼ they are
- * x0 + h (cᵢ v0 + h Σ āᵢⱼ ẍⱼ), where Ā = A A.
+ * <p>The positions of a stage are found from the accelerations alone: with velocities v0 + h Σ aᵢⱼ ẍⱼ they are x0 + h (cᵢ v0 + h
+ * Σ āᵢⱼ ẍⱼ), where Ā = A A.
  */
 public final class DormandPrince853 extends AdaptiveIntegrator {
     private static final long serialVersionUID = 1L;
@@ -140,10 +140,10 @@ public final class DormandPrince853 extends AdaptiveIntegrator {
     private static final double MOST = 6;
 
     /**
-     * Makes the method.
+     * Creates the method.
      *
-     * @param tolerance error of a position that a step may make, length
-     * @throws IllegalArgumentException if it is not a finite number greater than 0
+     * @param tolerance error of a position that one step may make, length
+     * @throws IllegalArgumentException if the tolerance is not a finite number greater than 0
      */
     public DormandPrince853(double tolerance) {
         super(tolerance);

@@ -5,14 +5,14 @@ package sim.physics.motion;
 import sim.physics.internal.IntList;
 
 /**
- * The explicit method of Euler, (11) and (12), in the form (14) and (15): positions move on with the <i>old</i>
- * velocities, then velocities with the old forces. It is of first order and gains energy, as the write-up's Figure 3
- * shows; it is not the semi-implicit method that game engines call Euler's.
+ * Euler's explicit method, (11) and (12), in the form of (14) and (15). Positions are advanced with the <i>old</i> velocities,
+ * then velocities with the old forces. The method is of first order and gains energy, as the write-up's Figure 3 shows. It is not
+ * the semi-implicit method that game engines call Euler's.
  */
 public final class Euler implements Integrator {
     private static final long serialVersionUID = 1L;
 
-    /** Makes the method. */
+    /** Creates the method. */
     public Euler() {
         // no state
     }

@@ -8,80 +8,85 @@ import java.util.List;
 /**
  * A source of forces, evaluated at every stage of the integrator: the f and τ of (5) and (6).
  *
- * <p>Generators are part of a checkpoint: make them named classes, not lambdas, whose serialized form depends on the
- * compiler. A generator must not keep state that changes from call to call, since stages may be evaluated again.
+ * <p>Generators are part of a checkpoint. So make them named classes, not lambdas, whose serialized form depends on the compiler.
+ * A generator must not keep state that changes from call to call, since stages may be evaluated again.
  */
 public interface ForceGenerator extends Serializable {
 
     /**
-     * Adds the force on one body, and on no other: what it does to another one is asked for when it is that one's turn. The body's getters, and with {@link #isCoupled()} those of all bodies on which a
-     * generator acts, give position and velocity at the instant of the evaluation.
+     * Adds the force on one body, and on no other body: each has its own turn. The body's getters give its position and velocity
+     * at the instant of the evaluation. With {@link #isCoupled()}, so do those of all bodies on which a generator acts.
      *
-     * @param body the body
+     * @param body the body to add the force on
      * @param time simulated time of the evaluation
-     * @param forces takes the force
+     * @param forces the object that takes the force
      */
     void addForce(Body body, double time, Forces forces);
 
     /**
-     * Whether this generator ever acts on a body. Bodies on which none acts move freely, without an integrator. A force that
-     * begins or ends with the time, or with where a body is, must not be switched here: let {@link #addForce} add nothing.
+     * Returns whether this generator ever acts on a body. Bodies on which no generator acts move freely, without an integrator.
+     * Do not use this to switch a force that begins or ends with the time, or with the place of a body. Let {@link #addForce} add
+     * nothing instead.
+     *
+     * <p>This is asked when the body or the generator is added, and again after properties of the body have been set, but not in
+     * each step.
      *
      * @param body a movable body
-     * @return true for all bodies, unless overridden; asked when the body or the generator is added, and again after the
-     *     body has been written, not in each step
+     * @return true for all bodies, unless overridden
      */
     default boolean actsOn(Body body) {
         return true;
     }
 
     /**
-     * The only bodies that a generator ever acts on, if these are always the same: then it is not asked about others, and many
-     * such generators on many bodies cost no more than there are forces.
+     * Returns the only bodies that this generator ever acts on, if these are always the same. Then it is not asked about others,
+     * and many such generators on many bodies cost no more than there are forces.
      *
-     * @return null, unless overridden: {@link #actsOn} is asked about every body
+     * @return the bodies; null, unless overridden: then {@link #actsOn} is asked about every body
      */
     default List<Body> getBodies() {
         return null;
     }
 
     /**
-     * Whether the force on a body depends on other bodies that move. Bodies that are coupled, directly or through others or
-     * through joints, are integrated together.
+     * Returns whether the force on a body depends on other bodies that move. Bodies that are coupled, directly, through others or
+     * through joints, are integrated together. This is asked when the generator is added and at the start of each step.
      *
-     * @return false, unless overridden; asked when the generator is added and at the start of each step
+     * @return false, unless overridden
      */
     default boolean isCoupled() {
         return false;
     }
 
     /**
-     * The bodies that a generator couples, if these are always the same few: other bodies move as without it. While joints tie
-     * all of them together, directly or through others, it couples nothing more than they do.
+     * Returns the bodies that this generator couples, if these are always the same few. Other bodies move as if it were not
+     * there. While joints tie all of these bodies together, directly or through others, the generator couples nothing more than
+     * the joints do.
      *
-     * @return {@link #getBodies()}, unless overridden; null: all bodies on which it acts
+     * @return {@link #getBodies()}, unless overridden; null for all bodies on which it acts
      */
     default List<Body> getCoupledBodies() {
         return getBodies();
     }
 
     /**
-     * The energy that the generator stores now, so that an audit of the engine takes what it does for no loss. Uniform
-     * fields are known.
+     * Returns the energy that this generator stores now, so that an audit of the engine does not take it for a loss. The engine
+     * knows the energy of uniform fields.
      *
-     * @return potential energy where its bodies are; 0, unless overridden: all that the forces do is work
+     * @return potential energy for the places where its bodies are; 0, unless overridden: then all that its forces do is work
      */
     default double energy() {
         return 0;
     }
 
     /**
-     * Whether the forces depend on nothing but positions, velocities and properties of bodies, so that they are the same
-     * whenever these are: not on the time, nor on anything that is changed from outside without a body being written. A method
-     * that chooses its steps may then follow them beyond the end of the engine's step, as far as its tolerance allows, which
-     * costs less where the engine's step is short; and what is written between steps acts at once all the same. Forces are
-     * then asked for at places that the body may never reach, as is done at rejected steps. Under time stepping, bodies sleep under no
-     * other forces than these.
+     * Returns whether the forces depend on nothing but positions, velocities and properties of bodies. They are then the same
+     * whenever these are. They must not depend on the time, nor on anything that changes from outside without a body being set.
+     *
+     * <p>A method that chooses its steps may follow such forces beyond the end of the engine's step, as far as its tolerance
+     * allows. That costs less where the engine's step is short. Changes that are made between steps still act at once. The forces
+     * are then also asked for at places that the body may never reach, as they are for rejected steps. Under time stepping,
+     * bodies sleep only if all forces on them are autonomous.
      *
      * @return false, unless overridden: then no force is asked for beyond the engine's step
      */
@@ -90,11 +95,11 @@ public interface ForceGenerator extends Serializable {
     }
 
     /**
-     * Whether several threads may ask for the forces on different bodies at the same time, see
-     * {@code PhysicsEngine.setThreads}: {@link #addForce} and {@link #actsOn} write nothing but the force on that body, and
-     * read nothing that changes within a step but that body.
+     * Returns whether several threads may ask for the forces on different bodies at the same time, see
+     * {@code PhysicsEngine.setThreads}. This requires that {@link #addForce} and {@link #actsOn} write nothing but the force on
+     * that body, and that they read nothing else that changes within a step than that body.
      *
-     * @return false, unless overridden; then the stepping thread alone calls
+     * @return false, unless overridden: then only the stepping thread calls them
      */
     default boolean isConcurrent() {
         return false;

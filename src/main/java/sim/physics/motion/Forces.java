@@ -5,7 +5,7 @@ package sim.physics.motion;
 import java.io.Serializable;
 import sim.physics.internal.IntList;
 
-/** Takes the forces of a {@link ForceGenerator} and adds them to the force vector F. */
+/** Takes the forces of a {@link ForceGenerator}, and adds them to the force vector F. */
 public final class Forces implements Serializable {
     private static final long serialVersionUID = 1L;
 
@@ -73,10 +73,10 @@ public final class Forces implements Serializable {
     /**
      * Adds a force at the centre of mass.
      *
-     * @param body the body that it acts on, which is the one that the generator is asked about
-     * @param fx force
-     * @param fy force
-     * @throws IllegalArgumentException for NaN or infinity, or another body
+     * @param body the body that the force acts on, which must be the one that the generator is asked about
+     * @param fx x component of the force
+     * @param fy y component of the force
+     * @throws IllegalArgumentException for NaN or infinity, or for another body
      */
     public void add(Body body, double fx, double fy) {
         requireAsked(body);
@@ -91,9 +91,9 @@ public final class Forces implements Serializable {
     /**
      * Adds a torque.
      *
-     * @param body the body that it acts on, which is the one that the generator is asked about
-     * @param torque force·length
-     * @throws IllegalArgumentException for NaN or infinity, or another body
+     * @param body the body that the torque acts on, which must be the one that the generator is asked about
+     * @param torque torque, force·length
+     * @throws IllegalArgumentException for NaN or infinity, or for another body
      */
     public void addTorque(Body body, double torque) {
         requireAsked(body);
@@ -102,14 +102,14 @@ public final class Forces implements Serializable {
     }
 
     /**
-     * Adds a force at a point: the force at the centre of mass and the torque r⊥ · f.
+     * Adds a force at a point. This is a force at the centre of mass together with the torque r⊥ · f.
      *
-     * @param body the body that it acts on, which is the one that the generator is asked about
-     * @param fx force
-     * @param fy force
-     * @param px point, in world coordinates
-     * @param py point, in world coordinates
-     * @throws IllegalArgumentException for NaN or infinity, or another body
+     * @param body the body that the force acts on, which must be the one that the generator is asked about
+     * @param fx x component of the force
+     * @param fy y component of the force
+     * @param px x of the point, in world coordinates
+     * @param py y of the point, in world coordinates
+     * @throws IllegalArgumentException for NaN or infinity, or for another body
      */
     public void addAt(Body body, double fx, double fy, double px, double py) {
         requireAsked(body);

@@ -5,12 +5,12 @@ package sim.physics.motion;
 import sim.physics.internal.IntList;
 
 /**
- * Gragg's modified midpoint method, extrapolated to a step of zero as Bulirsch and Stoer do, with order and step chosen by
- * what they cost: the code ODEX of Hairer, Nørsett and Wanner, <i>Solving Ordinary Differential Equations I</i>, 2nd
- * edition, II.9. The one to take for 9 to 13 right digits.
+ * Gragg's modified midpoint method, extrapolated to a step of zero as by Bulirsch and Stoer. It chooses its order and its step by
+ * their cost. This is the code ODEX of Hairer, Nørsett and Wanner, <i>Solving Ordinary Differential Equations I</i>, 2nd edition,
+ * II.9. Use it for 9 to 13 correct digits.
  *
- * <p>A row of the scheme makes n = 2, 4, 6 … small steps y₍ₗ₊₁₎ = y₍ₗ₋₁₎ + 2 (h/n) f(yₗ). Its error has even powers of
- * h/n only, so each row that is added gives two more orders: (n² / m² − 1) divides the difference of rows n and m.
+ * <p>A row of the scheme makes n = 2, 4, 6 … small steps y₍ₗ₊₁₎ = y₍ₗ₋₁₎ + 2 (h/n) f(yₗ). Its error has even powers of h/n only,
+ * so each additional row raises the order by two: the difference of rows n and m is divided by (n² / m² − 1).
  */
 public final class GraggBulirschStoer extends AdaptiveIntegrator {
     private static final long serialVersionUID = 1L;
@@ -73,10 +73,10 @@ public final class GraggBulirschStoer extends AdaptiveIntegrator {
     private static final double WORTHWHILE = 6;
 
     /**
-     * Makes the method.
+     * Creates the method.
      *
-     * @param tolerance error of a position that a step may make, length
-     * @throws IllegalArgumentException if it is not a finite number greater than 0
+     * @param tolerance error of a position that one step may make, length
+     * @throws IllegalArgumentException if the tolerance is not a finite number greater than 0
      */
     public GraggBulirschStoer(double tolerance) {
         super(tolerance);

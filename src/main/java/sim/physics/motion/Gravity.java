@@ -5,8 +5,8 @@ package sim.physics.motion;
 import sim.physics.internal.Check;
 
 /**
- * A uniform field: the same acceleration for every movable body. Bodies that feel nothing else follow parabolas, which
- * the engine knows exactly, without an integrator.
+ * A uniform field: the same acceleration for every movable body. Bodies that feel nothing else follow parabolas. The engine knows
+ * these exactly, without an integrator.
  */
 public final class Gravity implements ForceGenerator {
     private static final long serialVersionUID = 1L;
@@ -15,10 +15,10 @@ public final class Gravity implements ForceGenerator {
     private final double gy;
 
     /**
-     * Makes a uniform field.
+     * Creates a uniform field.
      *
-     * @param gx acceleration, length/time²
-     * @param gy acceleration, length/time²
+     * @param gx acceleration along x, length/time²
+     * @param gy acceleration along y, length/time²
      */
     public Gravity(double gx, double gy) {
         this.gx = Check.finite("gx", gx);
@@ -26,7 +26,7 @@ public final class Gravity implements ForceGenerator {
     }
 
     /**
-     * The acceleration along x.
+     * Returns the acceleration along x.
      *
      * @return length/time²
      */
@@ -35,7 +35,7 @@ public final class Gravity implements ForceGenerator {
     }
 
     /**
-     * The acceleration along y.
+     * Returns the acceleration along y.
      *
      * @return length/time²
      */

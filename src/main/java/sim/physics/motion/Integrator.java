@@ -5,7 +5,7 @@ package sim.physics.motion;
 import java.io.Serializable;
 import sim.physics.internal.IntList;
 
-/** Advances positions and velocities over a step, the write-up's <i>Numerical Integration</i>. */
+/** Advances positions and velocities over a step; see the write-up's <i>Numerical Integration</i>. */
 public interface Integrator extends Serializable {
     /**
      * Advances the blocks of some bodies in the state vectors from time t to t + h.
@@ -14,22 +14,22 @@ public interface Integrator extends Serializable {
      * @param state the state vectors, at t before and at t + h afterwards
      * @param bodies the bodies to advance
      * @param t time
-     * @param h step, of either sign
-     * @param path takes the path between: per coordinate of each body of the list, in its order, half the second
+     * @param h length of the step, of either sign
+     * @param path takes the path in between: for each coordinate of each body of the list, in its order, half the second
      *     derivative and a sixth of the third one at t
-     * @return the time advanced: h, or less if the method chooses its steps itself
+     * @return the time advanced: h, or less if the method chooses its own steps
      */
     double advance(EquationsOfMotion equations, State state, IntList bodies, double t, double h, Path path);
 
     /**
-     * Order of the global error in h.
+     * Returns the order of the global error in h.
      *
-     * @return 1 for Euler, 4 for RK4; the highest one if the method chooses it
+     * @return 1 for Euler, 4 for RK4; the highest order if the method chooses it
      */
     int order();
 
     /**
-     * Whether the method chooses its steps itself, so that those of the engine are only when its state is published.
+     * Returns whether the method chooses its own steps. Those of the engine then only say when its state is published.
      *
      * @return false unless overridden
      */
@@ -38,8 +38,8 @@ public interface Integrator extends Serializable {
     }
 
     /**
-     * Whether several threads may advance different bodies at the same time: the method keeps nothing from call to call, and
-     * what it writes lies in the blocks of the bodies.
+     * Returns whether several threads may advance different bodies at the same time. The method must then keep nothing from call
+     * to call, and must write only to the blocks of the bodies.
      *
      * @return false unless overridden
      */

@@ -3,47 +3,50 @@
 package sim.physics.motion;
 
 /**
- * What goes from a point of one body to a point of another one, or of the world: a pin, a rod, a spring. Displays draw it; forces
- * and constraints of your own are drawn too if they implement it. The two points of a pin are at the same place.
+ * Something that goes from a point of one body to a point of another one, or of the world: a pin, a rod, a spring. Displays draw
+ * it. Forces and constraints of your own are drawn too if they implement this interface. The two points of a pin are in the same
+ * place.
  */
 public interface Link {
     /**
-     * The first body.
+     * Returns the first body.
      *
      * @return never null
      */
     Body getBodyA();
 
     /**
-     * The second body.
+     * Returns the second body.
      *
-     * @return null: the world
+     * @return the body; null for the world
      */
     Body getBodyB();
 
     /**
-     * The point of the first body, in its coordinates.
+     * Returns the x coordinate of the point of the first body, in that body's coordinates.
      *
      * @return x, length
      */
     double getAnchorAX();
 
     /**
-     * The point of the first body, in its coordinates.
+     * Returns the y coordinate of the point of the first body, in that body's coordinates.
      *
      * @return y, length
      */
     double getAnchorAY();
 
     /**
-     * The point of the second body, in its coordinates; in those of the world if that is null.
+     * Returns the x coordinate of the point of the second body, in that body's coordinates, or in those of the world if the body
+     * is null.
      *
      * @return x, length
      */
     double getAnchorBX();
 
     /**
-     * The point of the second body, in its coordinates; in those of the world if that is null.
+     * Returns the y coordinate of the point of the second body, in that body's coordinates, or in those of the world if the body
+     * is null.
      *
      * @return y, length
      */

@@ -5,11 +5,11 @@ package sim.physics.motion;
 import sim.physics.internal.IntList;
 
 /**
- * The implicit method Radau IIA of order 5, which damps what is too fast for its steps (it is L-stable): the one to take
- * for stiff springs and dampers, and light bodies that carry heavy ones. The code is RADAU5 of Hairer and Wanner,
- * <i>Solving Ordinary Differential Equations II</i>, 2nd edition, IV.8.
+ * The implicit method Radau IIA of order 5. It damps what is too fast for its steps (it is L-stable). Use it for stiff springs
+ * and dampers, and for light bodies that carry heavy ones. This is the code RADAU5 of Hairer and Wanner, <i>Solving Ordinary
+ * Differential Equations II</i>, 2nd edition, IV.8.
  *
- * <p>Its derivatives are found by differences, and its systems solved densely: for groups of some tens of bodies. Because
+ * <p>Derivatives are found by differences, and systems are solved densely, so it is for groups of some tens of bodies. Because
  * velocities are the derivatives of positions, a system s y − f′ y = r of twice the size becomes
  *
  * <pre>
@@ -104,10 +104,10 @@ public final class RadauIIA extends AdaptiveIntegrator {
     private static final double STAY = 1.2;
 
     /**
-     * Makes the method.
+     * Creates the method.
      *
-     * @param tolerance error of a position that a step may make, length
-     * @throws IllegalArgumentException if it is not a finite number greater than 0
+     * @param tolerance error of a position that one step may make, length
+     * @throws IllegalArgumentException if the tolerance is not a finite number greater than 0
      */
     public RadauIIA(double tolerance) {
         super(tolerance);

@@ -5,9 +5,10 @@ package sim.physics.motion;
 import sim.physics.internal.IntList;
 
 /**
- * The symplectic and time-reversible method RATTLE (Andersen 1983), and its symmetric compositions of orders 4 and 6. The
- * one to take for very long runs: the energy swings by an error of the method's order, but does not drift away, however
- * long the run: sums carry what rounding leaves of them ({@link Carry}). It is meant for forces that depend on positions alone, gravity and springs without damping for instance.
+ * The symplectic and time-reversible method RATTLE (Andersen 1983), and its symmetric compositions of orders 4 and 6. Use it for
+ * very long runs under forces that depend on positions alone, such as gravity and springs without damping. The energy swings by
+ * an error of the method's order, but does not drift away, however long the run is, because sums carry their rounding errors
+ * along ({@link Carry}).
  *
  * <pre>
  *   v½ = v0 + h/2 (a(x0) + W J(x0)ᵀ λ)     with λ so that C(x1) = 0
@@ -15,8 +16,8 @@ import sim.physics.internal.IntList;
  *   v1 = v½ + h/2 (a(x1) + W J(x1)ᵀ μ)     with μ so that J(x1) v1 = 0
  * </pre>
  *
- * <p>Compositions make such steps of lengths γₖ h: Suzuki's five of order 4 (1990), and the nine of order 6 of Kahan and Li
- * (1997); both in Hairer, Lubich and Wanner, <i>Geometric Numerical Integration</i>, V.3.
+ * <p>Compositions make such steps with lengths γₖ h: the five of order 4 by Suzuki (1990), and the nine of order 6 by Kahan and
+ * Li (1997). For both, see Hairer, Lubich and Wanner, <i>Geometric Numerical Integration</i>, V.3.
  */
 public final class Rattle implements Integrator {
     private static final long serialVersionUID = 1L;
@@ -37,10 +38,10 @@ public final class Rattle implements Integrator {
     private final int order;
 
     /**
-     * Makes the method.
+     * Creates the method.
      *
-     * @param order 2, 4 or 6
-     * @throws IllegalArgumentException if it is another
+     * @param order order of the method: 2, 4 or 6
+     * @throws IllegalArgumentException if the order is another number
      */
     public Rattle(int order) {
         if (order != 2 && order != 4 && order != 6) {

@@ -16,8 +16,8 @@ import sim.physics.internal.IntList;
  *       | 1/6  1/3  1/3  1/6
  * </pre>
  *
- * <p>The path between the ends is the cubic that has their positions and velocities. The write-up says that the method
- * neither gains nor loses energy; it does lose a little, of fifth order in the step.
+ * <p>The path between the ends is the cubic with their positions and velocities. The write-up says that the method neither gains
+ * nor loses energy. In fact it loses a little, of fifth order in the step.
  */
 public final class RungeKutta4 implements Integrator {
     private static final long serialVersionUID = 1L;
@@ -25,7 +25,7 @@ public final class RungeKutta4 implements Integrator {
     private static final double[] NODE = {0, 0.5, 0.5, 1};
     private static final double[] WEIGHT = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
 
-    /** Makes the method. */
+    /** Creates the method. */
     public RungeKutta4() {
         // no state
     }

@@ -14,8 +14,8 @@ import sim.physics.internal.Trig;
  *   F = −(k (|d| − L) + c n·ḋ) n   on the first body,   d = pA − pB,   n = d / |d|
  * </pre>
  *
- * <p>It gives no force where both points are the same. Movable bodies that springs connect, directly or through others, are
- * integrated together. A spring leaves an engine with the first of its bodies that is removed from it, as a joint does.
+ * <p>It exerts no force where both points are the same. Movable bodies that springs connect, directly or through others, are
+ * integrated together. Like a joint, a spring leaves an engine with the first of its bodies that is removed from it.
  */
 public final class Spring implements ForceGenerator, Link {
     private static final long serialVersionUID = 1L;
@@ -37,15 +37,15 @@ public final class Spring implements ForceGenerator, Link {
     private transient double angleB;
 
     /**
-     * Makes a spring.
+     * Creates a spring.
      *
      * @param a a body
-     * @param ax point in the coordinates of the first body
-     * @param ay point in the coordinates of the first body
+     * @param ax x of the point of the first body, in its coordinates
+     * @param ay y of the point of the first body, in its coordinates
      * @param b another body, or null for the world
-     * @param bx point in the coordinates of the second body
-     * @param by point in the coordinates of the second body
-     * @param length L at which it gives no force, not negative
+     * @param bx x of the point of the second body, in its coordinates
+     * @param by y of the point of the second body, in its coordinates
+     * @param length length L at which the spring exerts no force, not negative
      * @param stiffness k, force/length, not negative
      * @param damping c, force·time/length, not negative
      * @throws IllegalArgumentException if a number is out of its range, or both bodies are the same
@@ -97,27 +97,27 @@ public final class Spring implements ForceGenerator, Link {
     }
 
     /**
-     * The length at which it gives no force.
+     * Returns the length at which the spring exerts no force.
      *
-     * @return L
+     * @return length L
      */
     public double getLength() {
         return length;
     }
 
     /**
-     * Force by length.
+     * Returns the stiffness: force per length.
      *
-     * @return k
+     * @return stiffness k
      */
     public double getStiffness() {
         return stiffness;
     }
 
     /**
-     * Force by speed.
+     * Returns the damping: force per speed.
      *
-     * @return c
+     * @return damping c
      */
     public double getDamping() {
         return damping;
@@ -138,7 +138,7 @@ public final class Spring implements ForceGenerator, Link {
         return b == null ? List.of(a) : List.of(a, b);
     }
 
-    /** Unless the other body is in no engine, or another one, and moved from there. */
+    /** {@return true, unless the other body is in no engine, or in another one, and is moved from there} */
     @Override
     public boolean isAutonomous() {
         return b == null || b.state() == a.state();
@@ -193,7 +193,7 @@ public final class Spring implements ForceGenerator, Link {
     }
 
     /**
-     * The energy that is stored in the spring now.
+     * Returns the energy that is stored in the spring now.
      *
      * @return k (|d| − L)² / 2
      */

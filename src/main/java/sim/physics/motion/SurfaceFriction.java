@@ -5,15 +5,19 @@ package sim.physics.motion;
 import sim.physics.internal.Check;
 
 /**
- * Coulomb friction between flat bodies and the plane that they lie on, seen from above: robots, cans, pucks.
+ * Coulomb friction between flat bodies and the plane that they lie on, for scenes seen from above: robots, cans, pucks.
  *
- * <p>The weight m g presses on the plane with uniform pressure, and every patch of the body rubs against its own
- * velocity, so sliding and spinning are coupled ({@link SurfacePatch}). Kinetic friction stops a body exactly and never
- * turns it back; a body at rest stays at rest while static friction can hold the other forces. The friction of bodies that
- * joints tie or springs connect grows from rest on, up to a speed of half of μ g times the step with RK4, of μ g times the
- * step with other methods of fixed step, and of √(μ g · tolerance / 2) at most: they come to rest as well, and creep no faster
- * than that under what static friction would bear. The coefficients are the bodies' own,
- * {@link Body#setSurfaceFriction(double, double)}; a body whose coefficients are 0 pays nothing.
+ * <p>The weight m g presses on the plane with uniform pressure, and every patch of the body rubs against its own velocity. So
+ * sliding and spinning are coupled ({@link SurfacePatch}). Kinetic friction stops a body exactly and never turns it back. A body
+ * at rest stays at rest while static friction can hold the other forces.
+ *
+ * <p>The friction of bodies that joints tie or springs connect grows with their speed, from zero at rest to its full value. With
+ * RK4, that is reached at half of μ g times the step. With other methods of fixed step, it is reached at μ g times the step, and
+ * with a tolerance at √(μ g · tolerance / 2) at most. These bodies come to rest as well, but under a load that static friction
+ * would bear they creep, no faster than that speed.
+ *
+ * <p>The coefficients are the bodies' own, see {@link Body#setSurfaceFriction(double, double)}. A body whose coefficients are 0
+ * costs nothing.
  */
 public final class SurfaceFriction implements ForceGenerator {
     private static final long serialVersionUID = 1L;
@@ -21,16 +25,16 @@ public final class SurfaceFriction implements ForceGenerator {
     private final double gravity;
 
     /**
-     * Makes the friction of a plane.
+     * Creates the friction of a plane.
      *
-     * @param gravity acceleration that presses the bodies on the plane, length/time²
+     * @param gravity acceleration that presses the bodies onto the plane, length/time²
      */
     public SurfaceFriction(double gravity) {
         this.gravity = Check.positive("gravity", gravity);
     }
 
     /**
-     * The acceleration that presses the bodies on the plane.
+     * Returns the acceleration that presses the bodies onto the plane.
      *
      * @return length/time²
      */

@@ -5,25 +5,29 @@ package sim.physics.motion;
 import sim.physics.internal.IntList;
 
 /**
- * The symplectic method of Euler: velocities first, and positions with the <i>new</i> ones.
+ * Euler's symplectic method: velocities are advanced first, and then positions with the <i>new</i> velocities.
  *
  * <pre>
  *   v1 = v0 + h (a(x0, v0) + W J(x0)ᵀ λ)     with λ so that C(x1) = 0
  *   x1 = x0 + h v1
  * </pre>
  *
- * <p>It is of first order, as {@link Euler} is, and takes one evaluation of the forces, too; but its energy swings by an
- * error of that order and does not drift away, if forces depend on positions alone. It is what game engines take: for many
- * bodies under forces that must be cheap and need not be exact. Where bodies lie on one another or joints tie them it is not cheap: its
- * paths are so far from the motion that steps are divided for contacts, and RK4 takes a half to a sixth of its time; time stepping
- * ({@code PhysicsEngine.setTimeStepping}) is for those. Joints are closed along the directions of the start, which keeps the map
- * symplectic (Hairer, Lubich and Wanner, <i>Geometric Numerical Integration</i>, VII.1), and the projection after the
- * step gives the velocities that they allow. A step must be shorter than 2/ω for a spring of frequency ω.
+ * <p>Like {@link Euler}, it is of first order and takes one evaluation of the forces. But if forces depend on positions alone,
+ * its energy swings by an error of that order and does not drift away. It is the method of game engines: for many bodies under
+ * forces that must be cheap and need not be exact.
+ *
+ * <p>It is not cheap where bodies lie on one another or joints tie them. Its paths are so far from the motion that steps are
+ * divided for contacts, and RK4 takes a half to a sixth of its time. Use time stepping ({@code PhysicsEngine.setTimeStepping})
+ * for those.
+ *
+ * <p>Joints are closed along the directions of the start of the step, which keeps the map symplectic (Hairer, Lubich and Wanner,
+ * <i>Geometric Numerical Integration</i>, VII.1). The projection after the step gives the velocities that the joints allow. A
+ * step must be shorter than 2/ω for a spring of frequency ω.
  */
 public final class SymplecticEuler implements Integrator {
     private static final long serialVersionUID = 1L;
 
-    /** Makes the method. */
+    /** Creates the method. */
     public SymplecticEuler() {
         // no state
     }

@@ -5,8 +5,8 @@ package sim.physics.motion;
 import sim.physics.internal.Check;
 
 /**
- * A drag that grows with speed, F = −μ g m v, μ being a body's (kinetic) coefficient of surface friction. It is not dry
- * friction: it turns nothing, holds nothing at rest and stops nothing for good. {@link SurfaceFriction} does.
+ * A drag that grows with speed, F = −μ g m v, where μ is a body's (kinetic) coefficient of surface friction. It is not dry
+ * friction: it exerts no torque, holds nothing at rest, and stops nothing for good. {@link SurfaceFriction} does all three.
  *
  * <p>Bodies whose coefficient is 0 do not feel it.
  */
@@ -16,7 +16,7 @@ public final class ViscousFriction implements ForceGenerator {
     private final double g;
 
     /**
-     * Makes a drag.
+     * Creates a drag.
      *
      * @param g weight per mass and speed, 1/time, not negative
      */

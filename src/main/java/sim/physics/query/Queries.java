@@ -15,16 +15,17 @@ import sim.physics.motion.State;
 import sim.physics.shape.Shape;
 
 /**
- * Where bodies are: what a robot senses. Answers are about the places that the bodies' getters give, between steps; within a
- * step, in a listener, those of bodies that have no part in the collision are still of the step's start. All shapes are
- * exact. Among equals the body of the lower block comes first.
+ * Answers questions about where bodies are: what a robot senses. Between steps, answers are about the places that the bodies'
+ * getters give. Within a step, in a listener, bodies that have no part in the collision are still where the step began. All
+ * shapes are exact. Among equals, the body of the lower block comes first.
  *
- * <p>The first questions after a step look at the circles around all bodies, some nanoseconds for each. From the tenth on,
- * and from the first if so many came last time, a grid of cells is laid, and questions look at bodies of the cells
- * concerned only. The answers are the same, to the bit. What {@link Body#setPosition} and {@link Body#setAngle} move, and
- * what is added or removed, is noticed at once. Within a step, and among few bodies, all are looked at.
+ * <p>The first questions after a step look at the circles around all bodies, which takes some nanoseconds for each. A grid of
+ * cells is laid from the tenth question on, or from the first if the last step had as many. Questions then look only at bodies in
+ * the cells concerned. The answers are the same, to the bit. Bodies that {@link Body#setPosition} or {@link Body#setAngle} moves,
+ * or that are added or removed, are noticed at once. Within a step, and among few bodies, questions look at all of them.
  *
- * <p>A filter says which bodies count, {@code body -> body != this} for one; null for all. It may ask questions itself.
+ * <p>A filter says which bodies count, for example {@code body -> body != this}. With null, all count. A filter may ask questions
+ * itself.
  */
 public final class Queries {
     private static final Comparator<Hit> NEARER =
@@ -43,9 +44,9 @@ public final class Queries {
     private Queries inner;
 
     /**
-     * Makes queries.
+     * Creates queries.
      *
-     * @param state the bodies
+     * @param state state that holds the bodies
      */
     public Queries(State state) {
         this(state, Cells.FEW, Cells.LAYING);
@@ -71,15 +72,15 @@ public final class Queries {
     }
 
     /**
-     * The first body that a ray enters.
+     * Returns the first body that a ray enters.
      *
-     * @param x start
-     * @param y start
-     * @param directionX of any length
-     * @param directionY of any length
+     * @param x x of the start
+     * @param y y of the start
+     * @param directionX x of the direction, of any length
+     * @param directionY y of the direction
      * @param range length of the ray, may be infinite
-     * @param filter which bodies count, or null
-     * @return null if there is none
+     * @param filter says which bodies count; null for all
+     * @return the hit, or null if there is none
      * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
      */
     public Hit rayCast(
@@ -93,16 +94,16 @@ public final class Queries {
     }
 
     /**
-     * The first body that a ray enters, without garbage.
+     * Finds the first body that a ray enters, without garbage.
      *
-     * @param x start
-     * @param y start
-     * @param directionX of any length
-     * @param directionY of any length
+     * @param x x of the start
+     * @param y y of the start
+     * @param directionX x of the direction, of any length
+     * @param directionY y of the direction
      * @param range length of the ray, may be infinite
-     * @param filter which bodies count, or null
-     * @param into takes the answer
-     * @return false if there is none
+     * @param filter says which bodies count; null for all
+     * @param into the object that takes the answer
+     * @return true if there is such a body, false if there is none
      * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
      */
     public boolean rayCast(
@@ -146,15 +147,15 @@ public final class Queries {
     }
 
     /**
-     * All bodies that a ray enters, as if each were alone.
+     * Returns all bodies that a ray enters, each as if it were alone.
      *
-     * @param x start
-     * @param y start
-     * @param directionX of any length
-     * @param directionY of any length
+     * @param x x of the start
+     * @param y y of the start
+     * @param directionX x of the direction, of any length
+     * @param directionY y of the direction
      * @param range length of the ray, may be infinite
-     * @param filter which bodies count, or null
-     * @return nearest first
+     * @param filter says which bodies count; null for all
+     * @return a list of hits, nearest first
      * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
      */
     public List<Hit> rayCastAll(
@@ -181,15 +182,15 @@ public final class Queries {
     }
 
     /**
-     * The distances at which a fan of rays meets bodies, evenly spread over an angle.
+     * Finds the distances at which the rays of a fan meet bodies. The rays are evenly spread over an angle.
      *
-     * @param x start
-     * @param y start
+     * @param x x of the start
+     * @param y y of the start
      * @param from angle of the first ray, rad
-     * @param to angle of the last one, rad
+     * @param to angle of the last ray, rad
      * @param range length of the rays
-     * @param filter which bodies count, or null
-     * @param distances takes one distance per ray, and the range where it meets nothing
+     * @param filter says which bodies count; null for all
+     * @param distances array that takes one distance per ray, which is the range if the ray meets nothing
      * @throws IllegalArgumentException if a number is not finite, or the range negative
      */
     public void fan(
@@ -206,12 +207,12 @@ public final class Queries {
     }
 
     /**
-     * Distance of a point from a body's surface.
+     * Returns the distance of a point from a body's surface.
      *
-     * @param body any
-     * @param x point
-     * @param y point
-     * @return length; 0 inside
+     * @param body any body
+     * @param x x of the point
+     * @param y y of the point
+     * @return length; 0 if the point is inside
      */
     public double distance(Body body, double x, double y) {
         Objects.requireNonNull(body, "body");
@@ -220,13 +221,13 @@ public final class Queries {
     }
 
     /**
-     * The bodies that are not farther from a point than a distance.
+     * Returns the bodies that are within a distance of a point.
      *
-     * @param x point
-     * @param y point
-     * @param distance length; 0: the bodies at that point
-     * @param filter which bodies count, or null
-     * @return in the order of their blocks
+     * @param x x of the point
+     * @param y y of the point
+     * @param distance greatest distance, length; 0 for the bodies at that point
+     * @param filter says which bodies count; null for all
+     * @return a list, in the order of the bodies' blocks
      * @throws IllegalArgumentException if a number is not finite or the distance negative
      */
     public List<Body> within(double x, double y, double distance, Predicate<? super Body> filter) {
@@ -236,13 +237,13 @@ public final class Queries {
     }
 
     /**
-     * The bodies that are not farther from a point than a distance, without garbage if the list has room.
+     * Finds the bodies that are within a distance of a point, without garbage if the list has room.
      *
-     * @param x point
-     * @param y point
-     * @param distance length; 0: the bodies at that point
-     * @param filter which bodies count, or null
-     * @param into gets them at its end, in the order of their blocks
+     * @param x x of the point
+     * @param y y of the point
+     * @param distance greatest distance, length; 0 for the bodies at that point
+     * @param filter says which bodies count; null for all
+     * @param into the list to which they are added, in the order of their blocks
      * @throws IllegalArgumentException if a number is not finite or the distance negative
      */
     public void within(double x, double y, double distance, Predicate<? super Body> filter, List<? super Body> into) {
@@ -263,13 +264,13 @@ public final class Queries {
     }
 
     /**
-     * The bodies that are nearest to a point.
+     * Returns the bodies that are nearest to a point.
      *
-     * @param x point
-     * @param y point
-     * @param count how many at most, not negative
-     * @param filter which bodies count, or null
-     * @return nearest first
+     * @param x x of the point
+     * @param y y of the point
+     * @param count number of bodies at most, not negative
+     * @param filter says which bodies count; null for all
+     * @return a list, nearest first
      * @throws IllegalArgumentException if a number is not finite or the count negative
      */
     public List<Body> nearest(double x, double y, int count, Predicate<? super Body> filter) {
@@ -279,13 +280,13 @@ public final class Queries {
     }
 
     /**
-     * The bodies that are nearest to a point, without garbage if the list has room.
+     * Finds the bodies that are nearest to a point, without garbage if the list has room.
      *
-     * @param x point
-     * @param y point
-     * @param count how many at most, not negative
-     * @param filter which bodies count, or null
-     * @param into gets them at its end, nearest first
+     * @param x x of the point
+     * @param y y of the point
+     * @param count number of bodies at most, not negative
+     * @param filter says which bodies count; null for all
+     * @param into the list to which they are added, nearest first
      * @throws IllegalArgumentException if a number is not finite or the count negative
      */
     public void nearest(double x, double y, int count, Predicate<? super Body> filter, List<? super Body> into) {
@@ -308,14 +309,14 @@ public final class Queries {
     }
 
     /**
-     * The bodies that meet a box with sides along the axes.
+     * Returns the bodies that meet a box whose sides are parallel to the axes.
      *
-     * @param lowX its left side
-     * @param lowY its lower side
-     * @param highX its right side, not less than the left one
-     * @param highY its upper side, not less than the lower one
-     * @param filter which bodies count, or null
-     * @return in the order of their blocks
+     * @param lowX left side of the box
+     * @param lowY lower side of the box
+     * @param highX right side of the box, not less than the left one
+     * @param highY upper side of the box, not less than the lower one
+     * @param filter says which bodies count; null for all
+     * @return a list, in the order of the bodies' blocks
      * @throws IllegalArgumentException if a number is not finite, or the sides are the wrong way round
      */
     public List<Body> inBox(double lowX, double lowY, double highX, double highY, Predicate<? super Body> filter) {
@@ -325,14 +326,14 @@ public final class Queries {
     }
 
     /**
-     * The bodies that meet a box with sides along the axes, without garbage if the list has room.
+     * Finds the bodies that meet a box whose sides are parallel to the axes, without garbage if the list has room.
      *
-     * @param lowX its left side
-     * @param lowY its lower side
-     * @param highX its right side, not less than the left one
-     * @param highY its upper side, not less than the lower one
-     * @param filter which bodies count, or null
-     * @param into gets them at its end, in the order of their blocks
+     * @param lowX left side of the box
+     * @param lowY lower side of the box
+     * @param highX right side of the box, not less than the left one
+     * @param highY upper side of the box, not less than the lower one
+     * @param filter says which bodies count; null for all
+     * @param into the list to which they are added, in the order of their blocks
      * @throws IllegalArgumentException if a number is not finite, or the sides are the wrong way round
      */
     public void inBox(
@@ -362,14 +363,15 @@ public final class Queries {
     }
 
     /**
-     * Returns the bodies that a shape touches or overlaps where it is put: what is in a zone, or whether there is room for a body.
+     * Returns the bodies that a shape touches or overlaps where it is put. This tells what is in a zone, or whether there is
+     * room for a body.
      *
-     * @param shape any
-     * @param x its centre
-     * @param y its centre
-     * @param angle rad
-     * @param filter which bodies count, or null
-     * @return in the order of their blocks
+     * @param shape any shape
+     * @param x x of its centre
+     * @param y y of its centre
+     * @param angle angle of the shape, rad
+     * @param filter says which bodies count; null for all
+     * @return a list, in the order of the bodies' blocks
      * @throws IllegalArgumentException if a number is not finite
      */
     public List<Body> overlapping(Shape shape, double x, double y, double angle, Predicate<? super Body> filter) {
@@ -379,12 +381,12 @@ public final class Queries {
     }
 
     /**
-     * Returns the bodies that a body touches or overlaps where it is. The body need not be in the engine, nor collide with anything: a body that is
-     * in no collision group is a sensor that may be tied to others.
+     * Returns the bodies that a body touches or overlaps where it is. The body need not be in the engine, nor collide with
+     * anything: a body that is in no collision group is a sensor that may be tied to others.
      *
-     * @param body any; not among the answers
-     * @param filter which bodies count, or null
-     * @return in the order of their blocks
+     * @param body any body; it is not among the answers
+     * @param filter says which bodies count; null for all
+     * @return a list, in the order of the bodies' blocks
      */
     public List<Body> overlapping(Body body, Predicate<? super Body> filter) {
         Objects.requireNonNull(body, "body");
@@ -395,12 +397,12 @@ public final class Queries {
     /**
      * Finds the bodies that a shape touches or overlaps where it is put, without garbage if the list has room.
      *
-     * @param shape any
-     * @param x its centre
-     * @param y its centre
-     * @param angle rad
-     * @param filter which bodies count, or null
-     * @param into gets them at its end, in the order of their blocks
+     * @param shape any shape
+     * @param x x of its centre
+     * @param y y of its centre
+     * @param angle angle of the shape, rad
+     * @param filter says which bodies count; null for all
+     * @param into the list to which they are added, in the order of their blocks
      * @throws IllegalArgumentException if a number is not finite
      */
     public void overlapping(
@@ -424,16 +426,16 @@ public final class Queries {
     }
 
     /**
-     * The bodies whose centres lie in a field of view and are not hidden: the line of sight to the centre enters no other
-     * body that counts before.
+     * Returns the bodies whose centres lie in a field of view and which are not hidden. A body is hidden if the line of sight to
+     * its centre enters another body that counts before it.
      *
-     * @param x the eye
-     * @param y the eye
-     * @param direction in which it looks, rad
-     * @param halfAngle of the field to either side, rad, 0 … π
-     * @param range how far it sees
-     * @param filter which bodies count, see and hide, or null
-     * @return nearest centre first
+     * @param x x of the eye
+     * @param y y of the eye
+     * @param direction direction in which the eye looks, rad
+     * @param halfAngle angle of the field to either side, rad, 0 … π
+     * @param range distance that the eye can see
+     * @param filter says which bodies count, both to be seen and to hide others; null for all
+     * @return a list, with the nearest centre first
      * @throws IllegalArgumentException if a number is not finite or out of its range
      */
     public List<Body> visible(

@@ -5,7 +5,10 @@ package sim.physics.query;
 import java.io.Serializable;
 import sim.physics.motion.Body;
 
-/** Where a ray entered a body; to be used again, so that many rays leave no garbage. An agent that keeps one may be saved with it. */
+/**
+ * The place where a ray entered a body. It may be used again for the next ray, so that many rays leave no garbage. If an agent
+ * holds one, it may be saved together with the agent.
+ */
 public final class RayHit implements Serializable {
     private static final long serialVersionUID = 1L;
 
@@ -16,7 +19,7 @@ public final class RayHit implements Serializable {
     private double ny;
     private double distance;
 
-    /** Makes the answer of no ray yet. */
+    /** Creates an object that holds no answer yet. */
     public RayHit() {
         // a ray fills it
     }
@@ -31,16 +34,16 @@ public final class RayHit implements Serializable {
     }
 
     /**
-     * The body that the ray entered.
+     * Returns the body that the ray entered.
      *
-     * @return null if it entered none; the other values are 0 then, and the distance is the range
+     * @return the body; null if the ray entered none: the other values are then 0, and the distance is the range
      */
     public Body body() {
         return body;
     }
 
     /**
-     * Point on the body's surface, or the start of the ray if that is inside.
+     * Returns the x coordinate of the point on the body's surface, or of the start of the ray if that is inside.
      *
      * @return x
      */
@@ -49,7 +52,7 @@ public final class RayHit implements Serializable {
     }
 
     /**
-     * Point on the body's surface, or the start of the ray if that is inside.
+     * Returns the y coordinate of the point on the body's surface, or of the start of the ray if that is inside.
      *
      * @return y
      */
@@ -58,27 +61,29 @@ public final class RayHit implements Serializable {
     }
 
     /**
-     * Unit normal of the surface, out of the body; against the ray if that starts inside.
+     * Returns the x component of the unit normal of the surface, which points out of the body, or against the ray if that starts
+     * inside.
      *
-     * @return its x component
+     * @return x component
      */
     public double nx() {
         return nx;
     }
 
     /**
-     * Unit normal of the surface, out of the body; against the ray if that starts inside.
+     * Returns the y component of the unit normal of the surface, which points out of the body, or against the ray if that starts
+     * inside.
      *
-     * @return its y component
+     * @return y component
      */
     public double ny() {
         return ny;
     }
 
     /**
-     * Length from the start of the ray; 0 if that is inside.
+     * Returns the distance from the start of the ray. It is 0 if that is inside.
      *
-     * @return the range of the ray if it entered no body
+     * @return length; the range of the ray if it entered no body
      */
     public double distance() {
         return distance;

@@ -9,8 +9,8 @@ import sim.physics.matrix.SolveReport;
 import sim.physics.matrix.SolverException;
 
 /**
- * The write-up's own way to the impulse: the eight equations (16)–(24) of two rigid bodies as one
- * {@link BorderedIdentityMatrix}, solved by {@link BiConjugateGradient}. It is the reference of the closed form; it knows
+ * The write-up's own way to find the impulse: the eight equations (16)–(24) of two rigid bodies form one
+ * {@link BorderedIdentityMatrix}, which {@link BiConjugateGradient} solves. It is the reference for the closed form. It knows
  * neither friction nor sticking.
  *
  * <pre>
@@ -29,7 +29,7 @@ public final class BorderedImpulse implements ImpulseSolver {
     private final BiConjugateGradient solver = new BiConjugateGradient(1e-15, 500);
     private final TwoBodyImpulse withFriction = new TwoBodyImpulse();
 
-    /** Makes a solver. */
+    /** Creates a solver. */
     public BorderedImpulse() {
         // the matrix is made anew for each impact
     }

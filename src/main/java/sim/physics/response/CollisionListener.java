@@ -5,40 +5,41 @@ package sim.physics.response;
 import java.io.Serializable;
 
 /**
- * Is told of collisions, and decides about them. Listeners are part of a checkpoint: make them named classes, not
- * lambdas, whose serialized form depends on the compiler.
+ * A listener that is asked before collisions and told after them. Listeners are part of a checkpoint. So make them named classes,
+ * not lambdas, whose serialized form depends on the compiler.
  *
- * <p>In a call a listener may add and remove bodies, and set positions, velocities and filters; that takes effect at
- * the instant of the collision, when the call is over. An exception that it throws ends the step at that instant.
+ * <p>In a call, a listener may add and remove bodies, and set positions, velocities and filters. That takes effect at the instant
+ * of the collision, when the call is over. If the listener throws an exception, the step ends at that instant.
  */
 public interface CollisionListener extends Serializable {
-    /** What is done about a collision. */
+    /** What to do about a collision. */
     enum Decision {
-        /** The bodies bounce, as their coefficients have it. */
+        /** The bodies bounce, as their coefficients say. */
         BOUNCE,
         /**
-         * The collision points have the same velocity afterwards: perfectly inelastic. They do not slide as long as the
-         * bodies are pressed together, at rest or in a heap, until these part or collide anew; but they can be pulled apart.
+         * The collision points have the same velocity afterwards: a perfectly inelastic collision. The bodies do not slide as
+         * long as they are pressed together, at rest or in a heap, until they part or collide again. But they can be pulled
+         * apart.
          */
         STICK,
-        /** The bodies go on as if there was nothing; they may pass through one another until they are apart again. */
+        /** The bodies go on as if nothing were there. They may pass through one another until they are apart again. */
         IGNORE
     }
 
     /**
-     * Two bodies are about to collide; their velocities are those before.
+     * Called when two bodies are about to collide. Their velocities are those before the collision.
      *
-     * @param contact where and when
-     * @return what to do; the first listener that wants something else than {@link Decision#BOUNCE} decides
+     * @param contact place and time of the collision
+     * @return what to do; the first listener that returns something other than {@link Decision#BOUNCE} decides
      */
     default Decision colliding(Contact contact) {
         return Decision.BOUNCE;
     }
 
     /**
-     * Two bodies have collided; their velocities are those afterwards.
+     * Called when two bodies have collided. Their velocities are those after the collision.
      *
-     * @param contact where and when, with the impulse
+     * @param contact place and time of the collision, with the impulse
      */
     default void collided(Contact contact) {
         // told for information

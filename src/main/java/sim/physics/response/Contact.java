@@ -10,10 +10,10 @@ import sim.physics.motion.Body;
  * @param a one body
  * @param b the other body
  * @param time simulated time of the collision
- * @param x the collision point, length
- * @param y the collision point, length
- * @param normalX unit normal from a to b
- * @param normalY unit normal from a to b
+ * @param x x of the collision point, length
+ * @param y y of the collision point, length
+ * @param normalX x of the unit normal from a to b
+ * @param normalY y of the unit normal from a to b
  * @param approachSpeed speed along the normal before the collision, length/time, positive
  * @param impulse size of the impulse, mass·length/time; 0 before the collision
  */
@@ -29,9 +29,9 @@ public record Contact(
         double impulse) {
 
     /**
-     * The other body of the pair.
+     * Returns the other body of the pair.
      *
-     * @param body one of the two
+     * @param body one of the two bodies
      * @return the other one
      * @throws IllegalArgumentException if the body takes no part in this collision
      */

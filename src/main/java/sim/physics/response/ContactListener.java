@@ -6,31 +6,31 @@ import java.io.Serializable;
 import sim.physics.motion.Body;
 
 /**
- * Is told of contacts that last: of bodies that come to rest on one another or lie in heaps, while the collisions before are
- * told to a {@link CollisionListener}. Calls come when a step is over, and may do all that may be done between steps, but for
- * stepping the engine. Listeners are part of a checkpoint: make them named classes.
+ * A listener that is told of lasting contacts: of bodies that come to rest on one another or lie in heaps. A
+ * {@link CollisionListener} is told of the collisions before that. Calls come when a step is over. They may do anything that may
+ * be done between steps, except step the engine. Listeners are part of a checkpoint, so make them named classes.
  */
 public interface ContactListener extends Serializable {
     /**
-     * Two bodies lie on one another that did not at the end of the step before.
+     * Called when two bodies lie on one another that did not at the end of the step before.
      *
-     * @param contact where, and with which force
+     * @param contact place and force of the contact
      */
     default void began(LastingContact contact) {
         // told for information
     }
 
     /**
-     * Two bodies lie on one another still.
+     * Called when two bodies still lie on one another.
      *
-     * @param contact where, and with which force
+     * @param contact place and force of the contact
      */
     default void lasts(LastingContact contact) {
         // told for information
     }
 
     /**
-     * Two bodies do not lie on one another any more, or one has left the engine.
+     * Called when two bodies do not lie on one another any more, or one of them has left the engine.
      *
      * @param a one body
      * @param b the other body

@@ -4,12 +4,12 @@ package sim.physics.response;
 
 import java.io.Serializable;
 
-/** Solves the equations (16)–(24) for the impulse of one collision point of two free bodies. */
+/** Solves the equations (16)–(24) for the impulse at one collision point of two free bodies. */
 public interface ImpulseSolver extends Serializable {
     /**
      * Finds the impulse.
      *
-     * @param impact what is known; its impulse is set
+     * @param impact what is known of the impact; its impulse is set
      */
     void solve(Impact impact);
 }

@@ -5,19 +5,19 @@ package sim.physics.response;
 import sim.physics.motion.Body;
 
 /**
- * Two bodies that rest or lie on one another at the end of a step, and the force with which they press: its mean over the
- * step. Two points of an edge that lies flush are one contact, at the point where the force of both acts together. What bore a force
- * and has parted before the step was over is listed for that step.
+ * Two bodies that rest or lie on one another at the end of a step, and the force with which they press, as its mean over the
+ * step. The two points of a flush edge are one contact, at the point where their forces act together. A contact that bore a force
+ * and parted before the end of the step is listed for that step.
  *
  * @param a one body
  * @param b the other body
- * @param x where the force acts, at the end of the step, length
- * @param y where the force acts, length
- * @param normalX unit normal from a to b
- * @param normalY unit normal from a to b
- * @param normalForce force on b along the normal, mass·length/time², not negative; on a it is the opposite
- * @param tangentForce force on b along the tangent (−normalY, normalX), that of friction, of either sign; on a it is the
- *     opposite
+ * @param x x of the point where the force acts, at the end of the step, length
+ * @param y y of the point where the force acts, length
+ * @param normalX x of the unit normal from a to b
+ * @param normalY y of the unit normal from a to b
+ * @param normalForce force on b along the normal, mass·length/time², not negative; the force on a is the opposite
+ * @param tangentForce force on b along the tangent (−normalY, normalX), which is that of friction, of either sign; the force on a
+ *     is the opposite
  */
 public record LastingContact(
         Body a,
@@ -30,9 +30,9 @@ public record LastingContact(
         double tangentForce) {
 
     /**
-     * The other body of the pair.
+     * Returns the other body of the pair.
      *
-     * @param body one of the two
+     * @param body one of the two bodies
      * @return the other one
      * @throws IllegalArgumentException if the body takes no part in this contact
      */
@@ -41,9 +41,9 @@ public record LastingContact(
     }
 
     /**
-     * The force on a body from left to right.
+     * Returns the force on a body along the x axis.
      *
-     * @param body one of the two
+     * @param body one of the two bodies
      * @return mass·length/time²
      * @throws IllegalArgumentException if the body takes no part in this contact
      */
@@ -52,9 +52,9 @@ public record LastingContact(
     }
 
     /**
-     * The force on a body along the y axis.
+     * Returns the force on a body along the y axis.
      *
-     * @param body one of the two
+     * @param body one of the two bodies
      * @return mass·length/time²
      * @throws IllegalArgumentException if the body takes no part in this contact
      */

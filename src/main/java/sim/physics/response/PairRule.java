@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.response;
 
-/** How the coefficients of two bodies make the coefficient of their contact. */
+/** Says how the coefficients of two bodies make the coefficient of their contact. */
 public enum PairRule {
     /** The smaller one. */
     MINIMUM,
@@ -16,11 +16,11 @@ public enum PairRule {
     GEOMETRIC_MEAN;
 
     /**
-     * The coefficient of a contact.
+     * Returns the coefficient of a contact.
      *
      * @param a coefficient of one body
      * @param b coefficient of the other body
-     * @return the same for (a, b) and (b, a)
+     * @return the coefficient; the same for (a, b) and (b, a)
      */
     public double of(double a, double b) {
         if (a == b && this != PRODUCT) {

@@ -3,22 +3,22 @@
 package sim.physics.response;
 
 /**
- * The closed form of (16)–(24) for two bodies and one point, with friction and for surfaces that stick.
+ * The closed form of (16)–(24) for two bodies and one point, with friction, and also for surfaces that stick.
  *
- * <p>With (18), (19) and (24) in (23) the normal impulse is
+ * <p>With (18), (19) and (24) in (23), the normal impulse is
  *
  * <pre>
  *   j = −(1 + e) v·n / K,   K = 1/mA + 1/mB + (rA⊥·n)²/IA + (rB⊥·n)²/IB,   R = −j n
  * </pre>
  *
- * <p>With friction the impulse is that of Routh's law in one step: the one that stops the sliding if Coulomb's cone
- * allows it, else the one on the edge of the cone. Newton's restitution with friction can create energy (Kane and
- * Levinson 1985); where it would, the impulse is shortened until the energy stays the same.
+ * <p>With friction, the impulse is that of Routh's law in one step. It stops the sliding if Coulomb's cone allows that. Otherwise
+ * it lies on the edge of the cone. Newton's restitution with friction can create energy (Kane and Levinson 1985). Where it would,
+ * the impulse is shortened until the energy stays the same.
  */
 public final class TwoBodyImpulse implements ImpulseSolver {
     private static final long serialVersionUID = 1L;
 
-    /** Makes a solver. */
+    /** Creates a solver. */
     public TwoBodyImpulse() {
         // no state
     }

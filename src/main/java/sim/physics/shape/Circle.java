@@ -9,11 +9,11 @@ public final class Circle extends Shape {
     private static final long serialVersionUID = 1L;
 
     /**
-     * Makes a circle.
+     * Creates a circle.
      *
      * @param radius length, greater than 0
-     * @throws IllegalArgumentException if it is not a finite number greater than 0, or the area or the moment of
-     *     inertia over- or underflows
+     * @throws IllegalArgumentException if the radius is not a finite number greater than 0, or the area or the moment of inertia
+     *     over- or underflows
      */
     public Circle(double radius) {
         super(

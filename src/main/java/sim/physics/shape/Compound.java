@@ -7,13 +7,13 @@ import sim.physics.internal.Check;
 import sim.physics.internal.Trig;
 
 /**
- * A shape that is made of convex polygons and discs which keep their places to one another, so that a single body may be an L, a
- * cup, a gripper, a gear or a robot with two arms. It need not be convex nor all of one piece; its parts never collide with one
- * another.
+ * A shape that consists of convex polygons and discs, which keep their places relative to one another. So a single body may be an
+ * L, a cup, a gripper, a gear or a robot with two arms. A compound need not be convex, nor all in one piece. Its parts never
+ * collide with one another.
  *
- * <p>The parts are given in common coordinates of the author's. They are moved so that the centroid of all is the
- * origin. Where parts overlap the area counts twice: let them touch instead, if the mass is to be that of the shape, or set the
- * body's mass and inertia. The vertices of a compound are those of its parts, one after the other, of a disc its centre.
+ * <p>Give all parts in the same coordinates. They are moved so that their common centroid is the origin. Where parts overlap,
+ * their area counts twice. If the mass is to be that of the shape, let the parts touch instead, or set the body's mass and
+ * inertia. The vertices of a compound are those of its parts, one part after the other; the vertex of a disc is its centre.
  *
  * <pre>
  *   new Compound(Compound.box(0, 0, 4, 1), Compound.box(-1.5, 1, 1, 1), Compound.box(1.5, 1, 1, 1)); // a U
@@ -30,12 +30,12 @@ public final class Compound extends Shape {
     private final ConvexPart[] parts;
 
     /**
-     * Makes a shape of convex parts.
+     * Creates a shape from convex parts.
      *
-     * @param parts at least one, each a polygon with its vertices in order, in either sense, x0, y0, x1, y1 …, or a disc with
-     *     its centre and radius, x, y, r; length
-     * @throws IllegalArgumentException if there is none, a polygon is not strictly convex, or a part cannot be used for another
-     *     reason that {@link Polygon} or {@link Circle} has; the message names the part and the vertex
+     * @param parts at least one part: a polygon with its vertices in order, clockwise or counter-clockwise, x0, y0, x1, y1 …, or
+     *     a disc with its centre and radius, x, y, r; length
+     * @throws IllegalArgumentException if there is no part, a polygon is not strictly convex, or {@link Polygon} or
+     *     {@link Circle} would refuse a part for another reason; the message names the part and the vertex
      */
     public Compound(double[]... parts) {
         this(new CompoundMass(parts));
@@ -51,11 +51,11 @@ public final class Compound extends Shape {
     }
 
     /**
-     * Makes a shape of a polygon that need not be convex. It is cut into convex ones; a vertex on the line through its neighbours is
-     * left out.
+     * Returns the shape of a polygon that need not be convex. The polygon is cut into convex ones. A vertex on the line through
+     * its neighbours is left out.
      *
-     * @param xy its vertices in order, in either sense: x0, y0, x1, y1 …, length
-     * @return a compound of as few parts as are easily found
+     * @param xy its vertices in order, clockwise or counter-clockwise: x0, y0, x1, y1 …, length
+     * @return a compound with as few parts as can easily be found
      * @throws IllegalArgumentException if there are fewer than three vertices, one is not finite, or the polygon crosses or
      *     touches itself
      */
@@ -64,10 +64,10 @@ public final class Compound extends Shape {
     }
 
     /**
-     * A disc, to be a part of a compound.
+     * Returns a disc, as a part of a compound.
      *
-     * @param x its centre, in the author's coordinates
-     * @param y its centre
+     * @param x x of its centre, in the coordinates of all parts
+     * @param y y of its centre
      * @param radius length, greater than 0
      * @return x, y, radius
      * @throws IllegalArgumentException if a number is not finite, or the radius not greater than 0
@@ -77,13 +77,13 @@ public final class Compound extends Shape {
     }
 
     /**
-     * The vertices of a rectangle, to be a part of a compound.
+     * Returns the vertices of a rectangle, as a part of a compound.
      *
-     * @param x its centre, in the author's coordinates
-     * @param y its centre
-     * @param width along x, length, greater than 0
-     * @param height along y, length, greater than 0
-     * @return x0, y0, x1, y1 …, four vertices
+     * @param x x of its centre, in the coordinates of all parts
+     * @param y y of its centre
+     * @param width extent along x, length, greater than 0
+     * @param height extent along y, length, greater than 0
+     * @return the four vertices: x0, y0, x1, y1 …
      * @throws IllegalArgumentException if a number is not finite, or a length not greater than 0
      */
     public static double[] box(double x, double y, double width, double height) {
@@ -91,14 +91,14 @@ public final class Compound extends Shape {
     }
 
     /**
-     * The vertices of a rectangle that is turned.
+     * Returns the vertices of a rectangle that is turned.
      *
-     * @param x its centre, in the author's coordinates
-     * @param y its centre
+     * @param x x of its centre, in the coordinates of all parts
+     * @param y y of its centre
      * @param width length, greater than 0
      * @param height length, greater than 0
-     * @param angle by which the width is turned from the x to the y axis, rad
-     * @return x0, y0, x1, y1 …, four vertices
+     * @param angle angle of its width from the x axis towards the y axis, rad
+     * @return the four vertices: x0, y0, x1, y1 …
      * @throws IllegalArgumentException if a number is not finite, or a length not greater than 0
      */
     public static double[] box(double x, double y, double width, double height, double angle) {
@@ -138,18 +138,18 @@ public final class Compound extends Shape {
     }
 
     /**
-     * Where the centroid was.
+     * Returns the x coordinate of the place where the centroid was.
      *
-     * @return x in the coordinates that the author gave, length
+     * @return x in the coordinates in which the parts were given, length
      */
     public double centroidX() {
         return massProperties().centroidX();
     }
 
     /**
-     * Where the centroid was.
+     * Returns the y coordinate of the place where the centroid was.
      *
-     * @return y in the coordinates that the author gave, length
+     * @return y in the coordinates in which the parts were given, length
      */
     public double centroidY() {
         return massProperties().centroidY();

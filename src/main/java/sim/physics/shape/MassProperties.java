@@ -5,12 +5,12 @@ package sim.physics.shape;
 import java.io.Serializable;
 
 /**
- * What the dynamics need of a shape of uniform density.
+ * The properties of a shape of uniform density that its dynamics depend on.
  *
  * @param area length²
- * @param centroidX centroid in the coordinates that the author gave, length
- * @param centroidY centroid in the coordinates that the author gave, length
- * @param unitInertia moment of inertia about the centroid for a unit of mass, length²
+ * @param centroidX centroid in the coordinates in which the shape was given, length
+ * @param centroidY centroid in the coordinates in which the shape was given, length
+ * @param unitInertia moment of inertia about the centroid, per unit of mass, length²
  */
 public record MassProperties(double area, double centroidX, double centroidY, double unitInertia)
         implements Serializable {

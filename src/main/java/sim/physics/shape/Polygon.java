@@ -7,12 +7,12 @@ import sim.physics.internal.Check;
 import sim.physics.internal.Trig;
 
 /**
- * A convex polygon. Its vertices are given in any coordinates and either sense of rotation; it is moved so that its
- * centroid is the origin, and turned round if they go clockwise.
+ * A convex polygon. You may give its vertices in any coordinates, and clockwise or counter-clockwise. The polygon is moved so
+ * that its centroid is the origin. Clockwise vertices are put into the opposite order.
  *
- * <p>Every corner must turn: a vertex on the line through its neighbours, or so near it that the sine of the turn is
- * 10⁻¹² or less, is refused. The test is exact (decimal arithmetic where floating point leaves a doubt), and it is made
- * again after the move to the centroid, so that the vertices of a polygon are always strictly convex.
+ * <p>Every corner must turn. A vertex is refused if it is on the line through its neighbours, or so near to it that the sine of
+ * the turn is 10⁻¹² or less. The test is exact: it uses decimal arithmetic where floating point leaves a doubt. It is made again
+ * after the move to the centroid, so the vertices of a polygon are always strictly convex.
  */
 public final class Polygon extends Shape {
     private static final long serialVersionUID = 1L;
@@ -21,12 +21,12 @@ public final class Polygon extends Shape {
     private static final int MOST_REGULAR = 10_000_000;
 
     /**
-     * Makes a convex polygon.
+     * Creates a convex polygon.
      *
      * @param xy its vertices in order: x0, y0, x1, y1 …, length
-     * @throws IllegalArgumentException if there are fewer than three, one is not finite, two coincide, the polygon is
-     *     not strictly convex or crosses itself, or it is so large or small that its area or moment of inertia over-
-     *     or underflows; the message names the vertex
+     * @throws IllegalArgumentException if there are fewer than three vertices, one is not finite, two coincide, the polygon is
+     *     not strictly convex or crosses itself, or it is so large or small that its area or moment of inertia over- or
+     *     underflows; the message names the vertex
      */
     public Polygon(double... xy) {
         this(PolygonMass.centred(Objects.requireNonNull(xy, "xy").clone()));
@@ -37,11 +37,11 @@ public final class Polygon extends Shape {
     }
 
     /**
-     * Makes a regular polygon. Its vertices are symmetric to the last bit: always about the x axis, about the y axis if
-     * their number is even, about the diagonals if 4 divides it.
+     * Returns a regular polygon. Its vertices are symmetric to the last bit: always about the x axis, about the y axis if their
+     * number is even, and about the diagonals if it is divisible by 4.
      *
-     * @param vertices how many, 3 to 10,000,000
-     * @param circumradius distance of the vertices from the centre, length, greater than 0
+     * @param vertices number of vertices, 3 to 10,000,000
+     * @param circumradius distance from the centre to the vertices, length, greater than 0
      * @return a polygon whose first vertex lies on the x axis
      * @throws IllegalArgumentException if an argument is out of its range
      */
@@ -75,18 +75,18 @@ public final class Polygon extends Shape {
     }
 
     /**
-     * Where the centroid was.
+     * Returns the x coordinate of the place where the centroid was.
      *
-     * @return x in the coordinates that the author gave, length
+     * @return x in the coordinates in which the vertices were given, length
      */
     public double centroidX() {
         return massProperties().centroidX();
     }
 
     /**
-     * Where the centroid was.
+     * Returns the y coordinate of the place where the centroid was.
      *
-     * @return y in the coordinates that the author gave, length
+     * @return y in the coordinates in which the vertices were given, length
      */
     public double centroidY() {
         return massProperties().centroidY();

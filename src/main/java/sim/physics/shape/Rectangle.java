@@ -4,7 +4,7 @@ package sim.physics.shape;
 
 import sim.physics.internal.Check;
 
-/** A rectangle whose sides lie along the local axes. */
+/** A rectangle whose sides are parallel to the local axes. */
 public final class Rectangle extends Shape {
     private static final long serialVersionUID = 1L;
 
@@ -12,12 +12,12 @@ public final class Rectangle extends Shape {
     private final double height;
 
     /**
-     * Makes a rectangle.
+     * Creates a rectangle.
      *
-     * @param width along x, length, greater than 0
-     * @param height along y, length, greater than 0
-     * @throws IllegalArgumentException if one is not a finite number greater than 0, or the area or the moment of
-     *     inertia over- or underflows
+     * @param width extent along x, length, greater than 0
+     * @param height extent along y, length, greater than 0
+     * @throws IllegalArgumentException if a length is not a finite number greater than 0, or the area or the moment of inertia
+     *     over- or underflows
      */
     public Rectangle(double width, double height) {
         super(
@@ -36,7 +36,7 @@ public final class Rectangle extends Shape {
     }
 
     /**
-     * Width.
+     * Returns the width.
      *
      * @return extent along the local x axis
      */
@@ -45,7 +45,7 @@ public final class Rectangle extends Shape {
     }
 
     /**
-     * Height.
+     * Returns the height.
      *
      * @return extent along the local y axis
      */

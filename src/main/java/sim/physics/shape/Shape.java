@@ -7,12 +7,12 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * The shape of a body: all points within a radius of a convex polygon, the core. A circle's core is a point; a polygon
- * has radius 0. A {@link Compound} consists of several such parts. Coordinates are local, their origin is the centroid. Shapes
- * are immutable and may be shared by threads.
+ * The shape of a body: all points within a radius of a convex polygon, which is called the core. The core of a circle is a point,
+ * and the radius of a polygon is 0. A {@link Compound} consists of several such parts. Coordinates are local, with the centroid
+ * as their origin. Shapes are immutable and may be shared by threads.
  *
- * <p>Two shapes are equal if they are of one class and have the same radius and the same vertices, to the bit and in
- * the same order; where the author had put a polygon does not matter.
+ * <p>Two shapes are equal if they are of one class and have the same radius and the same vertices, to the bit and in the same
+ * order. The place at which a polygon was given does not matter.
  */
 public abstract sealed class Shape implements Serializable permits Circle, Rectangle, Polygon, Compound, ConvexPart {
     private static final long serialVersionUID = 1L;
@@ -46,19 +46,19 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     }
 
     /**
-     * Number of convex parts.
+     * Returns the number of convex parts.
      *
-     * @return 1 but for a {@link Compound}
+     * @return 1, except for a {@link Compound}
      */
     public int partCount() {
         return 1;
     }
 
     /**
-     * A convex part.
+     * Returns a convex part.
      *
-     * @param part 0 …
-     * @return in the coordinates of the whole shape; the shape itself if it is convex
+     * @param part number of the part, from 0
+     * @return the part, in the coordinates of the whole shape; the shape itself if it is convex
      */
     public Shape part(int part) {
         Objects.checkIndex(part, 1);
@@ -71,7 +71,7 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     }
 
     /**
-     * Number of vertices of the core.
+     * Returns the number of vertices of the core.
      *
      * @return 1 for a circle
      */
@@ -80,9 +80,9 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     }
 
     /**
-     * A vertex of the core; they go round counter-clockwise, from the x axis to the y axis.
+     * Returns the x coordinate of a vertex of the core. The vertices go round counter-clockwise, from the x axis to the y axis.
      *
-     * @param vertex 0 …
+     * @param vertex number of the vertex, from 0
      * @return x, length
      */
     public final double vertexX(int vertex) {
@@ -90,9 +90,9 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     }
 
     /**
-     * A vertex of the core.
+     * Returns the y coordinate of a vertex of the core.
      *
-     * @param vertex 0 …
+     * @param vertex number of the vertex, from 0
      * @return y, length
      */
     public final double vertexY(int vertex) {
@@ -100,7 +100,7 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     }
 
     /**
-     * The vertices of the core.
+     * Returns the vertices of the core.
      *
      * @return x0, y0, x1, y1 …; a copy
      */
@@ -109,16 +109,16 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     }
 
     /**
-     * How far the shape reaches beyond its core.
+     * Returns the distance by which the shape reaches beyond its core.
      *
-     * @return length, 0 for polygons, and for what has several parts, which may have each its own
+     * @return length; 0 for polygons, and for shapes of several parts, each of which may have a radius of its own
      */
     public final double radius() {
         return radius;
     }
 
     /**
-     * Distance of the farthest point of the shape from the centroid.
+     * Returns the distance from the centroid to the farthest point of the shape.
      *
      * @return length
      */
@@ -127,7 +127,7 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     }
 
     /**
-     * Area.
+     * Returns the area.
      *
      * @return length²
      */
@@ -136,7 +136,7 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     }
 
     /**
-     * Moment of inertia about the centroid for a unit of mass.
+     * Returns the moment of inertia about the centroid, per unit of mass.
      *
      * @return length²
      */
@@ -145,7 +145,7 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     }
 
     /**
-     * Area, centroid and moment of inertia.
+     * Returns the area, the centroid and the moment of inertia.
      *
      * @return never null
      */
@@ -154,11 +154,11 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
     }
 
     /**
-     * Whether a point is in the shape or on its border.
+     * Returns whether a point is in the shape or on its border.
      *
-     * @param x local coordinate
-     * @param y local coordinate
-     * @return true if it is
+     * @param x x of the point, in local coordinates
+     * @param y y of the point, in local coordinates
+     * @return true if the point is in the shape or on its border
      */
     public final boolean contains(double x, double y) {
         int count = partCount();

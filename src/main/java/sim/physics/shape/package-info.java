@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 
 /**
- * Shapes of bodies: circles, rectangles and convex polygons, with their areas, centroids and moments of inertia. All
- * are immutable. No argument may be null and none is ever returned.
+ * Shapes of bodies: circles, rectangles and convex polygons, and compounds of them, with their areas, centroids and moments of
+ * inertia. All are immutable. No argument may be null, and null is never returned.
  */
 package sim.physics.shape;

@@ -7,8 +7,8 @@ import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 
 /**
- * A broad phase for a few bodies: a box that has changed is compared with all others. For some tens of bodies that is less
- * work than to keep anything sorted, and it needs no memory but a list.
+ * A broad phase for a few bodies. It compares a box that has changed with all others. For some tens of bodies that is less work
+ * than keeping anything sorted, and it needs no memory but a list.
  */
 public final class BruteForce implements BroadPhase {
     private static final long serialVersionUID = 1L;
@@ -25,7 +25,7 @@ public final class BruteForce implements BroadPhase {
     /** Pairs or bodies found in a look, with room for one more. */
     private int[] found = new int[8];
 
-    /** Makes one that knows of no body. */
+    /** Creates a broad phase without bodies. */
     public BruteForce() {
         // bodies come by add
     }

@@ -7,15 +7,15 @@ import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 
 /**
- * A broad phase for crowds: a grid of square cells, each body filed in the one cell that holds the centre of its box,
- * so that a box can only overlap boxes of its own cell and of the eight around it. The cost of a change does not grow with the
- * number of bodies.
+ * A broad phase for crowds: a grid of square cells. Each body is filed in the one cell that holds the centre of its box, so a box
+ * can only overlap boxes of its own cell and of the eight around it. The cost of a change does not grow with the number of
+ * bodies.
  *
- * <p>Where sizes are very unlike there is a {@link CellLevel} of cells for each class of them, chosen by {@link CellLayout}, and
- * a body looks at nine cells of each coarser one (hierarchical grids: Mirtich, <i>Efficient algorithms for two-phase collision
- * detection</i>, 1997), and of the finer ones at their {@link CellShadow} in its own. The few largest (walls) are kept in a list of
- * their own that everybody looks at. The levels follow the boxes: when the crowd has grown, too many boxes do not fit, or a look
- * finds too many, the grid is laid anew.
+ * <p>Where sizes are very unlike, there is a {@link CellLevel} of cells for each class of sizes, chosen by {@link CellLayout}. A
+ * body looks at nine cells of each coarser level (hierarchical grids: Mirtich, <i>Efficient algorithms for two-phase collision
+ * detection</i>, 1997), and at the bodies of the finer ones by their {@link CellShadow} in its own. The few largest bodies
+ * (walls) are in a list of their own, which all others look at. The levels follow the boxes. The grid is laid again when the
+ * crowd has grown, when too many boxes do not fit, or when a look finds too many.
  */
 public final class CellGrid implements BroadPhase {
     private static final long serialVersionUID = 7L;
@@ -77,7 +77,7 @@ public final class CellGrid implements BroadPhase {
     /** Boxes looked at so far, and bodies filed anew. */
     private long looks;
 
-    /** Makes an empty grid; the first boxes decide the size of its cells. */
+    /** Creates an empty grid. The first boxes decide the size of its cells. */
     public CellGrid() {
         // bodies come by add
     }
@@ -104,12 +104,12 @@ public final class CellGrid implements BroadPhase {
     }
 
     /**
-     * The same for one of many bodies whose boxes have all been set again.
+     * Updates one of many bodies whose boxes have all been set again.
      *
-     * @param body index
+     * @param body index of the body
      * @param boxes all boxes
      * @param pairs the pairs
-     * @param departures which these are, and their old boxes; null for one body
+     * @param departures the bodies concerned and their old boxes; null for one body
      */
     public void update(int body, Boxes boxes, Pairs pairs, Departures departures) {
         endAndMark(body, boxes, pairs, departures);

@@ -5,13 +5,13 @@ package sim.physics.collision.broad;
 import java.util.Arrays;
 
 /**
- * The write-up's dimension reduction strategy: in each dimension the end points of all boxes in a sorted list, kept
- * sorted by insertion, and overlaps tracked by the end points that change places (Cohen, Lin, Manocha and Ponamgi,
+ * The write-up's dimension reduction strategy. For each dimension, the end points of all boxes are in a list, which is kept
+ * sorted by insertion. Overlaps are tracked by the end points that change places (Cohen, Lin, Manocha and Ponamgi,
  * <i>I-COLLIDE</i>, 1995; Figure 4).
  *
- * <p>When a lower end point passes an upper one, two boxes begin or cease to overlap in that dimension; they are a pair
- * if they overlap in the other dimension too. A box is moved on in its own place, so a step in which nobody's box
- * changes costs nothing. The cost of a change is the number of end points passed.
+ * <p>When a lower end point passes an upper one, two boxes begin or cease to overlap in that dimension. They are a pair if they
+ * overlap in the other dimension too. A box is moved on from its own place in the list, so a step in which no box changes costs
+ * nothing. The cost of a change is the number of end points passed.
  */
 public final class SortAndSweep implements BroadPhase {
     private static final long serialVersionUID = 1L;
@@ -123,7 +123,7 @@ public final class SortAndSweep implements BroadPhase {
     private final Axis axisX = new Axis(0);
     private final Axis axisY = new Axis(1);
 
-    /** Makes an empty broad phase. */
+    /** Creates a broad phase without bodies. */
     public SortAndSweep() {
         // bodies come by add
     }

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 
 /**
- * Trees of pins, which move in their angles: {@link sim.physics.constraint.tree.TreeStep} is the way in, and
- * {@link sim.physics.constraint.tree.TreeHost} what a tree asks of the island whose pins it is. Of joints, solvers and projection nothing is
- * known here.
+ * Trees of pins, which move in their angles. {@link sim.physics.constraint.tree.TreeStep} is the way in.
+ * {@link sim.physics.constraint.tree.TreeHost} is what a tree asks of the island to which its pins belong. This package knows
+ * nothing of joints, solvers and projection.
  */
 package sim.physics.constraint.tree;

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 
 /**
- * Contacts that last: bodies that rest on fixed ones ({@link sim.physics.response.lasting.RestingContacts}), and heaps of
- * bodies that lie on one another ({@link sim.physics.response.lasting.Heaps}). Of impacts nothing is known here; what touches
- * is loaded by {@link sim.physics.response.lasting.ContactPoints}.
+ * Lasting contacts: bodies that rest on fixed ones ({@link sim.physics.response.lasting.RestingContacts}), and heaps of bodies
+ * that lie on one another ({@link sim.physics.response.lasting.Heaps}). This package knows nothing of impacts.
+ * {@link sim.physics.response.lasting.ContactPoints} loads what touches.
  */
 package sim.physics.response.lasting;
