@@ -1144,6 +1144,7 @@ public final class PhysicsEngine implements Steppable {
      *
      * @param timeStep simulated time per step, not negative; 0 stops time for the bodies
      * @throws IllegalArgumentException if the time step is negative or not finite
+     * @throws IllegalStateException within a step
      */
     public void setTimeStep(double timeStep) {
         Check.notNegative("time step", timeStep);
@@ -1165,9 +1166,10 @@ public final class PhysicsEngine implements Steppable {
 
     /**
      * Moves the bodies by time stepping, as game engines do, instead of by events. Each step is made of equal substeps. In each
-     * substep, contacts, joints, motors, stops and friction are solved once, for impulses. The method is of first order in the
-     * substep and does not depend on an accurate integrator. But the cost of a step is known beforehand and small, however many
-     * bodies press on one another. Use it for crowds, and for machines whose looks count more than their places.
+     * substep, contacts, joints, motors, stops and friction are solved once, for impulses. The method is of second order in the
+     * substep with joints, springs and lasting contacts, and of first order where something strikes or slips. The cost of a step
+     * is known beforehand and small, however many bodies press on one another. Use it for crowds, and for machines whose looks
+     * count more than their places.
      *
      * <p>Bodies may overlap by some hundredths of their size, and joints may be off by some thousandths of theirs. Elastic bodies
      * lose or gain energy. Something fast and thin can pass through something thin. Friction with the plane is that of an
@@ -1177,7 +1179,7 @@ public final class PhysicsEngine implements Steppable {
      * <p>When you switch back to events, they are found again as soon as the joints can be closed and jointed bodies do not
      * overlap deeply. Until then steps of 32 substeps are made, which {@link #getRelievedSteps()} counts.
      *
-     * @param substeps number of substeps in a step; 4 is usual, twice as many halve the error; 0 for events
+     * @param substeps number of substeps in a step; 4 is usual, and more are more accurate; 0 for events
      * @throws IllegalArgumentException if the number is negative
      * @throws IllegalStateException within a step, or if the engine is audited
      */
@@ -1421,6 +1423,7 @@ public final class PhysicsEngine implements Steppable {
      * Sets the solver for the equations of an impact.
      *
      * @param solver the solver, not null; engines in different threads need one each, as it may have memory of its own
+     * @throws IllegalStateException if a force, a constraint or a curve calls it within a step
      */
     public void setImpulseSolver(ImpulseSolver solver) {
         state.requireOpen();
@@ -1433,6 +1436,7 @@ public final class PhysicsEngine implements Steppable {
      *
      * @param restitution rule for restitution; the smaller coefficient unless set
      * @param friction rule for friction; the geometric mean unless set
+     * @throws IllegalStateException if a force, a constraint or a curve calls it within a step
      */
     public void setPairRules(PairRule restitution, PairRule friction) {
         state.requireOpen();
@@ -1461,6 +1465,7 @@ public final class PhysicsEngine implements Steppable {
      * which looks at the bodies only when a step is over.
      *
      * @param continuous true for continuous time, false for bisection; true unless set
+     * @throws IllegalStateException within a step
      */
     public void setContinuousDetection(boolean continuous) {
         requireBetweenSteps("the way to find impacts was set");

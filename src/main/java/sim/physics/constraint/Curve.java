@@ -25,7 +25,7 @@ public interface Curve extends Serializable {
      * @param y y of a point on the line
      * @param dx x of the direction, of any length but 0
      * @param dy y of the direction
-     * @return a curve whose f is the distance
+     * @return a curve whose f is the distance, positive on one side and negative on the other
      */
     static Curve line(double x, double y, double dx, double dy) {
         return new Line(x, y, dx, dy);

@@ -33,6 +33,8 @@ public final class Limit extends Switched {
      * @param lower lower bound, may be −∞
      * @param upper upper bound, greater than the lower one, may be ∞
      * @param restitution 0 to stop at a bound, 1 to bounce off elastically
+     * @throws IllegalArgumentException if the coordinate has more than one row, the lower bound is not less than the upper one, or
+     *     the restitution is not between 0 and 1
      */
     public Limit(Constraint coordinate, double lower, double upper, double restitution) {
         super(coordinate);

@@ -32,6 +32,8 @@ public final class Motor extends Switched {
      * @param coordinate a constraint of one row, whose C is driven; it need not be in an engine
      * @param speed speed of C
      * @param limit greatest force or torque along C, greater than 0
+     * @throws IllegalArgumentException if the coordinate has more than one row, the speed is not finite, or the limit is not positive
+     *     and finite
      */
     public Motor(Constraint coordinate, double speed, double limit) {
         super(coordinate);
@@ -78,6 +80,7 @@ public final class Motor extends Switched {
      * instant on.
      *
      * @param speed rate of the coordinate
+     * @throws IllegalArgumentException if it is not finite
      */
     public void setSpeed(double speed) {
         boolean isNew = Check.finite("speed", speed) != this.speed;
@@ -105,6 +108,7 @@ public final class Motor extends Switched {
      * Sets the greatest force or torque. Like the speed, it may be set at any time.
      *
      * @param limit greatest force or torque, greater than 0
+     * @throws IllegalArgumentException if it is not positive and finite
      */
     public void setLimit(double limit) {
         boolean isNew = Check.positive("limit", limit) != this.limit;

@@ -498,6 +498,7 @@ public class Body implements Serializable {
      *
      * @param fx x component of the force
      * @param fy y component of the force
+     * @throws IllegalArgumentException if a component is not finite, the body is fixed, or the acceleration is beyond ±10¹⁵⁰
      */
     public final void addForce(double fx, double fy) {
         Check.finite("fx", fx);
@@ -519,6 +520,7 @@ public class Body implements Serializable {
      * @param fy y component of the force
      * @param px x of the point, in world coordinates
      * @param py y of the point, in world coordinates
+     * @throws IllegalArgumentException if an argument is not finite, the body is fixed, or an acceleration is beyond ±10¹⁵⁰
      */
     public final void addForceAt(double fx, double fy, double px, double py) {
         Check.finite("px", px);
@@ -535,6 +537,7 @@ public class Body implements Serializable {
      * Applies a torque during the next step.
      *
      * @param torque torque, force·length
+     * @throws IllegalArgumentException if the torque is not finite, the body is fixed, or the acceleration is beyond ±10¹⁵⁰
      */
     public final void addTorque(double torque) {
         requireTorque(torque);
@@ -557,6 +560,7 @@ public class Body implements Serializable {
      * @param ry y component of the impulse, mass·length/time
      * @param px x of the point, in world coordinates
      * @param py y of the point, in world coordinates
+     * @throws IllegalArgumentException if an argument is not finite, the body is fixed, or a velocity would be beyond ±10¹⁵⁰
      */
     public final void addImpulseAt(double rx, double ry, double px, double py) {
         Check.finite("rx", rx);

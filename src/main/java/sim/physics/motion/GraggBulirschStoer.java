@@ -7,7 +7,7 @@ import sim.physics.internal.IntList;
 /**
  * Gragg's modified midpoint method, extrapolated to a step of zero as by Bulirsch and Stoer. It chooses its order and its step by
  * their cost. This is the code ODEX of Hairer, Nørsett and Wanner, <i>Solving Ordinary Differential Equations I</i>, 2nd edition,
- * II.9. Use it for 9 to 13 correct digits.
+ * II.9. Use it for 10 to 13 correct digits.
  *
  * <p>A row of the scheme makes n = 2, 4, 6 … small steps y₍ₗ₊₁₎ = y₍ₗ₋₁₎ + 2 (h/n) f(yₗ). Its error has even powers of h/n only,
  * so each additional row raises the order by two: the difference of rows n and m is divided by (n² / m² − 1).
