@@ -14,6 +14,9 @@ import sim.physics.response.lasting.ContactPoint;
 public final class Impact implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Difference at which points are one, of normals, and of levers and velocities by their sizes. */
+    private static final double SAME = 1e-12;
+
     /** Inverse masses. */
     double wA;
 
@@ -193,6 +196,27 @@ public final class Impact implements Serializable {
         if (toCome > 0 && approach > 0) {
             restitution *= Math.max(0, 1 - toCome / approach);
         }
+    }
+
+    /** Whether another impact is at the same point of the same movable bodies, with the same law; one of those may be first in one, second in the other. */
+    boolean isSame(Impact that) {
+        double side = (wA == 0) == (that.wA == 0) ? 1 : -1;
+        boolean turned = side < 0;
+        double reach = SAME * (Math.abs(leverA) + Math.abs(armA) + Math.abs(leverB) + Math.abs(armB));
+        double speed = SAME * (Math.abs(normalVelocity()) + Math.abs(tangentVelocity()));
+        return Math.abs(nx - side * that.nx) <= SAME
+                && Math.abs(ny - side * that.ny) <= SAME
+                && (wA == 0 || areNear(leverA, armA, side * (turned ? that.leverB : that.leverA), side * (turned ? that.armB : that.armA), reach))
+                && (wB == 0 || areNear(leverB, armB, side * (turned ? that.leverA : that.leverB), side * (turned ? that.armA : that.armB), reach))
+                && areNear(normalVelocity(), tangentVelocity(), that.normalVelocity(), that.tangentVelocity(), speed)
+                && restitution == that.restitution
+                && friction == that.friction
+                && allowance == that.allowance
+                && sticky == that.sticky;
+    }
+
+    private static boolean areNear(double x, double y, double x2, double y2, double within) {
+        return Math.abs(x - x2) <= within && Math.abs(y - y2) <= within;
     }
 
     void copy(Impact from) {

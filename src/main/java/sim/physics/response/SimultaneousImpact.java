@@ -42,6 +42,8 @@ final class SimultaneousImpact implements Serializable {
     /** The place of each body of the state among them, plus 1; 0 if it is not there. */
     private transient int[] places;
 
+    private final TwoBodyImpulse single = new TwoBodyImpulse();
+
     private final PushingPoints pushing = new PushingPoints();
 
     /** Velocity along the normal before the impact, by point. */
@@ -219,6 +221,10 @@ final class SimultaneousImpact implements Serializable {
             bordered.solve(only, bodyA[0], bodyB[0], body, velocity, bodies, state, ties);
             return;
         }
+        if (!tied && isOnePoint()) {
+            solveOne();
+            return;
+        }
         assemble();
         if (PlasticImpact.isPlastic(impacts, points)) {
             solvePlastic();
@@ -244,6 +250,34 @@ final class SimultaneousImpact implements Serializable {
         }
         apply();
         rub();
+    }
+
+    /** Whether all points are one, such as a corner on a seam: of the same movable bodies, of one place and of one law. */
+    private boolean isOnePoint() {
+        boolean yes = points > 1 && (bodies == 1 || isOfOnePair());
+        Impact one = impacts[0];
+        for (int k = 1; yes && k < points; k++) {
+            yes = one.isSame(impacts[k]);
+        }
+        return yes;
+    }
+
+    /** A corner feels no seam: the points share what one would get. */
+    private void solveOne() {
+        Impact one = impacts[0];
+        double speed = one.normalVelocity();
+        single.solve(one);
+        double jn = one.jn / points;
+        double jt = one.jt / points;
+        one.apply();
+        int a = place(bodyA[0]);
+        int b = place(bodyB[0]);
+        one.getVelocities(a < 0 ? null : velocity[a], b < 0 ? null : velocity[b]);
+        for (int k = 0; k < points; k++) {
+            before[k] = speed;
+            impacts[k].jn = jn;
+            impacts[k].jt = jt;
+        }
     }
 
     private void solvePlastic() {

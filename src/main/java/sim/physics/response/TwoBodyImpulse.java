@@ -12,8 +12,9 @@ package sim.physics.response;
  * </pre>
  *
  * <p>With friction, the impulse is that of Routh's law in one step. It stops the sliding if Coulomb's cone allows that. Otherwise
- * it lies on the edge of the cone. Newton's restitution with friction can create energy (Kane and Levinson 1985). Where it would,
- * the impulse is shortened until the energy stays the same.
+ * it lies on the edge of the cone that opposes the sliding after the impact (Moreau): an oblique impact makes points slide that
+ * did not, or turns their sliding round. Newton's restitution with friction can create energy (Kane and Levinson 1985). Where it
+ * would, the impulse is shortened until the energy stays the same.
  */
 public final class TwoBodyImpulse implements ImpulseSolver {
     private static final long serialVersionUID = 1L;
@@ -48,7 +49,7 @@ public final class TwoBodyImpulse implements ImpulseSolver {
             return;
         }
         if (Math.abs(c.jt) > c.friction * c.jn) {
-            double mu = -Math.signum(slide) * c.friction;
+            double mu = Math.signum(c.jt) * c.friction; // against what slides after the impact, not before it
             double resistance = kn + mu * knt;
             c.jn = wanted / (resistance > 0 ? resistance : kn);
             c.jt = resistance > 0 ? mu * c.jn : 0;

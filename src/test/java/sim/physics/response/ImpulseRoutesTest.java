@@ -50,6 +50,39 @@ class ImpulseRoutesTest {
         }
     }
 
+    /** Moreau's law: friction opposes what slides after the impact, and reaches μ where something does, also where nothing slid before. */
+    @Test
+    void frictionOpposesWhatSlidesAfterTheImpact() {
+        SplittableRandom random = new SplittableRandom(5);
+        TwoBodyImpulse closed = new TwoBodyImpulse();
+        int sliding = 0;
+        for (int k = 0; k < 20_000; k++) {
+            Impact c = random(random, 4);
+            c.restitution = 0;
+            c.friction = 0.01 + random.nextDouble();
+            double slide = c.tangentVelocity() * (k % 4) / 3;
+            c.vBx += (c.tangentVelocity() - slide) * c.ny;
+            c.vBy -= (c.tangentVelocity() - slide) * c.nx;
+            if (k % 4 == 0) {
+                c.belt = -c.tangentVelocity(); // none at all, not even by rounding
+            }
+            if (c.normalVelocity() >= 0) {
+                continue;
+            }
+            closed.solve(c);
+            double most = c.friction * c.jn;
+            assertThat(Math.abs(c.jt)).as("impact %d", k).isLessThanOrEqualTo(most * (1 + 1e-12));
+            c.apply();
+            assertThat(c.normalVelocity()).as("impact %d", k).isCloseTo(0, within(1e-11));
+            double after = c.tangentVelocity();
+            if (Math.abs(after) > 1e-10) {
+                sliding++;
+                assertThat(c.jt).as("impact %d", k).isCloseTo(-Math.signum(after) * most, within(1e-12 * most));
+            }
+        }
+        assertThat(sliding).isGreaterThan(2000);
+    }
+
     @Test
     void aGasRunsOnTheBorderedSystemToo() {
         PhysicsEngine engine = Scenes.gas(Scenes.Kind.FIGURE_1, 30, 4);

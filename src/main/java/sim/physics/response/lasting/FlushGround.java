@@ -31,6 +31,11 @@ final class FlushGround implements Serializable {
 
     private double ny;
 
+    /** Outermost points of the ground that bear a body, along it from the centre of mass. */
+    private double first;
+
+    private double last;
+
     FlushGround(State state, Trajectories trajectories, CollisionDetection detection) {
         this.state = state;
         this.trajectories = trajectories;
@@ -87,13 +92,15 @@ final class FlushGround implements Serializable {
         return false;
     }
 
-    /** Whether a body touches several fixed ones, all of the same normal, and nothing else. */
+    /** Whether a body touches several fixed ones, all of the same normal, and nothing else, and they can bear it together. */
     boolean isShared(int body, double tau) {
         if (!hasSeveral(body)) {
             return false;
         }
         Pairs pairs = detection.pairs();
         int count = 0;
+        first = Double.POSITIVE_INFINITY;
+        last = Double.NEGATIVE_INFINITY;
         for (int k = 0; k < pairs.countOf(body); k++) {
             int pair = pairs.of(body, k);
             if (detection.marks().isIgnored(pair) || !touches(pair, tau)) {
@@ -102,9 +109,27 @@ final class FlushGround implements Serializable {
             if (!isGround(pair, body) || !isSame(pair, body, tau) && count > 0) {
                 return false;
             }
+            reach(pair, body);
             count++;
         }
-        return count > 1;
+        return count > 1 && bears(trajectories.radius(body));
+    }
+
+    /** Takes in where the pair that was looked at last bears a body: along the ground, from the centre of mass. */
+    private void reach(int pair, int body) {
+        boolean isFirst = detection.pairs().first(pair) == body;
+        boolean isRound = isFirst ? manifold.roundA : manifold.roundB;
+        for (int k = 0; k < manifold.count; k++) {
+            double x = isFirst ? manifold.rAx[k] : manifold.rBx[k];
+            double y = isFirst ? manifold.rAy[k] : manifold.rBy[k];
+            first = Math.min(first, isRound ? -trajectories.radius(body) : x * ny - y * nx);
+            last = Math.max(last, isRound ? trajectories.radius(body) : x * ny - y * nx);
+        }
+    }
+
+    /** Whether the centre of mass is between the outermost points; a corner on a seam is one point, on which a body tips. */
+    private boolean bears(double radius) {
+        return first <= 0 && last >= 0 && last - first > LYING * radius;
     }
 
     private boolean hasSeveral(int body) {
