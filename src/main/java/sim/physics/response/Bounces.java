@@ -89,6 +89,11 @@ final class Bounces implements Serializable {
         counts[pair]++;
     }
 
+    /** Whether the impact that was counted last is the first one of a pair in the step. */
+    boolean isFirst(int pair) {
+        return counts[pair] == 1;
+    }
+
     /**
      * Ends the rattling of a pair that a force presses together: two robots that push one another, or a can between a robot
      * and a wall, would else collide ever more often. It loses speed until its bounces are short beside the bodies; from

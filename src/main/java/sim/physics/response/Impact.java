@@ -72,6 +72,9 @@ public final class Impact implements Serializable {
     /** Whether the surfaces stick: no sliding of the collision points afterwards; the restitution is 0 then, too. */
     boolean sticky;
 
+    /** Whether it is a pair's first impact in the step, with the restitution of the two bodies: none that ends their bouncing. */
+    boolean isOwn;
+
     /** The impulse on B along the normal and along the tangent n⊥, mass·length/time; R = −(jn n + jt n⊥) acts on A. */
     double jn;
 
@@ -245,6 +248,7 @@ public final class Impact implements Serializable {
         belt = from.belt;
         allowance = from.allowance;
         sticky = from.sticky;
+        isOwn = from.isOwn;
         jn = from.jn;
         jt = from.jt;
     }

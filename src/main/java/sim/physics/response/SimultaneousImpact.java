@@ -226,6 +226,9 @@ final class SimultaneousImpact implements Serializable {
             return;
         }
         assemble();
+        if (tied && points == 1 && only.friction > 0 && only.isOwn && !only.sticky && rubOne()) {
+            return;
+        }
         if (PlasticImpact.isPlastic(impacts, points)) {
             solvePlastic();
             return;
@@ -278,6 +281,23 @@ final class SimultaneousImpact implements Serializable {
             impacts[k].jn = jn;
             impacts[k].jt = jt;
         }
+    }
+
+    /** One point of tied bodies has the law of {@link TwoBodyImpulse}, with what the ties reply; false if they hold the point. */
+    private boolean rubOne() {
+        Impact one = impacts[0];
+        int a = place(bodyA[0]);
+        int b = place(bodyB[0]);
+        replies.find(1, bodyA[0], bodyB[0], one, true);
+        double kn = replies.normalMobility(a, b, one, 0);
+        double kt = replies.tangentMobility(a, b, one, 1);
+        if (!(kn > 0 && kt > 0)) {
+            return false;
+        }
+        TwoBodyImpulse.rubTied(one, kn, kt, replies.normal(a, b, one, 1));
+        replies.apply(0, one.jn, velocity);
+        replies.apply(1, one.jt, velocity);
+        return true;
     }
 
     private void solvePlastic() {

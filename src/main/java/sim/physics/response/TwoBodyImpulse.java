@@ -19,6 +19,9 @@ package sim.physics.response;
 public final class TwoBodyImpulse implements ImpulseSolver {
     private static final long serialVersionUID = 1L;
 
+    /** Share of a point's mobility, and of its velocity, that is none but for rounding. */
+    private static final double ONE_WAY = 1e-12;
+
     /** Creates a solver. */
     public TwoBodyImpulse() {
         // no state
@@ -32,29 +35,55 @@ public final class TwoBodyImpulse implements ImpulseSolver {
             c.jt = 0;
             return;
         }
-        withFriction(c, approach);
+        withFriction(c);
     }
 
     /** In the frame of the normal n and the tangent t = n⊥. */
-    private static void withFriction(Impact c, double approach) {
-        double slide = c.tangentVelocity();
+    private static void withFriction(Impact c) {
         double kn = c.normalMobility();
         double kt = c.tangentMobility();
         double knt = c.iA * c.leverA * c.armA + c.iB * c.leverB * c.armB;
-        double wanted = -(1 + c.restitution) * approach;
+        if (!c.sticky) {
+            rub(c, kn, kt, knt);
+            limit(c, c.energyGain());
+            return;
+        }
+        double wanted = -(1 + c.restitution) * c.normalVelocity();
+        double slide = c.tangentVelocity();
         double det = kn * kt - knt * knt;
         c.jn = (kt * wanted + knt * slide) / det;
         c.jt = -(kn * slide + knt * wanted) / det;
-        if (c.sticky) {
-            return;
-        }
-        if (Math.abs(c.jt) > c.friction * c.jn) {
-            double mu = Math.signum(c.jt) * c.friction; // against what slides after the impact, not before it
+    }
+
+    /**
+     * Finds the impulse of a point that rubs, by what a unit of the normal impulse changes of the normal velocity, one of the
+     * tangential impulse of the tangential velocity, and each of the other's. Ties may let the point move in one direction only.
+     */
+    private static void rub(Impact c, double kn, double kt, double knt) {
+        double wanted = -(1 + c.restitution) * c.normalVelocity();
+        double slide = c.tangentVelocity();
+        double smooth = slide + knt * wanted / kn; // what slides after an impact without friction
+        double det = kn * kt - knt * knt;
+        boolean mayStick = det > ONE_WAY * kn * kt;
+        c.jn = mayStick ? (kt * wanted + knt * slide) / det : 0;
+        c.jt = mayStick ? -(kn * slide + knt * wanted) / det : 0;
+        if (!mayStick || Math.abs(c.jt) > c.friction * c.jn) {
+            boolean slides = Math.abs(smooth) > ONE_WAY * (Math.abs(slide) + Math.abs(smooth - slide));
+            double mu = slides ? -Math.signum(smooth) * c.friction : 0; // against what slides after the impact, not before it
             double resistance = kn + mu * knt;
             c.jn = wanted / (resistance > 0 ? resistance : kn);
             c.jt = resistance > 0 ? mu * c.jn : 0;
         }
-        double gain = c.energyGain();
+    }
+
+    /** The same for bodies that are tied, to whose energy no more is added than allowed. */
+    static void rubTied(Impact c, double kn, double kt, double knt) {
+        rub(c, kn, kt, knt);
+        double square = 0.5 * (kn * c.jn * c.jn + kt * c.jt * c.jt) + knt * c.jn * c.jt;
+        limit(c, c.jn * c.normalVelocity() + c.jt * c.tangentVelocity() + square);
+    }
+
+    private static void limit(Impact c, double gain) {
         if (gain > c.allowance) {
             shorten(c, gain);
         }

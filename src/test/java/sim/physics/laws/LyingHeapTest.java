@@ -158,7 +158,7 @@ class LyingHeapTest {
         PhysicsEngine copy = Checkpoint.copy(engine);
         for (PhysicsEngine one : new PhysicsEngine[] {engine, copy}) {
             one.bodies().get(4).setVelocity(1, 3);
-            for (int k = 0; k < 60; k++) {
+            for (int k = 0; k < 20; k++) {
                 one.step();
             }
         }
