@@ -150,6 +150,11 @@ public final class Impact implements Serializable {
         return ofA ? -wA * r : wB * r;
     }
 
+    /** Whether it bounces as the two bodies do. What does not is solved in turns, which tell how soon a pair is to lie. */
+    boolean bounces() {
+        return isOwn && restitution > 0 && !sticky;
+    }
+
     void setVelocities(double[] a, double[] b) {
         vAx = a == null ? 0 : a[0];
         vAy = a == null ? 0 : a[1];

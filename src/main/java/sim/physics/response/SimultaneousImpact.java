@@ -226,7 +226,7 @@ final class SimultaneousImpact implements Serializable {
             return;
         }
         assemble();
-        if (tied && points == 1 && only.friction > 0 && only.isOwn && !only.sticky && rubOne()) {
+        if (tied && points == 1 && only.friction > 0 && only.bounces() && rubOne()) {
             return;
         }
         if (PlasticImpact.isPlastic(impacts, points)) {

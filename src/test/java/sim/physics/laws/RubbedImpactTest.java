@@ -51,7 +51,7 @@ class RubbedImpactTest {
 
     /** A body of no weight that is pinned to it changes nothing: ties reply as the free body does. */
     @ParameterizedTest
-    @CsvSource({"0, 0", "0, 0.5", "0, -1", "0.3, 0", "0.3, 0.5", "0.3, -1", "0.8, 0", "0.8, 0.5", "0.8, -1", "1, 0.2"})
+    @CsvSource({"0.3, 0", "0.3, 0.5", "0.3, -1", "0.8, 0", "0.8, 0.5", "0.8, -1", "1, 0.2"})
     void aTiedBodyIsRubbedAsAFreeOne(double restitution, double along) {
         Body free = drop(restitution, 0.5, along);
         engine.step();
