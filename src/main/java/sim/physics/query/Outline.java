@@ -71,15 +71,14 @@ final class Outline {
 
     private boolean entersLocal(double px, double py, double dx, double dy) {
         if (whole.partCount() == 1) {
-            return shape.vertexCount() == 1 ? entersCircle(px, py, dx, dy) : entersPolygon(px, py, dx, dy);
+            return entersPart(px, py, dx, dy);
         }
         double first = Double.POSITIVE_INFINITY;
         double firstX = 0;
         double firstY = 0;
         for (int k = 0; k < whole.partCount(); k++) {
             shape = whole.part(k);
-            boolean enters = shape.vertexCount() == 1 ? entersCircle(px, py, dx, dy) : entersPolygon(px, py, dx, dy);
-            if (enters && distance < first) {
+            if (entersPart(px, py, dx, dy) && distance < first) {
                 first = distance;
                 firstX = nx;
                 firstY = ny;
@@ -89,6 +88,10 @@ final class Outline {
         nx = firstX;
         ny = firstY;
         return first < Double.POSITIVE_INFINITY;
+    }
+
+    private boolean entersPart(double px, double py, double dx, double dy) {
+        return shape.vertexCount() == 1 ? entersCircle(px, py, dx, dy) : entersPolygon(px, py, dx, dy);
     }
 
     private boolean entersCircle(double fromX, double fromY, double dx, double dy) {
@@ -189,12 +192,17 @@ final class Outline {
             double qx = px - shape.vertexX(k);
             double qy = py - shape.vertexY(k);
             inside &= qx * ey - qy * ex <= 0;
-            double along = Math.max(0, Math.min(1, (qx * ex + qy * ey) / (ex * ex + ey * ey)));
-            double rx = qx - along * ex;
-            double ry = qy - along * ey;
-            least = Math.min(least, rx * rx + ry * ry);
+            least = Math.min(least, squareToEdge(qx, qy, ex, ey));
         }
         return inside ? 0 : Math.sqrt(least);
+    }
+
+    /** Square of the distance of a point from an edge, both given from where the edge begins. */
+    static double squareToEdge(double qx, double qy, double ex, double ey) {
+        double along = Math.max(0, Math.min(1, (qx * ex + qy * ey) / (ex * ex + ey * ey)));
+        double rx = qx - along * ex;
+        double ry = qy - along * ey;
+        return rx * rx + ry * ry;
     }
 
     /** Whether the outline meets a box with sides along the axes: none of the lines that could part them does. */

@@ -68,10 +68,7 @@ final class Stencil {
                 double qx = px - x[k];
                 double qy = py - y[k];
                 isInside &= qx * ey - qy * ex <= 0;
-                double along = Math.max(0, Math.min(1, (qx * ex + qy * ey) / (ex * ex + ey * ey)));
-                double rx = qx - along * ex;
-                double ry = qy - along * ey;
-                least = Math.min(least, rx * rx + ry * ry);
+                least = Math.min(least, Outline.squareToEdge(qx, qy, ex, ey));
             }
             return isInside ? 0 : least;
         }

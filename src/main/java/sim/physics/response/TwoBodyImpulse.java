@@ -29,9 +29,8 @@ public final class TwoBodyImpulse implements ImpulseSolver {
 
     @Override
     public void solve(Impact c) {
-        double approach = c.normalVelocity();
         if (!c.sticky && c.friction == 0) {
-            c.jn = -(1 + c.restitution) * approach / c.normalMobility(); // (17), (20), (23)
+            c.jn = -(1 + c.restitution) * c.normalVelocity() / c.normalMobility(); // (17), (20), (23)
             c.jt = 0;
             return;
         }
@@ -43,31 +42,25 @@ public final class TwoBodyImpulse implements ImpulseSolver {
         double kn = c.normalMobility();
         double kt = c.tangentMobility();
         double knt = c.iA * c.leverA * c.armA + c.iB * c.leverB * c.armB;
+        rub(c, kn, kt, knt);
         if (!c.sticky) {
-            rub(c, kn, kt, knt);
             limit(c, c.energyGain());
-            return;
         }
-        double wanted = -(1 + c.restitution) * c.normalVelocity();
-        double slide = c.tangentVelocity();
-        double det = kn * kt - knt * knt;
-        c.jn = (kt * wanted + knt * slide) / det;
-        c.jt = -(kn * slide + knt * wanted) / det;
     }
 
     /**
-     * Finds the impulse of a point that rubs, by what a unit of the normal impulse changes of the normal velocity, one of the
+     * Finds the impulse of a point that rubs or sticks, by what a unit of the normal impulse changes of the normal velocity, one of the
      * tangential impulse of the tangential velocity, and each of the other's. Ties may let the point move in one direction only.
      */
     private static void rub(Impact c, double kn, double kt, double knt) {
         double wanted = -(1 + c.restitution) * c.normalVelocity();
         double slide = c.tangentVelocity();
-        double smooth = slide + knt * wanted / kn; // what slides after an impact without friction
         double det = kn * kt - knt * knt;
-        boolean mayStick = det > ONE_WAY * kn * kt;
+        boolean mayStick = c.sticky || det > ONE_WAY * kn * kt;
         c.jn = mayStick ? (kt * wanted + knt * slide) / det : 0;
         c.jt = mayStick ? -(kn * slide + knt * wanted) / det : 0;
-        if (!mayStick || Math.abs(c.jt) > c.friction * c.jn) {
+        if (!mayStick || !c.sticky && Math.abs(c.jt) > c.friction * c.jn) {
+            double smooth = slide + knt * wanted / kn; // what slides after an impact without friction
             boolean slides = Math.abs(smooth) > ONE_WAY * (Math.abs(slide) + Math.abs(smooth - slide));
             double mu = slides ? -Math.signum(smooth) * c.friction : 0; // against what slides after the impact, not before it
             double resistance = kn + mu * knt;
