@@ -46,6 +46,14 @@ final class BlockFactor implements Serializable {
     /** Whether all nodes have two rows. */
     private final boolean areAllPairs;
 
+    /** Whether a row is one between angles, 2 each. */
+    private final boolean[] isAngle;
+
+    /** What was added to the diagonal of rows that are ways, and of those that are angles. */
+    private double extraWay;
+
+    private double extraTurn;
+
     /** The first of {@link #target} of each column. */
     private final int[] firstTarget;
 
@@ -60,11 +68,13 @@ final class BlockFactor implements Serializable {
      * @param start first block of each column, and the number of blocks
      * @param row the row of each block, ascending in a column
      * @param rows rows of each node, 1 or 2
+     * @param isAngle whether a row is one between angles, 2 each
      */
-    BlockFactor(int[] start, int[] row, byte[] rows) {
+    BlockFactor(int[] start, int[] row, byte[] rows, boolean[] isAngle) {
         this.start = start;
         this.row = row;
         this.rows = rows;
+        this.isAngle = isAngle;
         n = start.length - 1;
         isScalar = new boolean[n];
         boolean all = true;
@@ -178,31 +188,47 @@ final class BlockFactor implements Serializable {
     /**
      * Factors the matrix.
      *
-     * @param relaxation added to the diagonal, relative to its largest value
+     * @param relaxation added to the diagonal, relative to its largest value among rows of the same unit
      * @param least pivots below this part of their diagonal are redundant
      * @param whole whether rows that are always redundant get multipliers, too
      */
     void factor(double relaxation, double least, boolean whole) {
         start(least);
-        double most = 0;
-        for (int k = 0; relaxation > 0 && k < size.length; k++) {
-            most = Math.max(most, size[k]);
-        }
+        relax(relaxation);
         if (!whole) {
             pivots.setAside();
         }
         for (int p = 0, u = 0; p < n && areAllPairs; p++) {
-            invertPair(p, relaxation * most);
+            invertPair(p);
             for (int e = start[p], end = start[p + 1]; e < end; e++) {
                 u = eliminate(p, e, end, first(e, end, u));
             }
         }
         for (int p = 0; p < n && !areAllPairs; p++) {
             if (rows[p] > 0) {
-                invert(p, relaxation * most);
+                invert(p);
                 eliminate(p);
             }
         }
+    }
+
+    /** Ways and angles apart, as a sum of the two would depend on the unit of length; and without rows that are empty or at rest. */
+    private void relax(double relaxation) {
+        extraWay = 0;
+        extraTurn = 0;
+        if (relaxation == 0) {
+            return;
+        }
+        for (int p = 0; p < n; p++) {
+            for (int k = 2 * p; k < 2 * p + rows[p]; k++) {
+                extraWay = isAngle[k] ? extraWay : Math.max(extraWay, relaxation * size[k]);
+                extraTurn = isAngle[k] ? Math.max(extraTurn, relaxation * size[k]) : extraTurn;
+            }
+        }
+    }
+
+    private double extra(int k) {
+        return isAngle[k] ? extraTurn : extraWay;
     }
 
     /**
@@ -213,6 +239,7 @@ final class BlockFactor implements Serializable {
      */
     void factor(double[] x, double least) {
         start(least);
+        relax(0);
         pivots.setAside();
         if (areAllPairs) {
             factorPairs(x);
@@ -220,7 +247,7 @@ final class BlockFactor implements Serializable {
         }
         for (int p = 0; p < n; p++) {
             if (rows[p] > 0) {
-                invert(p, 0);
+                invert(p);
                 eliminate(p);
                 forward(x, p);
             }
@@ -230,7 +257,7 @@ final class BlockFactor implements Serializable {
     private void factorPairs(double[] x) {
         double[] b = below;
         for (int p = 0, u = 0; p < n; p++) {
-            invertPair(p, 0);
+            invertPair(p);
             int end = start[p + 1];
             double x0 = x[2 * p];
             double x1 = x[2 * p + 1];
@@ -293,20 +320,20 @@ final class BlockFactor implements Serializable {
     }
 
     /** Inverts a diagonal block; a row that is redundant gets no multiplier. */
-    private void invert(int p, double extra) {
+    private void invert(int p) {
         if (rows[p] == 2) {
-            invertPair(p, extra);
+            invertPair(p);
             return;
         }
-        double d00 = diagonal[3 * p] + extra;
+        double d00 = diagonal[3 * p] + extra(2 * p);
         diagonal[3 * p] = d00 > floor * size[2 * p] ? 1 / d00 : pivots.invert(d00, 2 * p);
     }
 
-    private void invertPair(int p, double extra) {
+    private void invertPair(int p) {
         double[] d = diagonal;
-        double d00 = d[3 * p] + extra;
+        double d00 = d[3 * p] + extra(2 * p);
         double d01 = d[3 * p + 1];
-        double d11 = d[3 * p + 2] + extra;
+        double d11 = d[3 * p + 2] + extra(2 * p + 1);
         double i0 = d00 > floor * size[2 * p] ? 1 / d00 : pivots.invert(d00, 2 * p);
         double q = d01 * i0;
         double s = d11 - d01 * q;

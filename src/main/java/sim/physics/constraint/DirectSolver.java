@@ -101,14 +101,7 @@ public final class DirectSolver extends ConstraintSolver {
             move(island, w, u);
             residual(island, g);
             island.solve(right);
-            double largest = 0;
-            double change = 0;
-            for (int k = 0; k < lambda.length; k++) {
-                lambda[k] += right[k];
-                largest = Math.max(largest, Math.abs(lambda[k]));
-                change = Math.max(change, Math.abs(right[k]));
-            }
-            if (!(change > 0x1p-53 * largest)) {
+            if (!adds(island)) {
                 break;
             }
         }
@@ -116,6 +109,26 @@ public final class DirectSolver extends ConstraintSolver {
         for (int k = 0; k < island.bodies.size; k++) {
             System.arraycopy(high, 3 * k, u, 3 * island.bodies.values[k], 3);
         }
+    }
+
+    /** Adds a correction to λ; returns whether that changes more than its last bits, in forces or in torques. */
+    private boolean adds(Island island) {
+        double[] lambda = island.lambda;
+        double force = 0;
+        double torque = 0;
+        double forceChange = 0;
+        double torqueChange = 0;
+        for (int k = 0; k < lambda.length; k++) {
+            lambda[k] += right[k];
+            if (island.isAngle[k]) {
+                torque = Math.max(torque, Math.abs(lambda[k]));
+                torqueChange = Math.max(torqueChange, Math.abs(right[k]));
+            } else {
+                force = Math.max(force, Math.abs(lambda[k]));
+                forceChange = Math.max(forceChange, Math.abs(right[k]));
+            }
+        }
+        return forceChange > 0x1p-53 * force || torqueChange > 0x1p-53 * torque;
     }
 
     @Override
@@ -179,13 +192,17 @@ public final class DirectSolver extends ConstraintSolver {
         }
         if (island.redundantRows > 0 && island.passage.learns(state, this)) {
             prepare(island, w);
+            isSolved = false; // λ is that of the way it went
         }
         if (island.factor.pivots.lasting() > 0) {
             accelerateBesides(island, state, a, isSpread);
             return;
         }
-        if (!isSpread && island.passage.isNear() && island.passage.accelerate(state, this, a)) {
-            return;
+        if (!isSpread && island.passage.isNear()) {
+            isSolved = false; // λ is that of the way it goes
+            if (island.passage.accelerate(state, this, a)) {
+                return;
+            }
         }
         if (isSolved && island.near() == 0) {
             island.apply(w, island.lambda, a);

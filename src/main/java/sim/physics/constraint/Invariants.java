@@ -206,7 +206,8 @@ final class Invariants implements Serializable {
             double way = state.x()[s] - x0[k];
             work += pull[k] * way / w[s];
             mostWork += most[k] * Math.abs(way) / w[s];
-            roundingOfWork += most[k] * Math.max(Math.abs(x0[k]), island.mostSize) / w[s];
+            double size = k % State.BLOCK == State.THETA ? 1 : island.mostSize;
+            roundingOfWork += most[k] * Math.max(Math.abs(x0[k]), size) / w[s];
         }
         double known = before[0] + mostWork;
         double room = ROUNDING * roundingOfWork;

@@ -150,10 +150,10 @@ final class Island implements Serializable {
         lambda = new double[2 * nodes];
         leastSize = those.stream().mapToDouble(Constraint::getSize).min().orElse(Double.POSITIVE_INFINITY);
         mostSize = those.stream().mapToDouble(Constraint::getSize).max().orElse(0);
+        isAngle = angles();
         factor = factor(elimination);
         int[] shared = shared();
         rows = new NodeRows(this, shared);
-        isAngle = angles();
         turns = new Turns(this);
         pins = new PinRows(this, turns);
         joints = new JointRows(this, turns);
@@ -216,7 +216,7 @@ final class Island implements Serializable {
                 start[p + 1] = row.size;
             }
         }
-        return new BlockFactor(start, Arrays.copyOf(row.values, row.size), rows);
+        return new BlockFactor(start, Arrays.copyOf(row.values, row.size), rows, isAngle);
     }
 
     private int[] shared() {

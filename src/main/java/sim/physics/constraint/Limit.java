@@ -213,10 +213,10 @@ public final class Limit extends Switched {
     }
 
     @Override
-    void describe(SwitchedRow to, double q) {
+    void describe(SwitchedRow to, double q, double arm) {
         to.isMotor = false;
-        to.aboveLower = q - lower;
-        to.belowUpper = upper - q;
+        to.aboveLower = (q - lower) * arm;
+        to.belowUpper = (upper - q) * arm;
         to.restitution = restitution;
     }
 

@@ -170,10 +170,10 @@ public final class Motor extends Switched {
     }
 
     @Override
-    void describe(SwitchedRow to, double q) {
+    void describe(SwitchedRow to, double q, double arm) {
         to.isMotor = true;
-        to.speed = speed;
-        to.limit = limit;
+        to.speed = speed * arm;
+        to.limit = limit / arm;
     }
 
     @Override

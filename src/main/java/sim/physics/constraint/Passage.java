@@ -181,11 +181,47 @@ final class Passage implements Serializable {
         int after = before > 0 && go(state, solver, WAY / speed) ? redundant(state) : 0;
         if (after > 0 && after == before) {
             pivots.keepRedundant();
-            lasting = after;
+            if (isImplied(state, solver)) {
+                lasting = after;
+            } else {
+                pivots.forgetRedundant();
+            }
         }
         restore(state);
         island.evaluate(state);
         return true;
+    }
+
+    /**
+     * Whether rows that are set aside stay closed wherever the others let the island go, and not only on its way: a rod along two bars in
+     * a line, with a pin between them, depends on that pin wherever they fly, but it alone keeps them from bending.
+     */
+    private boolean isImplied(State state, DirectSolver solver) {
+        restore(state);
+        island.evaluate(state);
+        for (int k = 0; k < along.length; k++) {
+            double uneven = (k + 1) * 0.6180339887498949 % 1 - 0.5;
+            u[slot(k)] = k % State.BLOCK == State.THETA ? uneven : uneven * island.leastSize;
+        }
+        solver.prepare(island, state.w().values());
+        solver.correct(island, state.w().values(), u, null);
+        double speed = keep(u, along);
+        return !(speed > Projection.SMOOTH) || staysClosed(state, solver, WAY / speed) && staysClosed(state, solver, -WAY / speed);
+    }
+
+    private boolean staysClosed(State state, DirectSolver solver, double time) {
+        return go(state, solver, time) && Slack.error(island, state, Projection.ROUNDING) <= CLOSED;
+    }
+
+    /** Forgets for good which rows are set aside, as one of them has opened; false if there is none. */
+    boolean unlearns() {
+        boolean any = island.factor.pivots.lasting() > 0;
+        if (any) {
+            island.factor.pivots.forgetRedundant();
+            lasting = 0;
+            lessons = MOST_LESSONS;
+        }
+        return any;
     }
 
     /** Whether the island is where it was before it went. */

@@ -38,6 +38,9 @@ final class Projection implements Serializable {
     /** The same, from which what damping left is taken away without it. */
     private static final double OPEN = 100;
 
+    /** The same, from which a row that was set aside is none that the others imply. */
+    private static final double SET_ASIDE = 1e6;
+
     /** Size of a correction whose square is less than rounding. */
     static final double SMOOTH = 1e-9;
 
@@ -177,9 +180,11 @@ final class Projection implements Serializable {
             }
             if (roughness < SMOOTH) {
                 island.nudge(state, move);
-                if (island.isProjected && Slack.error(island, state, ROUNDING) > OPEN) {
-                    error = Slack.error(island, state, ROUNDING);
-                    island.isProjected = false;
+                double left = island.isProjected || island.factor.pivots.lasting() > 0 ? Slack.error(island, state, ROUNDING) : 0;
+                boolean isDamped = island.isProjected && left > OPEN;
+                if (isDamped || left > SET_ASIDE && island.passage.unlearns()) {
+                    error = left;
+                    island.isProjected &= !isDamped;
                     before = Double.POSITIVE_INFINITY;
                     continue;
                 }

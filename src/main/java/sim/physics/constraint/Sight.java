@@ -37,7 +37,7 @@ final class Sight implements Serializable {
 
     /** The factors of the matrix of equal masses. Rows of a tree of pins never depend on one another: nobody asks for it. */
     private BlockFactor evenly(double[] w) {
-        factor = factor == null ? new BlockFactor(island.factor.start, island.factor.row, island.factor.rows) : factor;
+        factor = factor == null ? new BlockFactor(island.factor.start, island.factor.row, island.factor.rows, island.isAngle) : factor;
         even = even.length < w.length ? new double[w.length] : even;
         for (int k = 0; k < island.bodies.size; k++) {
             int s = State.BLOCK * island.bodies.values[k];

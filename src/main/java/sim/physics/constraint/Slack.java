@@ -91,7 +91,7 @@ final class Slack {
         return most;
     }
 
-    /** The largest |J ẋ| of {@code right}, relative to the speed of the bodies' points; 0 for rounding. */
+    /** The largest |J ẋ| of {@code right}, as bodies see it, relative to the speed of the bodies' points; 0 for rounding. */
     static double slip(Island island, double[] v, double[] right) {
         double speed = 0;
         double spin = 0;
@@ -102,7 +102,8 @@ final class Slack {
         }
         double most = 0;
         for (int k = 0; k < 2 * island.nodes; k++) {
-            most = Math.max(most, Math.abs(right[k]));
+            double value = Math.abs(right[k]);
+            most = Math.max(most, island.isAngle[k] ? island.leastSize * value : value);
         }
         double scale = Math.max(speed, spin * island.leastSize);
         return most <= 2 * 0x1p-52 * scale ? 0 : scale == 0 ? 1 : most / scale;

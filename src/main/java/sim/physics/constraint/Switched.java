@@ -225,7 +225,8 @@ abstract class Switched implements Constraint {
     }
 
     /**
-     * Describes the row as one of two points, or of a turn, from its last evaluation; false if it is no such row.
+     * Describes the row as one of two points, or of a turn, from its last evaluation; false if it is no such row. Turns are given as ways
+     * at an arm, so that all rows of a problem have the same unit.
      *
      * @param blockA block of the first body, −1 for what cannot move
      * @param blockB the same of the second one
@@ -240,16 +241,22 @@ abstract class Switched implements Constraint {
         to.second = blockB < 0 ? -1 : blockB / State.BLOCK;
         to.nx = blockB < 0 ? -row[0] : row[3];
         to.ny = blockB < 0 ? -row[1] : row[4];
-        to.firstLever = -row[2];
-        to.secondLever = row[5];
-        to.force = isOn ? 0 : force;
-        to.size = isAngle(0) ? 1 : getSize();
-        describe(to, value);
+        double arm = arm();
+        to.firstLever = -row[2] * arm;
+        to.secondLever = row[5] * arm;
+        to.force = isOn ? 0 : force / arm;
+        to.size = isAngle(0) ? arm : getSize();
+        describe(to, value, arm);
         return true;
     }
 
-    /** Says what the row asks for. */
-    abstract void describe(SwitchedRow to, double q);
+    /** The lever at which a turn is taken for a way; 1 for ways. A power of two, so that no bit is lost by it. */
+    final double arm() {
+        return isAngle(0) ? Math.scalb(1.0, Math.getExponent(TieEquations.size(this))) : 1;
+    }
+
+    /** Says what the row asks for; turns as ways at an arm. */
+    abstract void describe(SwitchedRow to, double q, double arm);
 
     /** Copies all that changes with time. */
     final void keep(double[] to, int at) {

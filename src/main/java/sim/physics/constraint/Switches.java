@@ -82,8 +82,8 @@ final class Switches implements SwitchedTies {
         rows[k].isOn = false;
         rows[k].isOnNow = false;
         rows[k].yields = false;
-        rows[k].force = force;
-        rows[k].forceNow = force;
+        rows[k].force = force * rows[k].arm();
+        rows[k].forceNow = rows[k].force;
     }
 
     /** The island that is to be solved now: while these are frozen, that without them, if there is one. */

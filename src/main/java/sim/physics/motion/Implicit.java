@@ -52,6 +52,12 @@ final class Implicit implements Serializable {
     private double[] re = {};
     private double[] im = {};
 
+    /**
+     * By coordinate: 1, or the arm at which a turn is taken for a way, so that pivots are chosen among rows of one unit. Powers of two: no
+     * bit is lost by them.
+     */
+    private double[] arm = {};
+
     StageNewton newton() {
         newton = newton == null ? new StageNewton() : newton;
         return newton;
@@ -84,6 +90,12 @@ final class Implicit implements Serializable {
         complexPivots = new int[n];
         re = new double[n];
         im = new double[n];
+        arm = new double[n];
+    }
+
+    /** What the row of a coordinate is multiplied by before an elimination. */
+    double arm(int row) {
+        return arm[row];
     }
 
     /** The derivatives of the accelerations by positions and velocities, at the start of the step. */
@@ -101,6 +113,7 @@ final class Implicit implements Serializable {
             for (int c = 0; c < State.BLOCK; c++, m++) {
                 int b = State.BLOCK * bodies.values[k] + c;
                 double size = c == State.THETA ? 1 : radius;
+                arm[m] = c == State.THETA ? Math.scalb(1.0, Math.getExponent(radius)) : 1;
                 double dx = SMALL * Math.max(Math.abs(x[m]), size);
                 put(state, bodies, x, v);
                 state.x()[b] += dx;
@@ -146,9 +159,10 @@ final class Implicit implements Serializable {
         for (int row = 0; row < n; row++) {
             double x = 0;
             double v = 0;
-            for (int m = row * n; m < (row + 1) * n; m++) {
-                x += Math.abs(byX[m]);
-                v += Math.abs(byV[m]);
+            for (int m = 0; m < n; m++) {
+                double unit = arm[row] / arm[m];
+                x += unit * Math.abs(byX[row * n + m]);
+                v += unit * Math.abs(byV[row * n + m]);
             }
             most = Math.max(most, Math.max(h * h * x, Math.abs(h) * v));
         }
@@ -167,6 +181,11 @@ final class Implicit implements Serializable {
             complexRe[m * n + m] += alpha * alpha - beta * beta;
             complexIm[m * n + m] += 2 * alpha * beta;
         }
+        for (int m = 0; m < n * n; m++) {
+            real[m] *= arm[m / n];
+            complexRe[m] *= arm[m / n];
+            complexIm[m] *= arm[m / n];
+        }
         return DenseFactor.factor(real, n, pivots)
                 && DenseFactor.factor(complexRe, complexIm, n, complexPivots);
     }
@@ -178,7 +197,7 @@ final class Implicit implements Serializable {
             for (int m = 0; m < n; m++) {
                 sum -= byV[row * n + m] * x[m];
             }
-            re[row] = sum;
+            re[row] = arm[row] * sum;
         }
         DenseFactor.solve(real, n, pivots, re);
         for (int m = 0; m < n; m++) {
@@ -198,8 +217,8 @@ final class Implicit implements Serializable {
                 sumRe -= byV[row * n + m] * xr[m];
                 sumIm -= byV[row * n + m] * xi[m];
             }
-            re[row] = sumRe;
-            im[row] = sumIm;
+            re[row] = arm[row] * sumRe;
+            im[row] = arm[row] * sumIm;
         }
         DenseFactor.solve(complexRe, complexIm, n, complexPivots, re, im);
         for (int m = 0; m < n; m++) {

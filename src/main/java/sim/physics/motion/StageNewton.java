@@ -64,7 +64,7 @@ final class StageNewton implements Serializable {
         for (int k = 0; k < MOST_ITERATIONS; k++) {
             evaluate(equations, state, bodies, t, h, path, w, !isGood);
             if (!isGood) {
-                assemble(h, s.size);
+                assemble(w, h, s.size);
                 if (!DenseFactor.factor(matrix, 3 * s.size, pivots)) {
                     return false;
                 }
@@ -104,7 +104,7 @@ final class StageNewton implements Serializable {
         }
     }
 
-    private void assemble(double h, int n) {
+    private void assemble(Implicit w, double h, int n) {
         int width = 3 * n;
         for (int i = 0; i < 3; i++) {
             for (int l = 0; l < 3; l++) {
@@ -115,7 +115,7 @@ final class StageNewton implements Serializable {
                         for (int j = 0; j < 3; j++) {
                             sum += h * RadauIIA.matrix(i, j) * (h * RadauIIA.matrix(j, l)) * byX[j][row * n + m];
                         }
-                        matrix[(i * n + row) * width + l * n + m] = (i == l && row == m ? 1 : 0) - sum;
+                        matrix[(i * n + row) * width + l * n + m] = w.arm(row) * ((i == l && row == m ? 1 : 0) - sum);
                     }
                 }
             }
@@ -144,7 +144,7 @@ final class StageNewton implements Serializable {
                     }
                     sum += h * RadauIIA.matrix(i, j) * slope;
                 }
-                right[i * n + row] = sum;
+                right[i * n + row] = w.arm(row) * sum;
             }
         }
         DenseFactor.solve(matrix, 3 * n, pivots, right);

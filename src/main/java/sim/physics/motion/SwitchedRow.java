@@ -6,7 +6,8 @@ import java.io.Serializable;
 
 /**
  * A tie of {@link SwitchedTies}: a coordinate q of two bodies, which a motor brings to a speed with a bounded force, or that
- * stays between two stops. Its rate is n · (v₂ − v₁) + l₂ ω₂ − l₁ ω₁, as the normal velocity of a contact is.
+ * stays between two stops. Its rate is n · (v₂ − v₁) + l₂ ω₂ − l₁ ω₁, as the normal velocity of a contact is. A turn is a way here, too, at
+ * an arm of the size of its bodies; so all rows have one unit, and none counts for more in another unit of length.
  */
 public final class SwitchedRow implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -50,7 +51,7 @@ public final class SwitchedRow implements Serializable {
     /** Of the stops. */
     public double restitution;
 
-    /** The size of the coordinate: of what it measures, length, or 1 for angles. */
+    /** The size of the coordinate: of what it measures, or the arm of a turn. */
     public double size;
 
     /** Makes a row that has not been read. */

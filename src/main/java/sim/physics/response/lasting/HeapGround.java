@@ -146,7 +146,7 @@ final class HeapGround implements Serializable {
         int at = 3 * places[k];
         double wt = w[2 * k];
         double wr = w[2 * k + 1];
-        boolean known = v[at] != 0 || v[at + 1] != 0 || v[at + 2] != 0;
+        boolean known = norm(v[at], v[at + 1], v[at + 2], wt, wr) > 0; // squares of what rounding leaves may be none
         double dx = known ? v[at] : vx;
         double dy = known ? v[at + 1] : vy;
         double turn = known ? v[at + 2] : omega;
@@ -157,7 +157,7 @@ final class HeapGround implements Serializable {
             double spin = omega + length * wr * force[2];
             double size = norm(nx, ny, spin, wt, wr);
             double scale = size / norm(dx, dy, turn, wt, wr);
-            if (!(scale > 0)) {
+            if (!(scale > 0 && scale < Double.POSITIVE_INFINITY)) {
                 break;
             }
             dx *= scale;

@@ -49,11 +49,11 @@ final class HeapRelaxation implements Serializable {
         double fair = s.tolerance().fair();
         double fastest = 0;
         double error = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < ROUNDS && error > Math.min(fair, PART * fastest); k++) {
+        for (int round = 0; round < ROUNDS && error > Math.min(fair, PART * fastest); round++) {
             error = conjugate(s, ROUND);
             fastest = 0;
-            for (int i = 0; i < 3 * s.bodyCount(); i++) {
-                fastest = Math.max(fastest, Math.abs(s.v[i]));
+            for (int k = 0; k < s.bodyCount(); k++) {
+                fastest = Math.max(fastest, s.speed(k));
             }
         }
         return error;

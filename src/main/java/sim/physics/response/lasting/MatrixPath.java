@@ -24,7 +24,7 @@ final class MatrixPath implements Serializable {
 
     private static final int BESIDE = 40;
 
-    /** Pivots, and rates along the way, that are zero but for rounding. */
+    /** Pivots, and rates along the way relative to the largest, that are zero but for rounding. */
     private static final double NOTHING = 1e-13;
 
     /** Lower bounds that are that many times farther than velocities are out of sight. */
@@ -44,6 +44,9 @@ final class MatrixPath implements Serializable {
 
     private double[] rate = {};
     private double[] unit = {};
+
+    /** Rates that are none on the present way. */
+    private double none;
 
     /** −1 and +1 at the lower and the upper bound, 0 where the row is free. */
     private int[] side = {};
@@ -102,6 +105,7 @@ final class MatrixPath implements Serializable {
     /** Follows the way on which velocities that the impulses leave wrong are made right. */
     private boolean change(double[] sides, boolean fromBefore) {
         double[] a = tableau;
+        none = 0;
         for (int i = 0; i < n; i++) {
             double before = value[i];
             double now = side[i] == 0 ? at.impulse[i] / unit[i] : unit[i] * (at.velocity[i] - at.bound[i]);
@@ -111,6 +115,7 @@ final class MatrixPath implements Serializable {
             }
             value[i] = now + change;
             rate[i] = (fromBefore ? before : now) - value[i];
+            none = Math.max(none, NOTHING * Math.max(Math.abs(value[i]), Math.abs(rate[i])));
         }
         isAtEnd = go(1);
         return give(sides);
@@ -168,6 +173,7 @@ final class MatrixPath implements Serializable {
      */
     private double start(double far) {
         double scale = 0;
+        none = NOTHING;
         for (int i = 0; i < n; i++) {
             value[i] = unit[i] * (at.without[i] - at.bound[i]);
             rate[i] = at.bearer[i] < 0 ? 1 + 0.5 * (i * 0.6180339887498949 % 1) : 0; // uneven, so that seldom two are met at once
@@ -232,7 +238,7 @@ final class MatrixPath implements Serializable {
 
     /** Notes a bound that is nearer than others. */
     private double nearer(int i, int where, double room, double growth, double step) {
-        if (!(growth < -NOTHING) || !(Math.max(0, room) < -growth * step)) {
+        if (!(growth < -none) || !(Math.max(0, room) < -growth * step)) {
             return step;
         }
         row = i;
