@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.Reaction;
+import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.SliderJoint;
 import sim.physics.motion.Automatic;
 import sim.physics.motion.Body;
@@ -324,6 +325,38 @@ class SingularPoseTest {
             engine.step();
             assertThat(Math.abs(left.getY() + 0.5 * StrictMath.sin(left.getAngle()))).isLessThan(1e-8);
         }
+    }
+
+    static Stream<Integrator> methodsForStraightBars() {
+        return Stream.of(new RungeKutta4(), new DormandPrince853(1e-8), new GraggBulirschStoer(1e-8), new RadauIIA(1e-6));
+    }
+
+    /**
+     * A rod along two bars that a pin joins in a line keeps them straight, although its row depends on those of the pin wherever they fly. What
+     * they would bend by is stopped at once, and they turn on with their angular momentum.
+     */
+    @ParameterizedTest
+    @MethodSource("methodsForStraightBars")
+    void aRodAlongTwoBarsKeepsThemStraight(Integrator method) {
+        engine.setTimeStep(1 / 60.0);
+        engine.setIntegrator(method);
+        engine.add(new Gravity(0, -G));
+        Body one = engine.add(new Body(new Rectangle(1, 0.3)).at(0, 0).moving(0.3, 0.2, 0.4));
+        Body other = engine.add(new Body(new Rectangle(1, 0.3)).at(1.1, 0.2).moving(-0.1, 0.5, -1));
+        engine.add(new PinJoint(one, other, 0.55, 0.1));
+        engine.add(new RodJoint(one, 0, 0, other, 1.1, 0.2));
+        double apart = StrictMath.hypot(1.1, 0.2);
+        double m = one.getMass();
+        double spin = one.getInertia() * (0.4 - 1) + 0.5 * m * (1.1 * (0.5 - 0.2) - 0.2 * (-0.1 - 0.3));
+        double omega = spin / (2 * one.getInertia() + 0.5 * m * apart * apart);
+        for (int k = 0; k < 60; k++) {
+            engine.step();
+            assertThat(StrictMath.hypot(one.getX() - other.getX(), one.getY() - other.getY())).isCloseTo(apart, within(1e-11));
+        }
+        assertThat(one.getAngularVelocity()).isCloseTo(omega, within(1e-5)); // gaps of rounding are bends of their root
+        assertThat(other.getAngularVelocity()).isCloseTo(omega, within(1e-5));
+        assertThat(0.5 * (one.getVelocityX() + other.getVelocityX())).isCloseTo(0.1, within(1e-12));
+        assertThat(0.5 * (one.getVelocityY() + other.getVelocityY())).isCloseTo(0.35 - G, within(1e-11));
     }
 
     /** It hangs in equilibrium, where accelerations are rounding errors; then it is pushed. */

@@ -65,6 +65,7 @@ final class DrivenHeap implements Serializable {
 
     /** Takes from bodies what forces have given them for the time that is left: it is found anew, with those of driven ones. */
     void unpay(IntList heap, double tau, Ties those) {
+        search.take(those);
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             probes.stir(body);
@@ -175,7 +176,11 @@ final class DrivenHeap implements Serializable {
 
     /** Whether something has happened to a body that stands still, or its motors or stops have been set. */
     boolean stirs(int body, Ties those) {
-        return motion.isTied(body) && (!probes.rests(body) || search.isFirst(body) && !switches.areKept(those.switched(those.island(body)), body));
+        return motion.isTied(body) && (!probes.rests(body) || areSet(those.island(body), body, those));
+    }
+
+    private boolean areSet(IntList island, int body, Ties those) {
+        return island.values[0] == body && !switches.areKept(those.switched(island), body);
     }
 
     /**

@@ -116,8 +116,9 @@ final class ForceSearch implements Serializable {
         return trajectories.isDriven(body) && motion.companions(body).values[0] == body;
     }
 
+    /** Whether it is the first of those that it is tied to: a spring between machines makes these move together, and ties none of them. */
     boolean isFirstTied(int body) {
-        return motion.isTied(body) && isFirst(body);
+        return motion.isTied(body) && trajectories.isDriven(body) && ties.island(body).values[0] == body;
     }
 
     /** Solves for the forces of driven bodies, which change with their way under them, with gaps regained or not; returns the largest speed. */

@@ -98,9 +98,6 @@ final class Heap implements Serializable {
     /** Whether the heap is so large that it is solved roughly. */
     private boolean isRough;
 
-    /** Null while nothing ties bodies together. */
-    private Ties ties;
-
     /** How much of gaps the paths of driven bodies may take while forces hold, relative to the smaller body. */
     private double sag;
 
@@ -170,12 +167,12 @@ final class Heap implements Serializable {
     void thaw(int body) {
         if (motion.isTied(body)) {
             driving.stir(body);
-            ties.switched(ties.island(body)).thaw();
+            members.ties().switched(members.ties().island(body)).thaw();
         }
     }
 
     void setTies(Ties those) {
-        ties = those;
+        members.setTies(those);
     }
 
     /** Solves the heap of a body; notes those whose courses change. */
@@ -188,7 +185,7 @@ final class Heap implements Serializable {
         }
         flush.spread(heap, tau, lasting);
         if (isDriven) {
-            driving.unpay(heap, tau, ties);
+            driving.unpay(heap, tau, members.ties());
         } else if (isRubbed) {
             rubbing.unpay(heap, tau);
         }
@@ -227,7 +224,7 @@ final class Heap implements Serializable {
             work = effort.work();
             until = tau + (isStiff ? first : Math.max(effort.shorter(), trajectories.h() / SOLUTIONS));
             by.hold(heap, until - tau);
-            driving.unpay(heap, tau, ties);
+            driving.unpay(heap, tau, members.ties());
             press(tau, !isStiff);
         }
     }
@@ -236,11 +233,11 @@ final class Heap implements Serializable {
     private void press(double tau, boolean regains) {
         gather(tau);
         if (isDriven) {
-            driving.gather(heap, ties, regain, scale);
+            driving.gather(heap, members.ties(), regain, scale);
         }
         if (isEven() && strike() && isDriven) {
             gather(tau);
-            driving.gather(heap, ties, regain, scale); // which stops are within reach is another question now
+            driving.gather(heap, members.ties(), regain, scale); // which stops are within reach is another question now
         }
         if (isDriven) {
             if (!regains) {
@@ -439,7 +436,7 @@ final class Heap implements Serializable {
 
     /** Whether something has happened to a body of a heap that stands still. */
     boolean stirs(int body) {
-        return driving.stirs(body, ties);
+        return driving.stirs(body, members.ties());
     }
 
     private void publish(double tau, IntList changed) {

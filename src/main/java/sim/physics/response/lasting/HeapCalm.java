@@ -35,13 +35,15 @@ final class HeapCalm implements Serializable {
     /** Whether those of some bodies that move together turn little in a step which lie on something, or are to: {@link #NONE} for none. */
     boolean isCalm(IntList group, int body) {
         double most = 0;
+        boolean isTied = false;
         for (int k = 0; k < group.size; k++) {
+            isTied |= motion.isTied(group.values[k]);
             boolean round = heap.scales().isRound(group.values[k]);
             double spin = trajectories.data()[group.values[k] * Trajectories.STRIDE + Trajectories.OMEGA];
             boolean counts = !round && (group.values[k] == body || liesItself(group.values[k]));
             most = Math.max(most, counts ? Math.abs(spin) : 0);
         }
-        return most * trajectories.h() <= (motion.isTied(group.values[0]) ? CALM_TIED : CALM);
+        return most * trajectories.h() <= (isTied ? CALM_TIED : CALM);
     }
 
     /** Whether a body has a lasting pair, not only those that move with it. */

@@ -7,6 +7,7 @@ import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
+import sim.physics.motion.Ties;
 import sim.physics.motion.Trajectories;
 
 /** The bodies of a heap: those that lie on one another with a body, and those that are tied to them; and what moves them. */
@@ -31,6 +32,8 @@ final class HeapMembers implements Serializable {
     private double paidUntil;
     private final double[] fall = new double[State.BLOCK];
 
+    private Ties ties;
+
     HeapMembers(
             State state,
             Trajectories trajectories,
@@ -46,6 +49,15 @@ final class HeapMembers implements Serializable {
         this.by = by;
         this.lasting = lasting;
         this.scales = scales;
+    }
+
+    void setTies(Ties those) {
+        ties = those;
+    }
+
+    /** Null while nothing ties bodies together. */
+    Ties ties() {
+        return ties;
     }
 
     /** Those that were found last; live. */
@@ -93,19 +105,33 @@ final class HeapMembers implements Serializable {
         boolean byOthers = motion.ground().isDrivenByOthers(body);
         rubbed |= motion.ground().rubs(body) || byOthers && motion.ground().isRough();
         driven |= byOthers;
-        tied |= motion.isTied(body);
-        if (!motion.isTied(body)) {
+        if (!trajectories.isDriven(body)) {
             includeOne(body);
             return;
         }
         IntList group = motion.companions(body);
         for (int k = 0; k < group.size; k++) {
-            by.ensure(group.values[k]);
-            includeOne(group.values[k]);
+            tied |= motion.isTied(group.values[k]);
+            if (!motion.isTied(group.values[k])) {
+                includeOne(group.values[k]);
+            } else if (ties.island(group.values[k]).values[0] == group.values[k]) {
+                includeAll(ties.island(group.values[k]));
+            }
+        }
+    }
+
+    /** Bodies that are tied together get consecutive numbers. */
+    private void includeAll(IntList island) {
+        for (int k = 0; k < island.size; k++) {
+            includeOne(island.values[k]);
         }
     }
 
     private void includeOne(int body) {
+        by.ensure(body);
+        if (by.place[body] > 0) {
+            return; // a spring between what is tied and what is not, which came first
+        }
         heap.add(body);
         by.place[body] = heap.size;
         by.isDirty[body] = false;

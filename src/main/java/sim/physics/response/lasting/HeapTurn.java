@@ -119,11 +119,11 @@ final class HeapTurn implements Serializable {
     void turn(double[] v, double time, boolean regains) {
         aim(v, time);
         for (int p = 0; p < system.contacts(); p++) {
-            look(p, v, 0.5 * time, 0.5 * time);
+            boolean isFollowed = look(p, v, 0.5 * time, 0.5 * time);
             set(p, end);
             double normal = end.normal(p, v);
             system.turn(p, normal - system.rows().normal(p, v), end.tangent(p, v) - system.rows().tangent(p, v));
-            if (regains) {
+            if (regains && isFollowed) { // else the gap that is looked at is that of the start, and the bound is, too
                 system.bound(p, Math.max(least[p], normal - 2 * (point.gap - floor[p]) / time));
             }
         }
@@ -170,7 +170,8 @@ final class HeapTurn implements Serializable {
         rows.set(p, a, b, point.nx, point.ny, point.leverA(), point.leverB(), point.armA(), point.armB());
     }
 
-    private void look(int p, double[] v, double first, double last) {
+    /** Takes a point to where its bodies bring it; false if it is left where it is. */
+    private boolean look(int p, double[] v, double first, double last) {
         int a = system.rows().body(p, 0);
         int b = system.rows().body(p, 1);
         double turnA = way(a, 2, v, first, last);
@@ -180,6 +181,7 @@ final class HeapTurn implements Serializable {
         double dx = way(b, 0, v, first, last) - way(a, 0, v, first, last);
         double dy = way(b, 1, v, first, last) - way(a, 1, v, first, last);
         point.look(p, part * dx, part * dy, part * turnA, part * turnB);
+        return part > 0;
     }
 
     private double way(int body, int c, double[] v, double first, double last) {

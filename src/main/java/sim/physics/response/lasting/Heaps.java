@@ -122,18 +122,23 @@ public final class Heaps implements Serializable {
      *
      * @param a index
      * @param b index
-     * @return false also where forces couple them to others, or they turn too fast
+     * @return false also where forces couple them to others on a plane with friction, or they turn too fast
      */
     public boolean mayLie(int a, int b) {
         return mayLie(a) && mayLie(b);
     }
 
     private boolean mayLie(int body) {
-        if (trajectories.isDriven(body) && motion.groups().isCoupled(body)) {
+        if (isCoupledOnPlane(body)) {
             return false;
         }
         return !(by.knows(body) && trajectories.step() < by.givenUp[body])
                 && (!isDriven(body) || calm.isCalm(motion.companions(body), body));
+    }
+
+    /** Whether forces couple a body to others, where there is friction with a plane, which is found for each body by itself. */
+    private boolean isCoupledOnPlane(int body) {
+        return trajectories.isDriven(body) && motion.groups().isCoupled(body) && motion.ground().isRough();
     }
 
     /**
@@ -406,8 +411,8 @@ public final class Heaps implements Serializable {
     public IntList settle(double tau) {
         for (int k = 0; k < dirty.size; k++) {
             int body = dirty.values[k];
-            if (by.lies[body] && trajectories.isDriven(body) && motion.groups().isCoupled(body)) {
-                part(body); // since it came to lie there a force has been added that couples bodies
+            if (by.lies[body] && isCoupledOnPlane(body)) {
+                part(body); // since it came to lie there a force has been added
                 motion.support(body, 0, 0, 0);
                 changed.add(body);
             } else if (by.lies[body] && isDriven(body) && !calm.isCalm(motion.companions(body), HeapCalm.NONE)) {
