@@ -326,12 +326,11 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean force(IntList bodies) {
-        Island one = projected(bodies);
-        if (one == null || !one.passage.creep.isPossible()) {
+        if (stabilization.isFeedback() || !Creep.arePossible(of(bodies))) {
             assemble(bodies);
             return true;
         }
-        return projection.project(one, state, solver, false) && one.invariants.restore(state, true);
+        return projection.force(of(bodies), state, solver);
     }
 
     @Override

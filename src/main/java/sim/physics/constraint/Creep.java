@@ -71,9 +71,13 @@ final class Creep implements Serializable {
         return left > 0;
     }
 
-    /** Whether the island's constraints are such that it may. */
-    boolean isPossible() {
-        return island.isOwn && island.switches.isEmpty();
+    /** Whether the constraints of all islands are such that they may, and no motor or stop acts or pushes. */
+    static boolean arePossible(List<Island> those) {
+        boolean yes = true;
+        for (int k = 0; k < those.size(); k++) {
+            yes &= those.get(k).isOwn && those.get(k).switches.areIdle();
+        }
+        return yes;
     }
 
     /** Forgets what was found: bodies were written. */

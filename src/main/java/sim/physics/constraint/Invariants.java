@@ -66,7 +66,7 @@ final class Invariants implements Serializable {
     void begin(State state, boolean free) {
         island.passage.begin();
         isFree = free && island.switches.isEmpty();
-        isWatched = !free && island.switches.isEmpty() && island.isOwn;
+        isWatched = !free && island.switches.areIdle() && island.isOwn;
         isNoted = false;
         if (isFree) {
             measure(state, before);

@@ -125,6 +125,15 @@ final class Projection implements Serializable {
         return done && !(gentle && island.passage.endsUnawares());
     }
 
+    /** Projects islands however far that is; false if one has no such place near, or gains by it what no force gives. */
+    boolean force(List<Island> those, State state, ConstraintSolver solver) {
+        boolean well = true;
+        for (int k = 0; k < those.size() && well; k++) {
+            well = project(those.get(k), state, solver, false) && those.get(k).invariants.restore(state, true);
+        }
+        return well;
+    }
+
     /**
      * Brings an island onto its constraints from a place near a pose where Newton's method halves the way at most each
      * time, as that pose is a double root.

@@ -66,6 +66,15 @@ final class Switches implements SwitchedTies {
         return rows.length == 0;
     }
 
+    /** Whether there are none that act or push, as ropes that are slack. */
+    boolean areIdle() {
+        boolean yes = true;
+        for (int k = 0; yes && k < rows.length; k++) {
+            yes = !rows[k].isOn && rows[k].force == 0;
+        }
+        return yes;
+    }
+
     @Override
     public int size() {
         return rows.length;

@@ -21,6 +21,7 @@ import sim.physics.motion.Integrator;
 import sim.physics.motion.RadauIIA;
 import sim.physics.motion.RungeKutta4;
 import sim.physics.motion.Spring;
+import sim.physics.motion.SurfaceFriction;
 import sim.physics.response.LastingContact;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
@@ -46,17 +47,20 @@ class CoupledContactTest {
     }
 
     /** Two bars on a wheel each, whose bodies may be added by turns, and with a spring between them that has next to no force. */
-    private double[] carts(Integrator method, boolean isDriven, boolean isMixed, boolean isCoupled) {
+    private static double[] carts(Integrator method, boolean isDriven, boolean isRough, boolean isMixed, boolean isCoupled) {
         CoupledContactTest run = new CoupledContactTest();
         run.engine.setTimeStep(1 / 60.0);
         run.engine.setIntegrator(method);
         run.ground(0.8);
+        if (isRough) {
+            run.engine.add(new SurfaceFriction(1));
+        }
         for (double x = 0; x <= 4; x += 4) {
             run.add(new Body(new Rectangle(1, 0.2)).at(x, 0.5), 0.8);
             run.add(new Body(new Circle(0.25)).at(x + 0.5, 0.3), 0.8);
         }
         for (int k : isMixed ? new int[] {0, 2, 1, 3} : new int[] {0, 1, 2, 3}) {
-            run.engine.add(run.bodies.get(k));
+            run.engine.add(run.bodies.get(k)).setSurfaceFriction(0.5);
         }
         for (int k = 0; k < 4; k += 2) {
             run.engine.add(new PinJoint(run.bodies.get(k), run.bodies.get(k + 1), 2 * k + 0.5, 0.3));
@@ -87,9 +91,11 @@ class CoupledContactTest {
     @MethodSource("methods")
     void aSpringWithoutForceChangesNothing(Integrator method) {
         for (boolean isDriven : new boolean[] {false, true}) {
-            double[] alone = carts(method, isDriven, false, false);
-            for (boolean isMixed : new boolean[] {false, true}) {
-                assertThat(carts(method, isDriven, isMixed, true)).containsExactly(alone, within(isDriven ? 2e-3 : 1e-4));
+            for (boolean isRough : new boolean[] {false, true}) {
+                double[] alone = carts(method, isDriven, isRough, false, false);
+                for (boolean isMixed : new boolean[] {false, true}) {
+                    assertThat(carts(method, isDriven, isRough, isMixed, true)).containsExactly(alone, within(isDriven ? 2e-3 : 1e-4));
+                }
             }
         }
     }

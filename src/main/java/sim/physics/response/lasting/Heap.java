@@ -257,7 +257,8 @@ final class Heap implements Serializable {
         members.find(seed, tau);
         isDriven = members.isDriven();
         isTied = members.isTied();
-        isRubbed = !isTied && (members.isRubbed() || isDriven && by.mostTurns(heap) > MOST); // only such heaps can be stopped
+        boolean isAlone = !isTied && !members.isCoupled(); // only what moves by itself can be stopped
+        isRubbed = isAlone && (members.isRubbed() || isDriven && by.mostTurns(heap) > MOST);
         isDriven &= !isRubbed;
         isRough = !isEven() && !isTied && large.isRough(heap);
         isFresh = !members.isStruck();

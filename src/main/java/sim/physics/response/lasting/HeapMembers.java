@@ -26,6 +26,7 @@ final class HeapMembers implements Serializable {
     private boolean driven;
     private boolean rubbed;
     private boolean tied;
+    private boolean coupled;
     private boolean struck;
     private boolean turned;
     private double bending;
@@ -71,6 +72,7 @@ final class HeapMembers implements Serializable {
         driven = false;
         rubbed = false;
         tied = false;
+        coupled = false;
         struck = false;
         turned = false;
         bending = 0;
@@ -109,6 +111,7 @@ final class HeapMembers implements Serializable {
             includeOne(body);
             return;
         }
+        coupled |= motion.groups().isCoupled(body);
         IntList group = motion.companions(body);
         for (int k = 0; k < group.size; k++) {
             tied |= motion.isTied(group.values[k]);
@@ -169,6 +172,11 @@ final class HeapMembers implements Serializable {
     /** Whether one is tied to others. */
     boolean isTied() {
         return tied;
+    }
+
+    /** Whether forces couple one to others, which ties do not. */
+    boolean isCoupled() {
+        return coupled;
     }
 
     /** Whether the velocity of one was to hold for longer. */

@@ -122,23 +122,20 @@ public final class Heaps implements Serializable {
      *
      * @param a index
      * @param b index
-     * @return false also where forces couple them to others on a plane with friction, or they turn too fast
+     * @return false also where they turn too fast
      */
     public boolean mayLie(int a, int b) {
         return mayLie(a) && mayLie(b);
     }
 
     private boolean mayLie(int body) {
-        if (isCoupledOnPlane(body)) {
-            return false;
-        }
         return !(by.knows(body) && trajectories.step() < by.givenUp[body])
                 && (!isDriven(body) || calm.isCalm(motion.companions(body), body));
     }
 
-    /** Whether forces couple a body to others, where there is friction with a plane, which is found for each body by itself. */
-    private boolean isCoupledOnPlane(int body) {
-        return trajectories.isDriven(body) && motion.groups().isCoupled(body) && motion.ground().isRough();
+    /** Whether a body moves together with others: ties or forces couple them, and what happens to one happens to all. */
+    private boolean movesWithOthers(int body) {
+        return motion.isTied(body) || motion.groups().isCoupled(body);
     }
 
     /**
@@ -156,12 +153,12 @@ public final class Heaps implements Serializable {
 
     /** Whether so much has happened to a body in this step that it is to lie on nothing. */
     private boolean isTooOften(int body) {
-        return by.hasTooMany(body, isDriven(body), motion.isTied(body) ? motion.companions(body).size : 0);
+        return by.hasTooMany(body, isDriven(body), movesWithOthers(body) ? motion.companions(body).size : 0);
     }
 
     /** Whether the integrator moves a body also when it lies on others. */
     private boolean isDriven(int body) {
-        return trajectories.isDriven(body) && (motion.isTied(body) || !motion.ground().isRough());
+        return trajectories.isDriven(body) && (movesWithOthers(body) || !motion.ground().isRough());
     }
 
     /** Ends the lasting of all pairs of a body, and of those that move with it, for some steps. */
@@ -176,7 +173,7 @@ public final class Heaps implements Serializable {
         IntList group = motion.companions(body);
         for (int k = 0; k < group.size; k++) {
             int one = group.values[k];
-            by.giveUp(one, trajectories.step(), motion.isTied(one));
+            by.giveUp(one, trajectories.step(), movesWithOthers(one));
             motion.support(one, 0, 0, 0);
             part(one);
         }
@@ -411,11 +408,7 @@ public final class Heaps implements Serializable {
     public IntList settle(double tau) {
         for (int k = 0; k < dirty.size; k++) {
             int body = dirty.values[k];
-            if (by.lies[body] && isCoupledOnPlane(body)) {
-                part(body); // since it came to lie there a force has been added
-                motion.support(body, 0, 0, 0);
-                changed.add(body);
-            } else if (by.lies[body] && isDriven(body) && !calm.isCalm(motion.companions(body), HeapCalm.NONE)) {
+            if (by.lies[body] && isDriven(body) && !calm.isCalm(motion.companions(body), HeapCalm.NONE)) {
                 giveUp(body);
                 changed.add(body);
             } else if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {
