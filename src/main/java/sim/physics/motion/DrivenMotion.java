@@ -107,7 +107,7 @@ final class DrivenMotion implements Serializable {
      */
     double advance(IntList group, Neighbours neighbours) {
         ensure();
-        if (repose.hasAll(group)) {
+        if (repose.hasAll(group) || motion.ground().stops(group)) {
             return stay(group);
         }
         int first = group.values[0];
@@ -183,7 +183,7 @@ final class DrivenMotion implements Serializable {
     void advanceAhead(IntList group, boolean isRefused, Ahead notes) {
         int first = group.values[0];
         double h = trajectories.h();
-        if (repose.hasAll(group)) {
+        if (repose.hasAll(group) || motion.ground().stops(group)) {
             return;
         }
         if (tied != null && !isRefused && leaps(group, first, Neighbours.NONE)) {

@@ -15,6 +15,9 @@ public final class Ground implements Serializable {
      */
     private static final double SLOW = 2;
 
+    /** Part of the speed up to which friction grows at which bodies are stopped that it can hold. */
+    private static final double STANDS = 1;
+
     private final Motion motion;
     private final State state;
     private final Trajectories trajectories;
@@ -135,6 +138,45 @@ public final class Ground implements Serializable {
             }
         }
         return false;
+    }
+
+    /**
+     * Whether bodies that move together come to a standstill now: all are so slow that friction, which grows from rest on under them, would
+     * stop them in no time if it did not, and static friction bears what acts on each. Then nothing flows, and none of them creeps.
+     */
+    boolean stops(IntList group) {
+        SurfaceFriction surface = motion.generators.surface;
+        boolean areTogether = surface != null && (group.size > 1 || motion.isTiedGroup(group));
+        if (!areTogether || !areSlow(group, surface) || motion.isTiedGroup(group) && motion.ties.isSwitched(group)) {
+            return false;
+        }
+        motion.restore(group);
+        all = all.length < state.x().length ? new double[state.x().length] : all;
+        double tau = trajectories.offset(group.values[0]);
+        motion.generators.accelerate(state, group, motion.time(tau), motion.forces, all, surface);
+        boolean yes = true;
+        for (int k = 0; k < group.size; k++) {
+            Body body = state.body(group.values[k]);
+            int b = State.BLOCK * group.values[k];
+            double mass = body.getMass();
+            yes &= surface.holds(body, mass * all[b], mass * all[b + 1], body.getInertia() * all[b + 2]);
+        }
+        return yes;
+    }
+
+    private boolean areSlow(IntList group, SurfaceFriction surface) {
+        soften(motion.forces, true);
+        double[] d = trajectories.data();
+        boolean yes = true;
+        for (int k = 0; yes && k < group.size; k++) {
+            Body body = state.body(group.values[k]);
+            int o = Trajectories.STRIDE * group.values[k] + Trajectories.VX;
+            double arm = body.getInertia() / body.getMass();
+            double square = d[o] * d[o] + d[o + 1] * d[o + 1] + arm * d[o + 2] * d[o + 2];
+            double slow = STANDS * motion.forces.slow(body.getSurfaceFriction() * surface.getGravity());
+            yes = surface.actsOn(body) && square <= slow * slow && !motion.support.pushes(group.values[k]);
+        }
+        return yes;
     }
 
     /** The friction that acts on a body which moves alone, or null. */

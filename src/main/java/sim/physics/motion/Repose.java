@@ -63,11 +63,13 @@ final class Repose implements Serializable {
         return yes;
     }
 
-    /** The paths of bodies that rest, and stay where the state vectors have them. */
+    /** The paths of bodies that rest, or do so for now, and stay where the state vectors have them. */
     void stay(IntList group, State state, Path path) {
         path.ensure(state.x().length);
         for (int k = 0; k < group.size; k++) {
-            rests[group.values[k]] = STAYS;
+            if (has(group.values[k])) {
+                rests[group.values[k]] = STAYS;
+            }
             int b = State.BLOCK * group.values[k];
             for (int c = b; c < b + State.BLOCK; c++) {
                 path.straight(c);

@@ -129,18 +129,26 @@ class TiedFrictionTest {
         assertThat(engine.kineticEnergy()).isLessThan(1e-24);
     }
 
-    /** Under half of what friction bears it creeps, at half of the speed that friction takes away in half a step. */
-    @Test
-    void whatIsPushedCreepsByAPartOfAStep() {
+    /** Under nine tenths of what friction bears a disc stands, and one that spins comes to a stop and stays. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.3, 0.9})
+    void whatIsPushedByLessThanFrictionBearsStands(double share) {
         begin(new RungeKutta4());
         Body disc = put(new Body(new Circle(RADIUS)));
+        Body other = put(new Body(new Circle(RADIUS)).at(5, 0).moving(0, 0, 3));
         engine.add(new PinJoint(disc, 0, 0));
-        for (int k = 0; k < 640; k++) {
-            disc.addTorque(0.5 * 2 / 3.0 * MU * G * disc.getMass() * RADIUS);
+        engine.add(new PinJoint(other, 5, 0));
+        double torque = share * 2 / 3.0 * MU * G * disc.getMass() * RADIUS;
+        double stopped = 0;
+        for (int k = 0; k < 1280; k++) {
+            disc.addTorque(torque);
+            other.addTorque(torque);
             engine.step();
+            stopped = k == 1023 ? other.getAngle() : stopped;
         }
-        double arm = RADIUS / Math.sqrt(2);
-        assertThat(disc.getAngle() * arm).isCloseTo(10 * 0.5 * MU * G * STEP / 2, within(1e-3));
+        assertThat(disc.getAngle()).isZero();
+        assertThat(other.getAngularVelocity()).isZero();
+        assertThat(other.getAngle()).isEqualTo(stopped).isCloseTo(9 / (2 * (1 - share) * 4 * MU * G / (3 * RADIUS)), within(5e-3));
     }
 
     /** A brake and the friction of the plane hold the same: no method finds forces there that it cannot follow. */
