@@ -18,7 +18,7 @@ final class HeapRelaxation implements Serializable {
     private static final int ROUND = 15;
 
     private static final int ROUNDS = 8;
-    private static final double PART = 0.02;
+    private static final double PART = 0.04;
 
     /** Of impulses, 2 per point. */
     private final ConjugateSweeps sweeps = new ConjugateSweeps();
