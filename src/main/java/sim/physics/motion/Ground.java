@@ -84,11 +84,15 @@ public final class Ground implements Serializable {
             return;
         }
         alone.only(body);
-        motion.restore(alone);
-        int n = State.BLOCK * state.size();
-        all = all.length < n ? new double[state.x().length] : all;
-        motion.generators.accelerate(state, alone, motion.time(tau), motion.forces, all, motion.generators.surface);
+        load(alone, tau);
         System.arraycopy(all, State.BLOCK * body, a, at, State.BLOCK);
+    }
+
+    /** Finds what all but the friction of the plane and contacts gives to some bodies, where they are anchored. */
+    private void load(IntList bodies, double tau) {
+        motion.restore(bodies);
+        all = all.length < State.BLOCK * state.size() ? new double[state.x().length] : all;
+        motion.generators.accelerate(state, bodies, motion.time(tau), motion.forces, all, motion.generators.surface);
     }
 
     /**
@@ -146,14 +150,10 @@ public final class Ground implements Serializable {
      */
     boolean stops(IntList group) {
         SurfaceFriction surface = motion.generators.surface;
-        boolean areTogether = surface != null && (group.size > 1 || motion.isTiedGroup(group));
-        if (!areTogether || !areSlow(group, surface) || motion.isTiedGroup(group) && motion.ties.isSwitched(group)) {
+        if (!isSoft(group) || !areSlow(group, surface) || motion.isTiedGroup(group) && motion.ties.isSwitched(group)) {
             return false;
         }
-        motion.restore(group);
-        all = all.length < state.x().length ? new double[state.x().length] : all;
-        double tau = trajectories.offset(group.values[0]);
-        motion.generators.accelerate(state, group, motion.time(tau), motion.forces, all, surface);
+        load(group, trajectories.offset(group.values[0]));
         boolean yes = true;
         for (int k = 0; k < group.size; k++) {
             Body body = state.body(group.values[k]);
@@ -165,7 +165,6 @@ public final class Ground implements Serializable {
     }
 
     private boolean areSlow(IntList group, SurfaceFriction surface) {
-        soften(motion.forces, true);
         double[] d = trajectories.data();
         boolean yes = true;
         for (int k = 0; yes && k < group.size; k++) {

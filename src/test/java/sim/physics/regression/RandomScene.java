@@ -79,7 +79,6 @@ final class RandomScene {
     private final SplittableRandom random;
     private final double half;
     private final boolean changes;
-    private final Distance distance = new Distance();
     final double restitution;
     private final double friction;
     private final boolean hasCompounds;
@@ -144,7 +143,7 @@ final class RandomScene {
         Body body = random.nextInt(8) == 0 ? Body.fixed(shape) : new Body(shape);
         for (int tries = 0; tries < 50; tries++) {
             body.at(half * signed(), half * signed(), 3 * signed());
-            if (isFree(body)) {
+            if (isFree(engine, body, 1e-3)) {
                 if (!body.isFixed()) {
                     body.moving(5 * signed(), 5 * signed(), 3 * signed());
                     body.setMass(shape.area() * StrictMath.pow(10, signed()));
@@ -158,13 +157,10 @@ final class RandomScene {
         }
     }
 
-    private boolean isFree(Body body) {
-        for (Body other : engine.bodies()) {
-            if (distance.between(body, other) <= 1e-3) {
-                return false;
-            }
-        }
-        return true;
+    /** Whether a body is farther than a gap from all of an engine's. */
+    static boolean isFree(PhysicsEngine engine, Body body, double gap) {
+        Distance distance = new Distance();
+        return engine.bodies().stream().allMatch(other -> distance.between(body, other) > gap);
     }
 
     private Shape shape() {

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import sim.physics.PhysicsEngine;
-import sim.physics.collision.narrow.Distance;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
@@ -41,7 +40,6 @@ final class WorldInUnits {
     private final double time;
     private final double mass;
     private final SplittableRandom random;
-    private final Distance distance = new Distance();
     private final double half;
     private final double friction;
     private final double restitution;
@@ -143,7 +141,7 @@ final class WorldInUnits {
         double rubs = 0.3 * random.nextDouble();
         for (int tries = 0; tries < 30; tries++) {
             body.at(half * signed() * length, half * signed() * length, 3 * signed());
-            if (isFree(body)) {
+            if (RandomScene.isFree(engine, body, 1e-3 * length)) {
                 if (!body.isFixed()) {
                     body.setMass(heavy * mass);
                     bodies.add(body);
@@ -158,15 +156,6 @@ final class WorldInUnits {
                 return;
             }
         }
-    }
-
-    private boolean isFree(Body body) {
-        for (Body other : engine.bodies()) {
-            if (distance.between(body, other) <= 1e-3 * length) {
-                return false;
-            }
-        }
-        return true;
     }
 
     private void tie() {

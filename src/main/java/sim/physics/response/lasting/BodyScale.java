@@ -55,6 +55,17 @@ final class BodyScale implements Serializable {
         return Math.max(way, radius(body) * Math.abs(v[at + 2]));
     }
 
+    /**
+     * How large three values of a body are, a turn as a way at its radius of gyration, so that both have one unit.
+     *
+     * @param w inverse masses and moments of inertia, 2 per body
+     * @param u values, 3 per body
+     */
+    static double largest(double[] w, double[] u, int place) {
+        double turn = w[2 * place + 1] > 0 ? Math.sqrt(w[2 * place] / w[2 * place + 1]) * Math.abs(u[3 * place + 2]) : 0;
+        return Math.max(turn, Math.max(Math.abs(u[3 * place]), Math.abs(u[3 * place + 1])));
+    }
+
     double radius(int body) {
         return trajectories.radius(body);
     }

@@ -227,12 +227,10 @@ final class ContactSystem implements Serializable {
         relax(sweeps(), forces);
     }
 
-    /** The largest of the values u, of turns that at the radius of gyration, where they have the unit of the others. */
     private double largest() {
         double most = 0;
         for (int k = 0; k < bodyCount; k++) {
-            double turn = w[2 * k + 1] > 0 ? Math.sqrt(w[2 * k] / w[2 * k + 1]) * Math.abs(u[3 * k + 2]) : 0;
-            most = Math.max(most, Math.max(turn, Math.max(Math.abs(u[3 * k]), Math.abs(u[3 * k + 1]))));
+            most = Math.max(most, BodyScale.largest(w, u, k));
         }
         return most;
     }

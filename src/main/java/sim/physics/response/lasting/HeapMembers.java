@@ -10,7 +10,7 @@ import sim.physics.motion.State;
 import sim.physics.motion.Ties;
 import sim.physics.motion.Trajectories;
 
-/** The bodies of a heap: those that lie on one another with a body, and those that are tied to them; and what moves them. */
+/** The bodies of a heap: those that lie on one another with a body, and those that move together with them; and what moves them. */
 final class HeapMembers implements Serializable {
     private static final long serialVersionUID = 1L;
 

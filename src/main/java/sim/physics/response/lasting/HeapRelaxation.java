@@ -53,7 +53,7 @@ final class HeapRelaxation implements Serializable {
             error = conjugate(s, ROUND);
             fastest = 0;
             for (int k = 0; k < s.bodyCount(); k++) {
-                fastest = Math.max(fastest, s.speed(k));
+                fastest = Math.max(fastest, BodyScale.largest(s.w, s.v, k));
             }
         }
         return error;

@@ -319,13 +319,6 @@ final class HeapSystem extends HeapPoints {
         return rows.tangent(p, v);
     }
 
-    /** How fast a body moves or turns, at its radius of gyration. */
-    double speed(int place) {
-        double inertia = w[2 * place + 1] > 0 ? w[2 * place] / w[2 * place + 1] : 0;
-        double turn = Math.sqrt(inertia) * Math.abs(v[3 * place + 2]);
-        return Math.max(turn, Math.max(Math.abs(v[3 * place]), Math.abs(v[3 * place + 1])));
-    }
-
     int bodyCount() {
         return count;
     }
