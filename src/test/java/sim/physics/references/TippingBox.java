@@ -32,6 +32,18 @@ public final class TippingBox {
      * @return centre relative to the corner on which it stands, by how much it leans, and how fast that changes
      */
     public double[] at(double turn, double t) {
+        return at(turn, 0, t);
+    }
+
+    /**
+     * Where it is.
+     *
+     * @param turn by which it leans at time 0
+     * @param rate how fast it falls then
+     * @param t time
+     * @return centre relative to the corner on which it stands, by how much it leans, and how fast that changes
+     */
+    public double[] at(double turn, double rate, double t) {
         OrdinaryDifferentialEquation equation = new OrdinaryDifferentialEquation() {
             @Override
             public int getDimension() {
@@ -44,8 +56,8 @@ public final class TippingBox {
             }
         };
         double[] s = t == 0
-                ? new double[] {turn - corner, 0}
-                : RodChain.integrate(equation, new double[] {turn - corner, 0}, new double[] {t}, false, 1e-13)[0];
+                ? new double[] {turn - corner, rate}
+                : RodChain.integrate(equation, new double[] {turn - corner, rate}, new double[] {t}, false, 1e-13)[0];
         return new double[] {arm * Math.sin(s[0]), arm * Math.cos(s[0]), s[0] + corner, s[1]};
     }
 }

@@ -55,6 +55,12 @@ final class BodyScale implements Serializable {
         return Math.max(way, radius(body) * Math.abs(v[at + 2]));
     }
 
+    /** The largest speed of a body's points, nearly, for the difference of two velocities. */
+    double change(int body, double[] v, double[] from, int at) {
+        double way = Math.max(Math.abs(v[at] - from[at]), Math.abs(v[at + 1] - from[at + 1]));
+        return Math.max(way, radius(body) * Math.abs(v[at + 2] - from[at + 2]));
+    }
+
     /**
      * How large three values of a body are, a turn as a way at its radius of gyration, so that both have one unit.
      *

@@ -116,9 +116,9 @@ final class Collapse implements Serializable {
             if (trajectories.isDriven(body)) {
                 motion.bring(body, tau);
                 drive.find(body);
-                most = Math.max(most, drive.acceleration() / heap.scales().radius(body) + drive.turning());
+                most = Math.max(most, drive.acceleration() / heap.scales.radius(body) + drive.turning());
             } else {
-                most = Math.max(most, heap.pull(body) / heap.scales().radius(body));
+                most = Math.max(most, heap.pull(body) / heap.scales.radius(body));
             }
         }
         return most;
@@ -129,7 +129,7 @@ final class Collapse implements Serializable {
     }
 
     private double size(int pair) {
-        return heap.scales().size(detection.pairs().first(pair), detection.pairs().second(pair));
+        return heap.scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
     }
 
     private void gather(double tau, double hop) {
@@ -164,7 +164,7 @@ final class Collapse implements Serializable {
         double size = size(pair);
         motion.bring(a, tau);
         motion.bring(b, tau);
-        detection.narrowPhase().contact(pair, tau, manifold, NEAR * size / (heap.scales().radius(a) + heap.scales().radius(b)));
+        detection.narrowPhase().contact(pair, tau, manifold, NEAR * size / (heap.scales.radius(a) + heap.scales.radius(b)));
         double least = hop * size;
         for (int k = 0; k < manifold.count; k++) {
             if (manifold.gaps[k] <= NEAR * size) {
@@ -187,7 +187,7 @@ final class Collapse implements Serializable {
     private void solve(IntList changed) {
         double speed = 0;
         for (int k = 0; k < bodies.size; k++) {
-            speed = Math.max(speed, heap.scales().speed(bodies.values[k], system.v, 3 * k));
+            speed = Math.max(speed, heap.scales.speed(bodies.values[k], system.v, 3 * k));
         }
         system.tolerance().allow(EXACT * speed);
         boolean right = system.solve(speed, true) && gains() <= lost + (motion.ground().isRough() ? 0 : allowance);

@@ -124,6 +124,11 @@ public final class ContactLedger implements Serializable {
         return data[places[pair] - 1 + POINTS + WIDTH * point + FORCE + (tangential ? 1 : 0)];
     }
 
+    /** Whether a point of a pair has pressed in the last solution. */
+    boolean presses(int pair) {
+        return start(pair, 0, false) > 0 || start(pair, 1, false) > 0;
+    }
+
     /** Adds impulses of a point. */
     void strike(int pair, int point, double normal, double tangential) {
         int p = places[pair] - 1 + POINTS + WIDTH * point;

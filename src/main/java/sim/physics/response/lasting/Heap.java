@@ -55,9 +55,10 @@ final class Heap implements Serializable {
     private final ContactPoints points;
     private final HeapBodies by;
     private final ContactLedger ledger;
-    private final BodyScale scales;
+    final BodyScale scales;
     final HeapSystem system = new HeapSystem();
-    private final HeapStrike striking = new HeapStrike();
+    private final HeapStrike striking;
+    private final HeapClosing closing;
     private final HeapPull pulls;
     private final HeapEffort effort;
     private final FlushGround flush;
@@ -70,14 +71,15 @@ final class Heap implements Serializable {
     private final FreeHeap free;
     private final HeapCourses courses;
     private final HeapEnd ending;
-    private final LargeHeaps large;
-    private final LastingPairs lasting;
+    final LargeHeaps large;
+    final LastingPairs lasting;
     private final double[] fall = new double[State.BLOCK];
     private final ContactPoint point = new ContactPoint();
     private transient Manifold manifold;
 
     /** Until when the velocities are to hold, and whether those before held until now. */
     private double until;
+
     private boolean isFresh;
 
     /** Whether bodies that have got what the forces give them until then are solved for anew, because one has been struck. */
@@ -134,23 +136,14 @@ final class Heap implements Serializable {
         this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
         this.lasting = new LastingPairs(trajectories, detection, scales, ledger);
+        HeapMeeting meeting = new HeapMeeting(state, trajectories, motion, scales, detection, points, by, lasting);
+        this.closing = new HeapClosing(trajectories, by, system, courses, scales, meeting);
+        this.striking = new HeapStrike(trajectories, system, notes, courses, scales);
         this.members = new HeapMembers(state, trajectories, motion, detection, by, lasting, scales);
         this.heap = members.bodies();
         this.ending = new HeapEnd(state, trajectories, motion, detection, points, by, system, members, scales, ledger);
         this.large = new LargeHeaps(trajectories, by, new Foresight(state, trajectories, pulls, detection, points, scales));
         this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
-    }
-
-    LastingPairs lasting() {
-        return lasting;
-    }
-
-    LargeHeaps large() {
-        return large;
-    }
-
-    BodyScale scales() {
-        return scales;
     }
 
     /** Lets a body go on without acceleration: it has got already what the forces give it. */
@@ -235,7 +228,7 @@ final class Heap implements Serializable {
         if (isDriven) {
             driving.gather(heap, members.ties(), regain, scale);
         }
-        if (isEven() && strike() && isDriven) {
+        if (isEven() && striking.act(heap, deep, scale, closing.rebounds(), driving.rebounds()) && isDriven) {
             gather(tau);
             driving.gather(heap, members.ties(), regain, scale); // which stops are within reach is another question now
         }
@@ -244,6 +237,7 @@ final class Heap implements Serializable {
                 system.regainNothing();
             }
             scale = driving.search().drive(heap, until - tau, scale, regains);
+            closing.learn(heap, until - tau);
         }
     }
 
@@ -276,24 +270,28 @@ final class Heap implements Serializable {
         return isHalf ? 0.5 * time : time;
     }
 
-    /** Changes the velocities at once where points close too fast, before forces act; false if none do. */
-    private boolean strike() {
-        double speed = scales.fastest(heap, system.v);
-        if (!striking.isDue(system, deep, speed, scale)) {
-            return false;
+    /** Takes in the bodies of the heap and their points; the time ends where the first of these strikes. */
+    private void gather(double tau) {
+        take(tau);
+        if (isResumed || isRough || LargeHeaps.isLarge(heap.size) || by.mostTurns(heap) > MOST) {
+            return;
         }
-        striking.strike(system, Math.max(speed, scale), driving.rebounds());
-        notes.strike(1);
-        for (int k = 0; k < heap.size; k++) {
-            int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
-            System.arraycopy(system.v, 3 * k, trajectories.data(), o, State.BLOCK);
-            System.arraycopy(system.v, 3 * k, courses.before(), 3 * k, State.BLOCK);
+        double shortest = trajectories.h() / SOLUTIONS;
+        double first = closing.first(heap, scale, until - tau, shortest);
+        if (first < until - tau) {
+            until = tau + first;
+            take(tau);
+        } else if (closing.gathers(heap, members.ties(), tau)) {
+            take(tau);
+            closing.first(heap, scale, until - tau, shortest);
         }
-        return true;
+        closing.hold(heap);
+        if (!isEven() && closing.strikes() && striking.actFirst(heap, deep, scale, closing.rebounds())) {
+            take(tau);
+        }
     }
 
-    /** Takes in the bodies of the heap and their points. */
-    private void gather(double tau) {
+    private void take(double tau) {
         manifold = manifold == null ? new Manifold() : manifold;
         notes.clear();
         system.clear();
@@ -346,6 +344,7 @@ final class Heap implements Serializable {
         }
         large.meet(manifold.gap, size);
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
+        double bounce = points.restitution(a, b);
         double left = regain.time();
         double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size);
         detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : depth);
@@ -369,6 +368,8 @@ final class Heap implements Serializable {
                 least = now >= Math.max(0, lift) ? Math.min(least, now) : least; // as it was found; else gaps are noise
             }
             system.bound(p, least);
+            closing.set(p, manifold.gaps[k], scales.bend(manifold, point, a, b, left), size, bounce,
+                    ledger.presses(pair) && manifold.gaps[k] <= manifold.gap + HeapGaps.fairDepth(size));
             if (isDriven) {
                 double kept = roam > HeapTurn.LONG ? bend : size * regain.sag(sag);
                 driving.turn(p, manifold, k, Math.min(-depth, manifold.gaps[k]) + kept, roam);

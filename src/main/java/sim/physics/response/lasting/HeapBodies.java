@@ -109,6 +109,12 @@ final class HeapBodies implements Serializable {
     int[] exact = {};
     int[] hard = {};
 
+    /** What forces give to a driven one in a unit of time; 0 before that is known. */
+    double[] pull = {};
+
+    /** The last step in which the time of a solution of its heap ended early, as a point was to strike; plus 1. */
+    double[] closedIn = {};
+
     /** Its number in the heap that is being solved, plus 1. */
     int[] place = {};
 
@@ -152,6 +158,8 @@ final class HeapBodies implements Serializable {
             exactIn = Arrays.copyOf(exactIn, n);
             exact = Arrays.copyOf(exact, n);
             hard = Arrays.copyOf(hard, n);
+            pull = Arrays.copyOf(pull, n);
+            closedIn = Arrays.copyOf(closedIn, n);
             place = Arrays.copyOf(place, n);
         }
     }

@@ -38,7 +38,7 @@ final class HeapCalm implements Serializable {
         boolean isTied = false;
         for (int k = 0; k < group.size; k++) {
             isTied |= motion.isTied(group.values[k]);
-            boolean round = heap.scales().isRound(group.values[k]);
+            boolean round = heap.scales.isRound(group.values[k]);
             double spin = trajectories.data()[group.values[k] * Trajectories.STRIDE + Trajectories.OMEGA];
             boolean counts = !round && (group.values[k] == body || liesItself(group.values[k]));
             most = Math.max(most, counts ? Math.abs(spin) : 0);
@@ -50,7 +50,7 @@ final class HeapCalm implements Serializable {
     private boolean liesItself(int body) {
         boolean yes = false;
         for (int k = 0; k < detection.pairs().countOf(body) && !yes; k++) {
-            yes = heap.lasting().has(detection.pairs().of(body, k));
+            yes = heap.lasting.has(detection.pairs().of(body, k));
         }
         return yes;
     }

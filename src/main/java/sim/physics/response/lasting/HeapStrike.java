@@ -4,6 +4,8 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import sim.physics.internal.IntList;
+import sim.physics.motion.State;
+import sim.physics.motion.Trajectories;
 
 /** What happens at once in a {@link HeapSystem}, before forces act: the approach of points that close too fast ends. */
 final class HeapStrike implements Serializable {
@@ -25,8 +27,49 @@ final class HeapStrike implements Serializable {
 
     private boolean isStuck;
 
-    HeapStrike() {
-        // grows with the heaps
+    private final Trajectories trajectories;
+    private final HeapSystem system;
+    private final HeapNotes notes;
+    private final HeapCourses courses;
+    private final BodyScale scales;
+
+    HeapStrike(Trajectories trajectories, HeapSystem system, HeapNotes notes, HeapCourses courses, BodyScale scales) {
+        this.trajectories = trajectories;
+        this.system = system;
+        this.notes = notes;
+        this.courses = courses;
+        this.scales = scales;
+    }
+
+    /**
+     * Changes the velocities at once where points close too fast.
+     *
+     * @param deep points that are too deep
+     * @param scale what forces give bodies
+     * @param bounces by contact: speeds with which points are to part then
+     * @param rebounds by points behind the contacts: the same
+     * @return false if none do
+     */
+    boolean act(IntList heap, IntList deep, double scale, double[] bounces, double[] rebounds) {
+        double speed = scales.fastest(heap, system.v);
+        if (!isDue(system, deep, speed, scale)) {
+            return false;
+        }
+        strike(system, Math.max(speed, scale), bounces, rebounds);
+        notes.strike(1);
+        for (int k = 0; k < heap.size; k++) {
+            int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
+            System.arraycopy(system.v, 3 * k, trajectories.data(), o, State.BLOCK);
+            System.arraycopy(system.v, 3 * k, courses.before(), 3 * k, State.BLOCK);
+        }
+        return true;
+    }
+
+    /** The same where the system's velocities have what forces give them, and points the impulses from which they start: without both. */
+    boolean actFirst(IntList heap, IntList deep, double scale, double[] bounces) {
+        System.arraycopy(courses.before(), 0, system.v, 0, 3 * heap.size);
+        system.startFromNothing();
+        return act(heap, deep, scale, bounces, bounces);
     }
 
     /**
@@ -37,7 +80,7 @@ final class HeapStrike implements Serializable {
      * @param speed of the bodies
      * @param scale what forces give them
      */
-    boolean isDue(HeapSystem s, IntList deep, double speed, double scale) {
+    private boolean isDue(HeapSystem s, IntList deep, double speed, double scale) {
         isStuck = false;
         for (int k = 0; k < deep.size; k++) {
             isStuck |= Math.abs(s.normal(deep.values[k])) <= STRUCK * speed;
@@ -55,7 +98,7 @@ final class HeapStrike implements Serializable {
      *
      * @param rebounds by points behind the contacts: speeds with which they are to part then
      */
-    void strike(HeapSystem s, double scale, double[] rebounds) {
+    private void strike(HeapSystem s, double scale, double[] bounces, double[] rebounds) {
         double lift = isStuck ? LIFT : 0;
         if (kept.length < s.size()) {
             kept = new double[2 * s.size()];
@@ -63,7 +106,7 @@ final class HeapStrike implements Serializable {
         for (int p = 0; p < s.size(); p++) {
             kept[p] = s.bound(p);
             double least = kept[p] > 0 && !s.isMotor(p) ? lift * kept[p] : Math.min(0, kept[p]);
-            s.bound(p, p < s.contacts() ? least : Math.max(least, rebounds[p - s.contacts()]));
+            s.bound(p, Math.max(least, p < s.contacts() ? bounces[p] : rebounds[p - s.contacts()]));
         }
         boolean right = s.solve(scale, true);
         if (!right || !(HeapEnergy.gained(s, s.free()) <= GAIN * HeapEnergy.of(s, s.free()))) {

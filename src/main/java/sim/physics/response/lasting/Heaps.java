@@ -74,8 +74,8 @@ public final class Heaps implements Serializable {
         this.resting = resting;
         this.heap = new Heap(state, trajectories, motion, detection, points, by, ledger);
         this.collapse = new Collapse(state, trajectories, motion, detection, points, by, heap);
-        this.large = heap.large();
-        this.standing = new Standing(state, trajectories, motion, detection, points, heap.scales());
+        this.large = heap.large;
+        this.standing = new Standing(state, trajectories, motion, detection, points, heap.scales);
         this.joining = new Joining(state, trajectories, motion, detection, resting, by, heap, standing, members, dirty);
         this.calm = new HeapCalm(trajectories, motion, detection, heap);
     }
@@ -186,7 +186,7 @@ public final class Heaps implements Serializable {
      * @return false also if it is ignored
      */
     public boolean lasts(int pair) {
-        return heap.lasting().has(pair);
+        return heap.lasting.has(pair);
     }
 
     /**
@@ -208,7 +208,7 @@ public final class Heaps implements Serializable {
      * @return length
      */
     public double size(int a, int b) {
-        return heap.scales().size(a, b);
+        return heap.scales.size(a, b);
     }
 
     /**
@@ -239,7 +239,7 @@ public final class Heaps implements Serializable {
      * @param pair number of the pair
      */
     public void end(int pair) {
-        heap.lasting().end(pair);
+        heap.lasting.end(pair);
     }
 
     /**
@@ -296,7 +296,7 @@ public final class Heaps implements Serializable {
             heap.coast(body);
         }
         by.turns[body]++;
-        standing.loosen(body, heap.lasting());
+        standing.loosen(body, heap.lasting);
         if (isTooOften(body)) {
             giveUp(body);
         } else {

@@ -61,7 +61,7 @@ final class Joining implements Serializable {
         this.resting = resting;
         this.by = by;
         this.heap = heap;
-        this.large = heap.large();
+        this.large = heap.large;
         this.standing = standing;
         this.members = members;
         this.dirty = dirty;
@@ -105,7 +105,7 @@ final class Joining implements Serializable {
             switch (what) {
                 case ADD -> begin(whom);
                 case JOIN -> join(whom);
-                case BEAR -> pushAll(standing.find(whom, heap.lasting()));
+                case BEAR -> pushAll(standing.find(whom, heap.lasting));
                 case HOLD -> hold(whom, more);
                 case ALONE -> lie(whom);
                 case MARK -> mark(whom);
@@ -121,7 +121,7 @@ final class Joining implements Serializable {
     }
 
     private void begin(int pair) {
-        heap.lasting().begin(pair);
+        heap.lasting.begin(pair);
         int a = detection.pairs().first(pair);
         int b = detection.pairs().second(pair);
         boolean onA = !by.has(b) && large.isDone(a) && !trajectories.isDriven(b);
@@ -169,6 +169,7 @@ final class Joining implements Serializable {
     private void enter(int body) {
         by.lies[body] = true;
         by.begin(body);
+        by.pull[body] = 0;
         members.add(body);
     }
 
