@@ -33,6 +33,9 @@ final class Bounces implements Serializable {
     /** How many times faster these may hop in the end that only forces press, which then are known: up to a sixteenth of their size. */
     private static final double MOST_PATIENCE = 4;
 
+    /** Impacts for which one counts of tied bodies that rub and do not bounce: they are still when it is over. */
+    private static final int TURNS = 3;
+
     /** Time, relative to the step, in which no force brings bodies back together that have parted. */
     private static final double INSTANT = 1e-9;
 
@@ -89,9 +92,9 @@ final class Bounces implements Serializable {
         counts[pair]++;
     }
 
-    /** Whether the impact that was counted last is the first one of a pair in the step. */
-    boolean isFirst(int pair) {
-        return counts[pair] == 1;
+    /** Whether a pair has had few impacts in the step. */
+    boolean areFew(int pair) {
+        return counts[pair] <= Tolerances.LIE_AFTER;
     }
 
     /**
@@ -297,12 +300,13 @@ final class Bounces implements Serializable {
         if (c.restitution == 0 && (inHeap || pressing(a, b, c) > 0) && !trajectories.isDriven(a) && !trajectories.isDriven(b)) {
             return true; // it does not bounce at all
         }
-        if (counts[pair] > Tolerances.LIE_AFTER && isTiny(a, b, c)) {
+        int count = counts[pair] * (c.restitution == 0 && c.friction > 0 && (motion.isTied(a) || motion.isTied(b)) ? TURNS : 1);
+        if (count > Tolerances.LIE_AFTER && isTiny(a, b, c)) {
             return true;
         }
         int least = inHeap ? Tolerances.JOIN_AFTER : Tolerances.LIE_AFTER;
         int most = c.restitution < 1 ? least : Tolerances.ELASTIC_LIE_AFTER;
-        if (counts[pair] <= most || c.restitution == 1 && c.friction == 0 && !inHeap) {
+        if (count <= most || c.restitution == 1 && c.friction == 0 && !inHeap) {
             return false;
         }
         double approach = Math.max(0, -c.normalVelocity());

@@ -453,15 +453,14 @@ public final class CollisionResponse implements Serializable {
         restsNow &= !lies;
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
-            double own = impact.restitution;
             if (rattles || lies) {
                 impact.restitution = lies ? 0 : bounces.rattle(impact, rattle, first);
             }
             restsNow &= !rattles && !lies && (canRest || impact.restitution < 1) && bounces.limit(pair, a, b, impact, canRest);
-            impact.isOwn = impact.restitution == own && bounces.isFirst(pair);
+            impact.isEarly = bounces.areFew(pair);
             simultaneous.add(a, b, impact);
         }
-        impact.isOwn = false;
+        impact.isEarly = false;
         if (!rattles) {
             bounces.part(pair, a, impact);
         }

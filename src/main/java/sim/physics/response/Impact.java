@@ -72,8 +72,8 @@ public final class Impact implements Serializable {
     /** Whether the surfaces stick: no sliding of the collision points afterwards; the restitution is 0 then, too. */
     boolean sticky;
 
-    /** Whether it is a pair's first impact in the step, with the restitution of the two bodies: none that ends their bouncing. */
-    boolean isOwn;
+    /** Whether it is one of a pair's first impacts in the step. */
+    boolean isEarly;
 
     /** The impulse on B along the normal and along the tangent n⊥, mass·length/time; R = −(jn n + jt n⊥) acts on A. */
     double jn;
@@ -148,11 +148,6 @@ public final class Impact implements Serializable {
         }
         double r = jn * (component == 0 ? nx : ny);
         return ofA ? -wA * r : wB * r;
-    }
-
-    /** Whether it bounces as the two bodies do. What does not is solved in turns, which tell how soon a pair is to lie. */
-    boolean bounces() {
-        return isOwn && restitution > 0 && !sticky;
     }
 
     void setVelocities(double[] a, double[] b) {
@@ -253,7 +248,7 @@ public final class Impact implements Serializable {
         belt = from.belt;
         allowance = from.allowance;
         sticky = from.sticky;
-        isOwn = from.isOwn;
+        isEarly = from.isEarly;
         jn = from.jn;
         jt = from.jt;
     }

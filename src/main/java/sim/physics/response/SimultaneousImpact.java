@@ -226,7 +226,7 @@ final class SimultaneousImpact implements Serializable {
             return;
         }
         assemble();
-        if (tied && points == 1 && only.friction > 0 && only.bounces() && rubOne()) {
+        if (tied && points == 1 && only.friction > 0 && only.isEarly && !only.sticky && rubOne()) {
             return;
         }
         if (PlasticImpact.isPlastic(impacts, points)) {
@@ -283,7 +283,7 @@ final class SimultaneousImpact implements Serializable {
         }
     }
 
-    /** One point of tied bodies has the law of {@link TwoBodyImpulse}, with what the ties reply; false if they hold the point. */
+    /** One point of tied bodies has, before their impacts are many in a step, the law of {@link TwoBodyImpulse}, with what the ties reply; false if they hold the point. */
     private boolean rubOne() {
         Impact one = impacts[0];
         int a = place(bodyA[0]);

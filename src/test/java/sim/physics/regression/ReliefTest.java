@@ -108,7 +108,7 @@ class ReliefTest {
         assertThat(rope.engine.getRelievedSteps()).isBetween(90L, 119L);
         assertThat(rope.engine.getSteps()).isEqualTo(120);
         assertThat(rope.engine.getTime()).isEqualTo(120 * (1 / 60.0));
-        assertThat(rope.heavy.getY() - rope.light.getY()).isEqualTo(0, within(0.3));
+        assertThat(rope.heavy.getY() - rope.light.getY()).isEqualTo(0, within(0.35)); // ten ropes of other masses: 0.18 to 0.3
         assertThat(rope.engine.kineticEnergy()).isLessThan(1);
     }
 

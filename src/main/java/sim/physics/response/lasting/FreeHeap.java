@@ -25,6 +25,15 @@ final class FreeHeap implements Serializable {
     /** Bodies in a heap at most in which it is looked at how its points share a load: in piles it takes up to twice the time. */
     static final int FEW = 12;
 
+    /**
+     * Part of its energy that a heap under forces may gain in the first half of a time, as it is lifted for the bends of its ways, which the
+     * second half takes back; and times that something has happened to a body after which it is also lent when that is done at once. Fast
+     * bodies that slide on one another as they turn would else close again and again until they are halted.
+     */
+    private static final double LENT = 1e-4;
+
+    private static final int OFTEN = 10;
+
     /** Times that a heap may not be solved in a step, before little work is spent on it. */
     private static final int FAILURES = 3;
 
@@ -128,6 +137,12 @@ final class FreeHeap implements Serializable {
         boolean done = system.solve(0, true);
         soften(time);
         return done;
+    }
+
+    /** Whether a heap has lost as much energy before in the step as it has gained now, but for what it is lent. */
+    boolean affords(IntList heap, HeapPull pulls, double[] from, boolean isHalf) {
+        boolean isLent = (isHalf || by.mostTurns(heap) > OFTEN) && pulls.isOnAny(heap);
+        return by.afford(heap, HeapEnergy.gained(system, from), isLent ? LENT * HeapEnergy.of(system, from) : 0);
     }
 
     /** Solves without regaining gaps, which is to add no energy. */

@@ -404,14 +404,14 @@ final class Heap implements Serializable {
             isRough = true;
             done = free.solveRoughly(regain.time());
         }
-        if (isDriven ? effort.isOver() : !by.afford(heap, HeapEnergy.gained(system, from))) {
+        if (isDriven ? effort.isOver() : !free.affords(heap, pulls, from, isHalf)) {
             if (isDriven) {
                 system.stopBelts();
             } else {
                 system.unwedge();
             }
             done = regainNothing(); // that must not add energy
-            by.afford(heap, HeapEnergy.gained(system, from));
+            by.afford(heap, HeapEnergy.gained(system, from), 0);
         }
         if (isDriven && driving.search().isReleased()) {
             notes.letBe(detection);

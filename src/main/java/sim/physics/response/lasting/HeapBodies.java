@@ -279,16 +279,17 @@ final class HeapBodies implements Serializable {
         return most;
     }
 
-    /** Whether bodies have lost as much energy before in the step as they would gain now; takes note of it then. */
-    boolean afford(IntList bodies, double gain) {
+    /** Whether bodies have lost as much energy before in the step as they would gain now, but for what they are lent; takes note of it then. */
+    boolean afford(IntList bodies, double gain, double lent) {
         double sum = -gain;
         for (int k = 0; k < bodies.size; k++) {
             sum += lost[bodies.values[k]];
         }
-        for (int k = 0; k < bodies.size && sum >= 0; k++) {
-            lost[bodies.values[k]] = sum / bodies.size;
+        boolean yes = sum >= -lent;
+        for (int k = 0; k < bodies.size && yes; k++) {
+            lost[bodies.values[k]] = Math.max(0, sum / bodies.size);
         }
-        return sum >= 0;
+        return yes;
     }
 
     /** Begins a step, or a body's time in a heap. */
