@@ -22,7 +22,7 @@ final class FreeHeap implements Serializable {
     /** Speed at which open points may be taken for closed, relative to the error that is good enough: 1e-5 of a size a step. */
     private static final double HOVER = 1e7;
 
-    /** Bodies in a heap at most in which it is looked at how its points share a load: in piles it takes up to twice the time. */
+    /** Bodies in a heap at most in which it is looked at how its points share a load, and when they strike: piles take up to twice the time. */
     static final int FEW = 12;
 
     /**

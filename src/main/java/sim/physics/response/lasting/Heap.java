@@ -273,7 +273,7 @@ final class Heap implements Serializable {
     /** Takes in the bodies of the heap and their points; the time ends where the first of these strikes. */
     private void gather(double tau) {
         take(tau);
-        if (isResumed || isRough || LargeHeaps.isLarge(heap.size) || by.mostTurns(heap) > MOST) {
+        if (isResumed || isRough || heap.size > FreeHeap.FEW || by.mostTurns(heap) > MOST) {
             return;
         }
         double shortest = trajectories.h() / SOLUTIONS;
