@@ -451,13 +451,13 @@ public final class CollisionResponse implements Serializable {
         boolean canRest = canRest(pair, a, b, tau, meetings.isOnly(body));
         boolean lies = isLocked || !rattles && !canRest && startsToLie(pair, a, b);
         restsNow &= !lies;
+        impact.isEarly = bounces.areFew(pair);
         for (int point = 0; point < manifold.count; point++) {
             load(a, b, point);
             if (rattles || lies) {
                 impact.restitution = lies ? 0 : bounces.rattle(impact, rattle, first);
             }
             restsNow &= !rattles && !lies && (canRest || impact.restitution < 1) && bounces.limit(pair, a, b, impact, canRest);
-            impact.isEarly = bounces.areFew(pair);
             simultaneous.add(a, b, impact);
         }
         impact.isEarly = false;

@@ -283,7 +283,10 @@ final class SimultaneousImpact implements Serializable {
         }
     }
 
-    /** One point of tied bodies has, before their impacts are many in a step, the law of {@link TwoBodyImpulse}, with what the ties reply; false if they hold the point. */
+    /**
+     * One point of tied bodies has, before their impacts are many in a step, the law of {@link TwoBodyImpulse}, with what the ties reply;
+     * false if they hold the point.
+     */
     private boolean rubOne() {
         Impact one = impacts[0];
         int a = place(bodyA[0]);

@@ -51,14 +51,16 @@ final class BodyScale implements Serializable {
 
     /** The largest speed of a body's points, nearly, for a velocity. */
     double speed(int body, double[] v, int at) {
-        double way = Math.max(Math.abs(v[at]), Math.abs(v[at + 1]));
-        return Math.max(way, radius(body) * Math.abs(v[at + 2]));
+        return speed(body, v[at], v[at + 1], v[at + 2]);
     }
 
     /** The largest speed of a body's points, nearly, for the difference of two velocities. */
     double change(int body, double[] v, double[] from, int at) {
-        double way = Math.max(Math.abs(v[at] - from[at]), Math.abs(v[at + 1] - from[at + 1]));
-        return Math.max(way, radius(body) * Math.abs(v[at + 2] - from[at + 2]));
+        return speed(body, v[at] - from[at], v[at + 1] - from[at + 1], v[at + 2] - from[at + 2]);
+    }
+
+    private double speed(int body, double vx, double vy, double omega) {
+        return Math.max(Math.max(Math.abs(vx), Math.abs(vy)), radius(body) * Math.abs(omega));
     }
 
     /**
@@ -95,11 +97,12 @@ final class BodyScale implements Serializable {
      * What turning and sliding may take of a gap beyond what is foreseen where points are followed as their bodies turn: of third order, unless
      * the step is so long that bodies leave their places in it.
      *
+     * @param bend what they may take of it where points are not followed
      * @param roam how far they go in the step
      */
-    double bendOfTurned(Manifold manifold, ContactPoint point, int a, int b, double h, double roam) {
+    double bendOfTurned(ContactPoint point, double bend, double roam) {
         double turn = trajectories.h() * Math.max(Math.abs(point.omegaA), Math.abs(point.omegaB));
-        return Math.min(1, turn + roam) * bend(manifold, point, a, b, h);
+        return Math.min(1, turn + roam) * bend;
     }
 
     /** The bend of a contact that counts at most. */

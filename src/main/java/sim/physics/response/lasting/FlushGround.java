@@ -170,9 +170,7 @@ final class FlushGround implements Serializable {
 
     private void look(int pair, int body, double tau) {
         manifold = manifold == null ? new Manifold() : manifold;
-        int code = detection.pairs().code(pair);
-        detection.narrowPhase().contact(pair, tau, manifold);
-        detection.pairs().setCode(pair, code);
+        LastingPairs.look(detection, pair, tau, manifold);
         double side = detection.pairs().first(pair) == body ? -1 : 1;
         nx = side * manifold.nx;
         ny = side * manifold.ny;

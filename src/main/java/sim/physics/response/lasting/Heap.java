@@ -79,7 +79,6 @@ final class Heap implements Serializable {
 
     /** Until when the velocities are to hold, and whether those before held until now. */
     private double until;
-
     private boolean isFresh;
 
     /** Whether bodies that have got what the forces give them until then are solved for anew, because one has been struck. */
@@ -136,7 +135,7 @@ final class Heap implements Serializable {
         this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
         this.lasting = new LastingPairs(trajectories, detection, scales, ledger);
-        HeapMeeting meeting = new HeapMeeting(state, trajectories, motion, scales, detection, points, by, lasting);
+        HeapMeeting meeting = new HeapMeeting(state, motion, detection, points, by, lasting);
         this.closing = new HeapClosing(trajectories, by, system, courses, scales, meeting);
         this.striking = new HeapStrike(trajectories, system, notes, courses, scales);
         this.members = new HeapMembers(state, trajectories, motion, detection, by, lasting, scales);
@@ -291,6 +290,7 @@ final class Heap implements Serializable {
         }
     }
 
+    /** Takes in the bodies of the heap and their points. */
     private void take(double tau) {
         manifold = manifold == null ? new Manifold() : manifold;
         notes.clear();
@@ -358,8 +358,8 @@ final class Heap implements Serializable {
                 deep.add(p);
             }
             double roam = isDriven ? scales.roam(a, b, scale / left) : 0;
-            double bend = isDriven ? scales.bendOfTurned(manifold, point, a, b, left, roam) + size * regain.sag(sag)
-                    : scales.bend(manifold, point, a, b, left);
+            double full = scales.bend(manifold, point, a, b, left);
+            double bend = isDriven ? scales.bendOfTurned(point, full, roam) + size * regain.sag(sag) : full;
             double least = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, left)
                     : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven(), isTied);
             if (isResumed && least > 0 && !isRough) {
@@ -368,7 +368,7 @@ final class Heap implements Serializable {
                 least = now >= Math.max(0, lift) ? Math.min(least, now) : least; // as it was found; else gaps are noise
             }
             system.bound(p, least);
-            closing.set(p, manifold.gaps[k], scales.bend(manifold, point, a, b, left), size, bounce,
+            closing.set(p, manifold.gaps[k], full, size, bounce,
                     ledger.presses(pair) && manifold.gaps[k] <= manifold.gap + HeapGaps.fairDepth(size));
             if (isDriven) {
                 double kept = roam > HeapTurn.LONG ? bend : size * regain.sag(sag);

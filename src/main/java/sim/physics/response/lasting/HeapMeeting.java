@@ -9,7 +9,6 @@ import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
-import sim.physics.motion.Trajectories;
 
 /**
  * What meets at the instant at which a point of a heap strikes. A box that is made of parts, or falls on tiles, strikes with all corners of
@@ -22,9 +21,7 @@ final class HeapMeeting implements Serializable {
     private static final double NEAR = 4;
 
     private final State state;
-    private final Trajectories trajectories;
     private final Motion motion;
-    private final BodyScale scales;
     private final CollisionDetection detection;
     private final ContactPoints points;
     private final HeapBodies by;
@@ -33,18 +30,9 @@ final class HeapMeeting implements Serializable {
     private transient Manifold manifold;
 
     HeapMeeting(
-            State state,
-            Trajectories trajectories,
-            Motion motion,
-            BodyScale scales,
-            CollisionDetection detection,
-            ContactPoints points,
-            HeapBodies by,
-            LastingPairs lasting) {
+            State state, Motion motion, CollisionDetection detection, ContactPoints points, HeapBodies by, LastingPairs lasting) {
         this.state = state;
-        this.trajectories = trajectories;
         this.motion = motion;
-        this.scales = scales;
         this.detection = detection;
         this.points = points;
         this.by = by;
@@ -101,12 +89,8 @@ final class HeapMeeting implements Serializable {
 
     private boolean meets(int pair, double tau, double time) {
         manifold = manifold == null ? new Manifold() : manifold;
-        int code = detection.pairs().code(pair);
-        detection.narrowPhase().contact(pair, tau, manifold);
-        detection.pairs().setCode(pair, code);
-        int a = detection.pairs().first(pair);
-        int b = detection.pairs().second(pair);
-        double depth = HeapGaps.depth(trajectories.isDriven(a) || trajectories.isDriven(b), scales.size(a, b));
+        LastingPairs.look(detection, pair, tau, manifold);
+        double depth = lasting.depth(pair);
         boolean yes = false;
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);

@@ -52,10 +52,10 @@ final class HeapStrike implements Serializable {
      */
     boolean act(IntList heap, IntList deep, double scale, double[] bounces, double[] rebounds) {
         double speed = scales.fastest(heap, system.v);
-        if (!isDue(system, deep, speed, scale)) {
+        if (!isDue(deep, speed, scale)) {
             return false;
         }
-        strike(system, Math.max(speed, scale), bounces, rebounds);
+        strike(Math.max(speed, scale), bounces, rebounds);
         notes.strike(1);
         for (int k = 0; k < heap.size; k++) {
             int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
@@ -80,15 +80,15 @@ final class HeapStrike implements Serializable {
      * @param speed of the bodies
      * @param scale what forces give them
      */
-    private boolean isDue(HeapSystem s, IntList deep, double speed, double scale) {
+    private boolean isDue(IntList deep, double speed, double scale) {
         isStuck = false;
         for (int k = 0; k < deep.size; k++) {
-            isStuck |= Math.abs(s.normal(deep.values[k])) <= STRUCK * speed;
+            isStuck |= Math.abs(system.normal(deep.values[k])) <= STRUCK * speed;
         }
         boolean isDue = isStuck;
         double none = HARDLY * Math.max(speed, scale);
-        for (int p = 0; p < s.size() && !isDue; p++) {
-            isDue = !s.isMotor(p) && s.normal(p) < Math.min(0, s.bound(p)) - none;
+        for (int p = 0; p < system.size() && !isDue; p++) {
+            isDue = !system.isMotor(p) && system.normal(p) < Math.min(0, system.bound(p)) - none;
         }
         return isDue;
     }
@@ -96,24 +96,25 @@ final class HeapStrike implements Serializable {
     /**
      * Ends the approach of points that close faster than they may.
      *
-     * @param rebounds by points behind the contacts: speeds with which they are to part then
+     * @param bounces by contact: speeds with which points are to part then
+     * @param rebounds by points behind the contacts: the same
      */
-    private void strike(HeapSystem s, double scale, double[] bounces, double[] rebounds) {
+    private void strike(double scale, double[] bounces, double[] rebounds) {
         double lift = isStuck ? LIFT : 0;
-        if (kept.length < s.size()) {
-            kept = new double[2 * s.size()];
+        if (kept.length < system.size()) {
+            kept = new double[2 * system.size()];
         }
-        for (int p = 0; p < s.size(); p++) {
-            kept[p] = s.bound(p);
-            double least = kept[p] > 0 && !s.isMotor(p) ? lift * kept[p] : Math.min(0, kept[p]);
-            s.bound(p, Math.max(least, p < s.contacts() ? bounces[p] : rebounds[p - s.contacts()]));
+        for (int p = 0; p < system.size(); p++) {
+            kept[p] = system.bound(p);
+            double least = kept[p] > 0 && !system.isMotor(p) ? lift * kept[p] : Math.min(0, kept[p]);
+            system.bound(p, Math.max(least, p < system.contacts() ? bounces[p] : rebounds[p - system.contacts()]));
         }
-        boolean right = s.solve(scale, true);
-        if (!right || !(HeapEnergy.gained(s, s.free()) <= GAIN * HeapEnergy.of(s, s.free()))) {
-            s.solveSoftly(scale);
+        boolean right = system.solve(scale, true);
+        if (!right || !(HeapEnergy.gained(system, system.free()) <= GAIN * HeapEnergy.of(system, system.free()))) {
+            system.solveSoftly(scale);
         }
-        for (int p = 0; p < s.size(); p++) {
-            s.bound(p, kept[p]);
+        for (int p = 0; p < system.size(); p++) {
+            system.bound(p, kept[p]);
         }
     }
 }

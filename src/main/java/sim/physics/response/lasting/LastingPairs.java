@@ -4,6 +4,7 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import sim.physics.collision.CollisionDetection;
+import sim.physics.collision.narrow.Manifold;
 import sim.physics.motion.Trajectories;
 
 /** The pairs whose bodies lie on one another. */
@@ -29,13 +30,24 @@ final class LastingPairs implements Serializable {
     /** Lets a pair last. */
     void begin(int pair) {
         if (!has(pair)) {
-            double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
-            boolean driven = trajectories.isDriven(detection.pairs().first(pair))
-                    || trajectories.isDriven(detection.pairs().second(pair));
             detection.marks().setLasting(pair, true);
-            detection.marks().setDepth(pair, HeapGaps.depth(driven, size));
+            detection.marks().setDepth(pair, depth(pair));
             ledger.begin(pair);
         }
+    }
+
+    /** Looks where a pair touches, and keeps the features that were closest when an impact was looked for. */
+    static void look(CollisionDetection detection, int pair, double tau, Manifold manifold) {
+        int code = detection.pairs().code(pair);
+        detection.narrowPhase().contact(pair, tau, manifold);
+        detection.pairs().setCode(pair, code);
+    }
+
+    /** How deep a pair may be when it begins to last. */
+    double depth(int pair) {
+        int a = detection.pairs().first(pair);
+        int b = detection.pairs().second(pair);
+        return HeapGaps.depth(trajectories.isDriven(a) || trajectories.isDriven(b), scales.size(a, b));
     }
 
     void end(int pair) {

@@ -96,9 +96,7 @@ final class Standing implements Serializable {
     /** The greatest speed at which points of a pair approach. */
     private double approach(int pair, int body) {
         manifold = manifold == null ? new Manifold() : manifold;
-        int code = detection.pairs().code(pair);
-        detection.narrowPhase().contact(pair, trajectories.offset(body), manifold);
-        detection.pairs().setCode(pair, code);
+        LastingPairs.look(detection, pair, trajectories.offset(body), manifold);
         double most = 0;
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
