@@ -3,6 +3,7 @@
 package sim.physics.response;
 
 import java.io.Serializable;
+import sim.physics.internal.CoulombImpulse;
 import sim.physics.response.lasting.ContactPoint;
 
 /**
@@ -74,6 +75,9 @@ public final class Impact implements Serializable {
 
     /** Whether it is one of a pair's first impacts in the step. */
     boolean isEarly;
+
+    /** Finds the impulse of a point that rubs. */
+    final CoulombImpulse law = new CoulombImpulse();
 
     /** The impulse on B along the normal and along the tangent n⊥, mass·length/time; R = −(jn n + jt n⊥) acts on A. */
     double jn;

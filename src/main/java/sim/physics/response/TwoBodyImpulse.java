@@ -19,9 +19,6 @@ package sim.physics.response;
 public final class TwoBodyImpulse implements ImpulseSolver {
     private static final long serialVersionUID = 1L;
 
-    /** Share of a point's mobility, and of its velocity, that is none but for rounding. */
-    private static final double ONE_WAY = 1e-12;
-
     /** Creates a solver. */
     public TwoBodyImpulse() {
         // no state
@@ -53,20 +50,9 @@ public final class TwoBodyImpulse implements ImpulseSolver {
      * tangential impulse of the tangential velocity, and each of the other's. Ties may let the point move in one direction only.
      */
     private static void rub(Impact c, double kn, double kt, double knt) {
-        double wanted = -(1 + c.restitution) * c.normalVelocity();
-        double slide = c.tangentVelocity();
-        double det = kn * kt - knt * knt;
-        boolean mayStick = c.sticky || det > ONE_WAY * kn * kt;
-        c.jn = mayStick ? (kt * wanted + knt * slide) / det : 0;
-        c.jt = mayStick ? -(kn * slide + knt * wanted) / det : 0;
-        if (!mayStick || !c.sticky && Math.abs(c.jt) > c.friction * c.jn) {
-            double smooth = slide + knt * wanted / kn; // what slides after an impact without friction
-            boolean slides = Math.abs(smooth) > ONE_WAY * (Math.abs(slide) + Math.abs(smooth - slide));
-            double mu = slides ? -Math.signum(smooth) * c.friction : 0; // against what slides after the impact, not before it
-            double resistance = kn + mu * knt;
-            c.jn = wanted / (resistance > 0 ? resistance : kn);
-            c.jt = resistance > 0 ? mu * c.jn : 0;
-        }
+        c.law.solve(kn, kt, knt, -(1 + c.restitution) * c.normalVelocity(), c.tangentVelocity(), c.sticky ? Double.POSITIVE_INFINITY : c.friction);
+        c.jn = c.law.normal;
+        c.jt = c.law.tangent;
     }
 
     /** The same for bodies that are tied, to whose energy no more is added than allowed. */
@@ -78,17 +64,9 @@ public final class TwoBodyImpulse implements ImpulseSolver {
 
     private static void limit(Impact c, double gain) {
         if (gain > c.allowance) {
-            shorten(c, gain);
+            c.law.shorten(c.jn * c.normalVelocity() + c.jt * c.tangentVelocity(), gain, c.allowance);
+            c.jn = c.law.normal;
+            c.jt = c.law.tangent;
         }
-    }
-
-    /** Shortens an impulse that creates too much energy: gain(s) = s·linear + s²·square is what is allowed. */
-    private static void shorten(Impact c, double gain) {
-        double linear = c.jn * c.normalVelocity() + c.jt * c.tangentVelocity();
-        double square = gain - linear;
-        double root = c.allowance == 0 ? -linear : Math.sqrt(linear * linear + 4 * square * c.allowance);
-        double s = square > 0 ? Math.max(0, Math.min(1, 0.5 * (root - linear) / square)) : 0; // all of it gains where they part already
-        c.jn *= s;
-        c.jt *= s;
     }
 }

@@ -57,21 +57,19 @@ final class ContactRows implements Serializable {
 
     /**
      * Values of a pair: normal, friction, restitution, largest speed at which depth is regained, velocity of surfaces on one another, and
-     * the friction that was asked for.
+     * the friction that was asked for, and by how much forces accelerate the two along the normal.
      */
-    static final int PAIR = 7;
+    static final int PAIR = 8;
 
     static final int FRICTION = 2;
     static final int BOUNCE = 3;
     static final int REGAIN = 4;
     static final int BELT = 5;
     static final int ASKED = 6;
+    static final int LOAD = 7;
 
     /** Way of the ends of arms, relative to them, up to which what they take is as it was. */
     private static final double FAR = 1e-3;
-
-    /** Part of its friction that a pair may lack which has just met. */
-    private static final double RUBBED = 0.1;
 
     private final State state;
 
@@ -82,7 +80,7 @@ final class ContactRows implements Serializable {
     /** Per pair: its number, its bodies, its first point and the one after its last. */
     int[] pairs = {};
 
-    static final int INTS = 8;
+    static final int INTS = 9;
 
     /** Whether the pair has bounced in this step. */
     static final int BOUNCED = 5;
@@ -94,6 +92,9 @@ final class ContactRows implements Serializable {
     static final int DISCS = 7;
 
     static final int BOTH = 3;
+
+    /** Whether the pair strikes: it has just met, or comes nearer faster than forces let it. */
+    static final int STRUCK = 8;
 
     double[] normals = {};
     double[] points = {};
@@ -165,7 +166,7 @@ final class ContactRows implements Serializable {
      */
     void add(
             int pair, int a, int b, Touch touch,
-            double friction, double restitution, double belt, double[] forces, double regain, boolean hasPressed) {
+            double friction, double restitution, double belt, double[] forces, double h, double regain, boolean hasPressed) {
         reserve();
         int o = INTS * count;
         pairs[o] = pair;
@@ -184,12 +185,14 @@ final class ContactRows implements Serializable {
         normals[n + REGAIN] = regain;
         normals[n + BELT] = belt;
         normals[n + ASKED] = friction;
+        normals[n + LOAD] = load(count - 1, forces);
         driven += isDriven(count - 1) ? 1 : 0;
         Arrays.fill(turned, TURNED * (count - 1), TURNED * count, 0);
         for (int k = 0; k < touch.count; k++) {
             load(touch, k, State.BLOCK * a, State.BLOCK * b, forces);
         }
         pairs[o + 4] = used;
+        pairs[o + STRUCK] = strikes(count - 1, h) ? 1 : 0;
     }
 
     /** Makes room for one more. */
@@ -425,14 +428,38 @@ final class ContactRows implements Serializable {
         return dx * ux + dy * uy;
     }
 
-    /** Whether friction of a pair would be another one if it was solved for once more. */
-    boolean isHardlyRubbed(int k, double[] v) {
+    /** Gives the bodies of a point an impulse. */
+    void push(double[] v, double[] w, int a, int b, int p, double jx, double jy) {
+        v[a] -= w[a] * jx;
+        v[a + 1] -= w[a] * jy;
+        v[a + 2] -= w[a + 2] * (points[p + AX] * jy - points[p + AY] * jx);
+        v[b] += w[b] * jx;
+        v[b + 1] += w[b] * jy;
+        v[b + 2] += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx);
+    }
+
+    /** Whether a pair strikes: it has just met, or has a gap yet that it closes faster than forces do. */
+    boolean isStruck(int k) {
+        return pairs[INTS * k + PRESSED] == 0 || pairs[INTS * k + STRUCK] != 0;
+    }
+
+    boolean isFast(int k) {
+        return pairs[INTS * k + STRUCK] != 0;
+    }
+
+    /** The accelerations of both bodies by forces along the normal, whichever way they go. */
+    private double load(int k, double[] forces) {
+        int a = State.BLOCK * first(k);
+        int b = State.BLOCK * second(k);
+        double nx = normalX(k);
+        double ny = normalY(k);
+        return Math.abs(nx * forces[a] + ny * forces[a + 1]) + Math.abs(nx * forces[b] + ny * forces[b + 1]);
+    }
+
+    private boolean strikes(int k, double h) {
         boolean is = false;
-        for (int p = begin(k); p < end(k); p += STRIDE) {
-            double most = normals[PAIR * k + FRICTION] * points[p + NORMAL];
-            double old = points[p + TANGENT];
-            double now = Math.max(-most, Math.min(most, old - points[p + TANGENT_MASS] * slip(k, p, v)));
-            is |= Math.abs(now - old) > RUBBED * Math.max(most, Math.abs(old));
+        for (int p = begin(k); !is && p < end(k); p += STRIDE) {
+            is = points[p + GAP] > 0 && points[p + APPROACH] < -2 * h * normals[PAIR * k + LOAD];
         }
         return is;
     }

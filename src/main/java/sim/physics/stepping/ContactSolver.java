@@ -51,11 +51,12 @@ final class ContactSolver implements Serializable {
     /** When an impulse has settled, relative to itself. */
     private static final double SETTLED = 1e-4;
 
-    /** How often a pair that has just met is solved at most, for its friction. */
-    private static final int STRUCK = 4;
+    private static final int ALL = Integer.getInteger("all", 1);
+    private static final double SUDDEN = Double.parseDouble(System.getProperty("sudden", "4"));
 
     private final State state;
     private final ContactRows rows;
+    private final StruckPoints struck;
 
     /** Those of the rows, which grow when a step begins. */
     private transient int[] pairs;
@@ -66,6 +67,7 @@ final class ContactSolver implements Serializable {
     ContactSolver(State state, ContactRows rows) {
         this.state = state;
         this.rows = rows;
+        struck = new StruckPoints(state, rows);
     }
 
     /** Begins a step: all of its rows are there. */
@@ -85,12 +87,17 @@ final class ContactSolver implements Serializable {
             double nx = normals[PAIR * k];
             double ny = normals[PAIR * k + 1];
             for (int p = STRIDE * pairs[INTS * k + 3]; p < STRIDE * pairs[INTS * k + 4]; p += STRIDE) {
-                double jx = nx * points[p + NORMAL] - ny * points[p + TANGENT];
-                double jy = ny * points[p + NORMAL] + nx * points[p + TANGENT];
-                push(v, w, a, b, p, jx, jy);
                 double now = points[p + NORMAL];
                 double last = points[p + LAST];
                 points[p + LAST] = now;
+                if (SUDDEN * last < now) {
+                    points[p + NORMAL] = last;
+                    points[p + TANGENT] *= last / now;
+                    now = last;
+                }
+                double jx = nx * points[p + NORMAL] - ny * points[p + TANGENT];
+                double jy = ny * points[p + NORMAL] + nx * points[p + TANGENT];
+                rows.push(v, w, a, b, p, jx, jy);
                 points[p + STEADY] = now;
                 points[p + RUBBING] = points[p + TANGENT];
                 if (last < now) {
@@ -104,16 +111,7 @@ final class ContactSolver implements Serializable {
     private void halve(double part, double[] sudden, double[] w, int a, int b, int p, double jx, double jy) {
         points[p + STEADY] *= part;
         points[p + RUBBING] *= part;
-        push(sudden, w, a, b, p, (1 - part) * jx, (1 - part) * jy);
-    }
-
-    private void push(double[] v, double[] w, int a, int b, int p, double jx, double jy) {
-        v[a] -= w[a] * jx;
-        v[a + 1] -= w[a] * jy;
-        v[a + 2] -= w[a + 2] * (points[p + AX] * jy - points[p + AY] * jx);
-        v[b] += w[b] * jx;
-        v[b + 1] += w[b] * jy;
-        v[b + 2] += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx);
+        rows.push(sudden, w, a, b, p, (1 - part) * jx, (1 - part) * jy);
     }
 
     /** Solves all points once: friction, and then what matters more. */
@@ -125,11 +123,12 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    /** Solves the points of a pair: once, but for one that has just met until it is rubbed with about what it bears, as that is gone in the next substep. */
+    /** Solves the points of a pair: once, but those of one that strikes for both impulses at once, as they are gone in the next substep. */
     private void solve(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
-        solveOnce(v, w, k, softness, regains, h);
-        for (int again = 0; !regains && !hasPressed(k) && again < STRUCK && rows.isHardlyRubbed(k, v); again++) {
-            solveOnce(v, w, k, softness, false, h);
+        if (!regains && (rows.isStruck(k) || rows.pointCount(k) <= ALL)) {
+            struck.solve(k, h);
+        } else {
+            solveOnce(v, w, k, softness, regains, h);
         }
     }
 
@@ -224,7 +223,7 @@ final class ContactSolver implements Serializable {
         if (normals[PAIR * k + FRICTION] == 0) {
             pushCentres(a, b, -x, -y);
         } else {
-            push(state.v(), state.w().values(), a, b, p, -x, -y);
+            rows.push(state.v(), state.w().values(), a, b, p, -x, -y);
         }
         forget(k, 1);
     }
@@ -420,50 +419,11 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    /** Compresses what will bounce once more in turn, as its gaps are of no more use; whether something has changed. */
-    boolean compress(double part) {
-        boolean goesOn = false;
-        for (int k = 0; k < rows.count; k++) {
-            for (int m = pairs[INTS * k + 3]; rows.hasBounced(k) && m < pairs[INTS * k + 4]; m++) {
-                goesOn |= points[STRIDE * m + RESTORED] > 0 && compress(k, STRIDE * m, NORMAL_SUM, part);
-            }
-        }
-        return goesOn;
-    }
-
-    /** Gives what compression has taken once more, in part. What forces alone give in the step does not bounce. */
-    void restore(double h) {
-        double[] v = state.v();
-        double[] w = state.w().values();
-        for (int k = 0; k < rows.count; k++) {
-            for (int m = pairs[INTS * k + 3]; rows.hasBounced(k) && m < pairs[INTS * k + 4]; m++) {
-                restore(v, w, k, STRIDE * m, h);
-            }
-        }
-    }
-
-    /** Notes which points have met and will bounce; false if none does. */
-    boolean findImpacts(double h) {
-        boolean any = false;
-        for (int k = 0; k < rows.count; k++) {
-            for (int m = pairs[INTS * k + 3]; normals[PAIR * k + BOUNCE] > 0 && m < pairs[INTS * k + 4]; m++) {
-                int p = STRIDE * m;
-                double pull = h * Math.max(0, -points[p + FORCED]);
-                boolean isImpact = points[p + APPROACH] < -2 * pull || !hasPressed(k) && pull == 0;
-                boolean bounces = isImpact && points[p + NORMAL_SUM] > 0;
-                points[p + RESTORED] = bounces ? normals[PAIR * k + BOUNCE] : 0;
-                pairs[INTS * k + BOUNCED] |= bounces ? 1 : 0;
-                any |= bounces;
-            }
-        }
-        return any;
-    }
-
     /** Gives an impulse along the normal. */
     void give(int k, int p, double by) {
         double jx = normals[PAIR * k] * by;
         double jy = normals[PAIR * k + 1] * by;
-        push(state.v(), state.w().values(), State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), p, jx, jy);
+        rows.push(state.v(), state.w().values(), State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), p, jx, jy);
     }
 
     /** Takes a part of what is left of a point's approach, with an impulse that is kept among its values; whether there was anything. */
@@ -473,25 +433,5 @@ final class ContactSolver implements Serializable {
         points[p + impulse] = now;
         give(k, p, now - old);
         return Math.abs(now - old) > SETTLED * (now + old);
-    }
-
-    private void restore(double[] v, double[] w, int k, int p, double h) {
-        double pull = 0.5 * h * Math.max(0, -points[p + FORCED]) * points[p + NORMAL_MASS];
-        double by = points[p + RESTORED] * Math.max(0, points[p + NORMAL_SUM] - pull);
-        points[p + NORMAL] = 0; // the two part
-        points[p + NORMAL_SUM] += by;
-        int a = State.BLOCK * rows.first(k);
-        int b = State.BLOCK * rows.second(k);
-        double nx = normals[PAIR * k];
-        double ny = normals[PAIR * k + 1];
-        push(v, w, a, b, p, nx * by, ny * by);
-        double most = normals[PAIR * k + FRICTION] * by; // what restitution gives rubs as what compression has taken
-        double along = Math.max(-most, Math.min(most, -points[p + TANGENT_MASS] * rows.slip(k, p, v)));
-        points[p + TANGENT_SUM] += along;
-        push(v, w, a, b, p, -ny * along, nx * along);
-    }
-
-    private boolean hasPressed(int k) {
-        return pairs[INTS * k + PRESSED] != 0;
     }
 }

@@ -35,6 +35,7 @@ final class Retake implements Serializable {
     /** What bodies that bounce may have. */
     private final Balance bounced;
 
+    private final Restitution restitution;
     private final Reflections reflections;
     private final Belts belts;
 
@@ -50,6 +51,7 @@ final class Retake implements Serializable {
         groups = new Groups(state);
         balance = new Balance(state, groups);
         bounced = new Balance(state, groups);
+        restitution = new Restitution(state, rows, groups);
         reflections = new Reflections(state, rows, contacts, groups);
         belts = new Belts(state, poses);
     }
@@ -127,25 +129,26 @@ final class Retake implements Serializable {
      * in the projection v.
      */
     void bounce(boolean isTied, double h) {
-        boolean goesOn = contacts.findImpacts(h);
+        boolean goesOn = restitution.find(h);
         if (!goesOn && !isTied) {
             return;
         }
+        double part = isTied ? Softness.EAGER.mass() : 1;
         ties.keep();
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
             if (isTied) {
                 ties.settle();
             }
-            goesOn = contacts.compress(isTied ? Softness.EAGER.mass() : 1);
+            goesOn = restitution.compress(part);
         }
         bounced.begin(rows);
         contacts.note();
         ties.note();
         reflections.reflect();
-        contacts.restore(h);
-        goesOn = isTied;
+        restitution.restore(h);
+        goesOn = true;
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            goesOn = ties.settle();
+            goesOn = restitution.part(part, h) | (isTied && ties.settle());
         }
         if (isTied) {
             ties.bounce();

@@ -293,7 +293,7 @@ public final class TimeStepping implements Serializable {
         double friction = near.is(pair, NearPairs.STICKY) ? STICKS : laws.friction(first, second);
         double restitution = near.is(pair, NearPairs.STICKY) ? 0 : laws.restitution(first, second);
         double belt = laws.belt(first, second);
-        rows.add(pair, first, second, touch, friction, restitution, belt, a, REGAIN * size / h, near.is(pair, NearPairs.TOUCHED));
+        rows.add(pair, first, second, touch, friction, restitution, belt, a, h, REGAIN * size / h, near.is(pair, NearPairs.TOUCHED));
         if (decisions.isOpen(rows.count - 1)) {
             rows.dropLast();
             return;

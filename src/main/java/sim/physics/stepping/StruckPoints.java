@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import static sim.physics.stepping.ContactRows.AX;
+import static sim.physics.stepping.ContactRows.AY;
+import static sim.physics.stepping.ContactRows.BX;
+import static sim.physics.stepping.ContactRows.BY;
+import static sim.physics.stepping.ContactRows.FRICTION;
+import static sim.physics.stepping.ContactRows.NORMAL;
+import static sim.physics.stepping.ContactRows.NORMAL_MASS;
+import static sim.physics.stepping.ContactRows.NOW;
+import static sim.physics.stepping.ContactRows.PAIR;
+import static sim.physics.stepping.ContactRows.STRIDE;
+import static sim.physics.stepping.ContactRows.TANGENT_MASS;
+
+import java.io.Serializable;
+import sim.physics.internal.CoulombImpulse;
+import sim.physics.motion.State;
+
+/**
+ * Solves points for both of their impulses at once, as they are solved by events. What strikes is over in a substep, and what was given too much or too
+ * little of is not given back in the next one.
+ *
+ * <p>A gap may take two substeps to be used up. The first one then gives a part of what would stop the approach, in the direction of all of it: so what
+ * is left asks for the rest of it, and the sum does not depend on where substeps begin.
+ */
+final class StruckPoints implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** How often the points of a pair are solved in turn at most. */
+    private static final int TURNS = 8;
+
+    /** When an impulse has settled, relative to itself. */
+    private static final double SETTLED = 1e-3;
+
+    private final State state;
+    private final ContactRows rows;
+    private final CoulombImpulse law = new CoulombImpulse();
+
+    StruckPoints(State state, ContactRows rows) {
+        this.state = state;
+        this.rows = rows;
+    }
+
+    /** Solves the points of a pair in turn, each so that it uses up what is left of its gap. */
+    void solve(int k, double h) {
+        boolean goesOn = true;
+        for (int turn = 0; goesOn && turn < TURNS; turn++) {
+            goesOn = false;
+            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+                goesOn |= solve(k, p, NORMAL, Math.max(0, rows.points[p + NOW]) / h, 0, 1, false) > SETTLED;
+            }
+            goesOn &= rows.pointCount(k) > 1;
+        }
+    }
+
+    /**
+     * Solves a point.
+     *
+     * @param kept where its impulses are: along the normal, and after that along the tangent
+     * @param closing the speed at which it may approach
+     * @param opening the speed at which it is to part
+     * @param part of what this asks for that is given
+     * @param isLimited whether it may create no energy
+     * @return by how much its impulses have changed, relative to them
+     */
+    double solve(int k, int p, int kept, double closing, double opening, double part, boolean isLimited) {
+        double[] points = rows.points;
+        double[] v = state.v();
+        double[] w = state.w().values();
+        int a = State.BLOCK * rows.first(k);
+        int b = State.BLOCK * rows.second(k);
+        double nx = rows.normalX(k);
+        double ny = rows.normalY(k);
+        double normal = points[p + kept];
+        double tangent = points[p + kept + 1];
+        double kn = 1 / points[p + NORMAL_MASS];
+        double kt = 1 / points[p + TANGENT_MASS];
+        double knt = w[a + 2] * (points[p + AX] * ny - points[p + AY] * nx) * (points[p + AX] * nx + points[p + AY] * ny)
+                + w[b + 2] * (points[p + BX] * ny - points[p + BY] * nx) * (points[p + BX] * nx + points[p + BY] * ny);
+        double free = rows.opening(k, p, v) - kn * normal - knt * tangent;
+        double byNormal = -part * normal;
+        double byTangent = -part * tangent;
+        if (free + closing < 0) {
+            double slide = rows.slip(k, p, v) - knt * normal - kt * tangent;
+            law.solve(kn, kt, knt, opening - free, slide, rows.normals[PAIR * k + FRICTION]);
+            if (isLimited) {
+                limit(kn, kt, knt, free, slide);
+            }
+            double share = (free + closing) / free;
+            byNormal += part * share * law.normal;
+            byTangent += part * share * law.tangent;
+        }
+        double now = Math.max(0, normal + byNormal);
+        byNormal = now - normal;
+        byTangent = now > 0 ? byTangent : -tangent;
+        points[p + kept] = now;
+        points[p + kept + 1] = tangent + byTangent;
+        rows.push(v, w, a, b, p, nx * byNormal - ny * byTangent, ny * byNormal + nx * byTangent);
+        return (Math.abs(byNormal) + Math.abs(byTangent)) / (now + normal + Double.MIN_NORMAL);
+    }
+
+    private void limit(double kn, double kt, double knt, double free, double slide) {
+        double linear = law.normal * free + law.tangent * slide;
+        double square = 0.5 * (kn * law.normal * law.normal + kt * law.tangent * law.tangent) + knt * law.normal * law.tangent;
+        if (linear + square > 0) {
+            law.shorten(linear, linear + square, 0);
+        }
+    }
+}
