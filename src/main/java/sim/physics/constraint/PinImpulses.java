@@ -149,18 +149,20 @@ final class PinImpulses implements Serializable {
         System.arraycopy(record, 0, data, STRIDE * k + ARM, STRIDE - ARM);
     }
 
-    /** The sum in the step. */
-    double sum(int k, int row) {
-        return data[STRIDE * k + SUM + row];
+    /** What a pin did in a step, in the mean. */
+    Reaction reaction(int k, double time) {
+        int o = STRIDE * k + SUM;
+        return new Reaction(data[o] / time, data[o + 1] / time, data[o + 2] / time);
     }
 
     /** Begins a step, with substeps so many times longer than those of the last one: impulses grow with them. */
     void begin(double growth, double substep) {
         h = substep;
         Arrays.fill(angles, Double.NaN);
-        for (int o = 0; o < STRIDE * awake; o += STRIDE) {
+        for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
             data[o + IMPULSE] *= growth;
             data[o + IMPULSE + 1] *= growth;
+            System.arraycopy(data, o + IMPULSE, kept, 2 * k, 2);
             Arrays.fill(data, o + SUM, o + MOST, 0);
         }
         evaluate(0);
@@ -285,12 +287,11 @@ final class PinImpulses implements Serializable {
         }
     }
 
-    /** Keeps the impulses of now, which are in the sums. */
+    /** Notes the impulses of now, which are in the sums. */
     void keep() {
         for (int k = 0; k < awake; k++) {
-            System.arraycopy(data, STRIDE * k + IMPULSE, kept, 2 * k, 2);
+            System.arraycopy(data, STRIDE * k + IMPULSE, noted, 2 * k, 2);
         }
-        System.arraycopy(kept, 0, noted, 0, 2 * awake);
     }
 
     /** Adds what has been given since to the sums; of that the part that bodies keep, all of it for null. */
@@ -303,10 +304,12 @@ final class PinImpulses implements Serializable {
         }
     }
 
-    /** Puts back the impulses that were kept. */
-    void putBack() {
+    /** Puts the impulses of marked bodies back with which the step began. */
+    void putBack(boolean[] marks) {
         for (int k = 0; k < awake; k++) {
-            System.arraycopy(kept, 2 * k, data, STRIDE * k + IMPULSE, 2);
+            if (TieEquations.isMarked(blocks, k, marks)) {
+                System.arraycopy(kept, 2 * k, data, STRIDE * k + IMPULSE, 2);
+            }
         }
     }
 
@@ -344,19 +347,24 @@ final class PinImpulses implements Serializable {
         }
     }
 
-    /** Solves velocities once more; whether some were off that count for something, compared with those of the bodies. */
-    boolean settle() {
-        double[] v = state.v();
-        double[] w = state.w().values();
+    /** Solves velocities of marked bodies once more; whether some were off that count for something, compared with those of the bodies. */
+    boolean settle(boolean[] marks) {
         boolean goesOn = false;
-        for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
-            double off = part(v, blocks[2 * k], o + ARM, 0) - part(v, blocks[2 * k + 1], o + ARM + 2, 0);
-            double offY = part(v, blocks[2 * k], o + ARM, 1) - part(v, blocks[2 * k + 1], o + ARM + 2, 1);
-            double all = square(v, blocks[2 * k], o + ARM) + square(v, blocks[2 * k + 1], o + ARM + 2);
-            goesOn |= off * off + offY * offY > TieEquations.SETTLED * TieEquations.SETTLED * all;
-            solve(v, w, k, o, 0, Softness.EAGER.mass(), 0);
+        for (int k = 0; k < awake; k++) {
+            if (TieEquations.isMarked(blocks, k, marks)) {
+                goesOn |= settle(k, STRIDE * k);
+            }
         }
         return goesOn;
+    }
+
+    private boolean settle(int k, int o) {
+        double[] v = state.v();
+        double off = part(v, blocks[2 * k], o + ARM, 0) - part(v, blocks[2 * k + 1], o + ARM + 2, 0);
+        double offY = part(v, blocks[2 * k], o + ARM, 1) - part(v, blocks[2 * k + 1], o + ARM + 2, 1);
+        double all = square(v, blocks[2 * k], o + ARM) + square(v, blocks[2 * k + 1], o + ARM + 2);
+        solve(v, state.w().values(), k, o, 0, Softness.EAGER.mass(), 0);
+        return off * off + offY * offY > TieEquations.SETTLED * TieEquations.SETTLED * all;
     }
 
     /** A component of the velocity of the end of an arm. */

@@ -283,6 +283,18 @@ final class TieEquations implements Serializable {
         return off > SETTLED * SETTLED * all;
     }
 
+    /** Lets a coordinate bounce off a stop whose lower or upper bound it has hit. */
+    void bounce(int k, double approach, boolean hasHitLower, boolean hasHitUpper) {
+        double restitution = ((Limit) ties[k]).getRestitution();
+        double aim = -restitution * approach;
+        double speed = speed(k, 0, state.v());
+        boolean isLower = hasHitLower && aim > speed && approach < 0;
+        boolean isUpper = hasHitUpper && aim < speed && approach > 0;
+        if (restitution > 0 && (isLower || isUpper)) {
+            push(k, 0, inverse[ROWS * ROWS * k] * (aim - speed));
+        }
+    }
+
     /** Gives the bodies an impulse along a row. */
     void push(int k, int row, double by) {
         int o = J * k + BLOCK * row;

@@ -181,6 +181,7 @@ public final class TieRows implements Serializable {
         for (int k = 0; growth != 1 && k < ROWS * equations.count(); k++) {
             impulse[k] *= growth;
         }
+        System.arraycopy(impulse, 0, kept, 0, ROWS * equations.count());
         equations.evaluate(true, h);
         Arrays.fill(sum, 0, BLOCK * equations.count(), 0);
         Arrays.fill(hit, false);
@@ -393,22 +394,14 @@ public final class TieRows implements Serializable {
     /** Lets coordinates bounce off stops that they have hit. */
     public void bounce() {
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k] != TieEquations.Kind.STOP || ((Limit) equations.ties[k]).getRestitution() == 0) {
-                continue;
-            }
-            double aim = -((Limit) equations.ties[k]).getRestitution() * approach[k];
-            double speed = equations.speed(k, 0, state.v());
-            boolean isLower = hit[2 * k] && aim > speed && approach[k] < 0;
-            boolean isUpper = hit[2 * k + 1] && aim < speed && approach[k] > 0;
-            if (isLower || isUpper) {
-                equations.push(k, 0, equations.inverse[ROWS * ROWS * k] * (aim - speed));
+            if (equations.kinds[k] == TieEquations.Kind.STOP) {
+                equations.bounce(k, approach[k], hit[2 * k], hit[2 * k + 1]);
             }
         }
     }
 
-    /** Keeps the impulses of now, since what bounces take is no guess for the step to come. */
+    /** Begins to add up what bounces give. */
     public void keep() {
-        System.arraycopy(impulse, 0, kept, 0, impulse.length);
         Arrays.fill(equations.given, 0);
         pinImpulses.keep();
     }
@@ -420,15 +413,20 @@ public final class TieRows implements Serializable {
     }
 
     /**
-     * Adds what was given since then, and puts back the impulses that were kept.
+     * Adds what was given since then, and puts back the impulses with which the step began: what impacts take is no guess for the step to come.
      *
+     * @param marks bodies that something has struck
      * @param shares what each body keeps of what it was given
      */
-    public void putBack(double[] shares) {
+    public void putBack(boolean[] marks, double[] shares) {
         add(shares);
-        System.arraycopy(kept, 0, impulse, 0, impulse.length);
         pinImpulses.note(shares);
-        pinImpulses.putBack();
+        for (int k = 0; k < equations.count(); k++) {
+            if (equations.isMarked(k, marks)) {
+                System.arraycopy(kept, ROWS * k, impulse, ROWS * k, ROWS);
+            }
+        }
+        pinImpulses.putBack(marks);
     }
 
     private void add(double[] shares) {
@@ -441,16 +439,21 @@ public final class TieRows implements Serializable {
         Arrays.fill(equations.given, 0);
     }
 
-    /** {@return whether joints were off when they were solved for velocities once more} */
-    public boolean settle() {
+    /**
+     * Solves joints of some bodies for velocities once more.
+     *
+     * @param marks by body
+     * @return whether they were off
+     */
+    public boolean settle(boolean[] marks) {
         boolean goesOn = false;
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k] == TieEquations.Kind.JOINT) {
+            if (equations.kinds[k] == TieEquations.Kind.JOINT && equations.isMarked(k, marks)) {
                 goesOn |= equations.areOff(k);
                 join(k, Softness.EAGER);
             }
         }
-        return goesOn | pinImpulses.settle();
+        return goesOn | pinImpulses.settle(marks);
     }
 
     /**
@@ -462,11 +465,7 @@ public final class TieRows implements Serializable {
      */
     public Reaction reaction(Constraint constraint, double time) {
         int k = order.place(constraint);
-        return k == TieOrder.NONE ? null : k >= 0 ? pinReaction(k, time) : reaction(~k, time);
-    }
-
-    private Reaction pinReaction(int k, double time) {
-        return new Reaction(pinImpulses.sum(k, 0) / time, pinImpulses.sum(k, 1) / time, pinImpulses.sum(k, 2) / time);
+        return k == TieOrder.NONE ? null : k >= 0 ? pinImpulses.reaction(k, time) : reaction(~k, time);
     }
 
     private Reaction reaction(int k, double time) {
@@ -483,7 +482,7 @@ public final class TieRows implements Serializable {
         List<Constraint> those = List.of();
         boolean areAll = state.touchedCount() > 0; // else sleepers bear what they bore when they were judged
         for (int k = 0; k < (areAll ? order.pins.size() : order.awakePins); k++) {
-            if (order.pins.get(k).isBreakable() && order.pins.get(k).breaksUnder(pinReaction(k, time))) {
+            if (order.pins.get(k).isBreakable() && order.pins.get(k).breaksUnder(pinImpulses.reaction(k, time))) {
                 those = those.isEmpty() ? new ArrayList<>() : those;
                 those.add(order.pins.get(k));
             }

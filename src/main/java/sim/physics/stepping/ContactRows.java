@@ -43,8 +43,8 @@ final class ContactRows implements Serializable {
     static final int ARM_A = 17;
     static final int ARM_B = 18;
 
-    /** The impulse along the normal that will not be taken back. */
-    static final int NOTED = 19;
+    /** What an impulse along the normal changes of the speed along the tangent, and one along the tangent of that along the normal. */
+    static final int COUPLING = 19;
 
     /** The impulse along the normal with which the last substep began, and what of those of this one is steady. */
     static final int LAST = 20;
@@ -57,9 +57,9 @@ final class ContactRows implements Serializable {
 
     /**
      * Values of a pair: normal, friction, restitution, largest speed at which depth is regained, velocity of surfaces on one another, and
-     * the friction that was asked for, and by how much forces accelerate the two along the normal.
+     * the friction that was asked for, and by how much forces accelerate the two along the normal, and at all.
      */
-    static final int PAIR = 8;
+    static final int PAIR = 9;
 
     static final int FRICTION = 2;
     static final int BOUNCE = 3;
@@ -67,9 +67,7 @@ final class ContactRows implements Serializable {
     static final int BELT = 5;
     static final int ASKED = 6;
     static final int LOAD = 7;
-
-    /** Way of the ends of arms, relative to them, up to which what they take is as it was. */
-    private static final double FAR = 1e-3;
+    static final int WEIGHT = 8;
 
     private final State state;
 
@@ -93,8 +91,8 @@ final class ContactRows implements Serializable {
 
     static final int BOTH = 3;
 
-    /** Whether the pair strikes: it has just met, or comes nearer faster than forces let it. */
-    static final int STRUCK = 8;
+    /** Whether the pair closes a gap faster than forces do. */
+    static final int FAST = 8;
 
     double[] normals = {};
     double[] points = {};
@@ -110,6 +108,9 @@ final class ContactRows implements Serializable {
 
     /** Number of pairs that may bounce. */
     int bounces;
+
+    /** Number of pairs that close a gap faster than forces do. */
+    int fast;
 
     /** Number of pairs that moving surfaces drive. */
     int driven;
@@ -128,6 +129,7 @@ final class ContactRows implements Serializable {
         used = 0;
         bounces = 0;
         driven = 0;
+        fast = 0;
         double[] x = state.x();
         if (from.length < x.length) {
             from = new double[x.length];
@@ -185,14 +187,15 @@ final class ContactRows implements Serializable {
         normals[n + REGAIN] = regain;
         normals[n + BELT] = belt;
         normals[n + ASKED] = friction;
-        normals[n + LOAD] = load(count - 1, forces);
+        load(count - 1, forces);
         driven += isDriven(count - 1) ? 1 : 0;
         Arrays.fill(turned, TURNED * (count - 1), TURNED * count, 0);
         for (int k = 0; k < touch.count; k++) {
             load(touch, k, State.BLOCK * a, State.BLOCK * b, forces);
         }
         pairs[o + 4] = used;
-        pairs[o + STRUCK] = strikes(count - 1, h) ? 1 : 0;
+        pairs[o + FAST] = closes(count - 1, h) ? 1 : 0;
+        fast += pairs[o + FAST];
     }
 
     /** Makes room for one more. */
@@ -242,6 +245,7 @@ final class ContactRows implements Serializable {
         points[p + NORMAL_SUM] = 0;
         points[p + TANGENT_SUM] = 0;
         points[p + LAST] = 0;
+        points[p + RESTORED] = 0;
     }
 
     /**
@@ -256,6 +260,7 @@ final class ContactRows implements Serializable {
         double masses = w[a] + w[b];
         points[p + NORMAL_MASS] = 1 / (masses + w[a + 2] * leverA * leverA + w[b + 2] * leverB * leverB);
         points[p + TANGENT_MASS] = 1 / (masses + w[a + 2] * slipA * slipA + w[b + 2] * slipB * slipB);
+        points[p + COUPLING] = w[a + 2] * leverA * slipA + w[b + 2] * leverB * slipB;
     }
 
     /** Adds a pair of other rows as it is there. */
@@ -292,6 +297,7 @@ final class ContactRows implements Serializable {
         used = pairs[INTS * count + 3];
         bounces -= normals[PAIR * count + BOUNCE] > 0 ? 1 : 0;
         driven -= isDriven(count) ? 1 : 0;
+        fast -= pairs[INTS * count + FAST];
     }
 
     /** Whether a pair will touch within a step if nothing else happens. */
@@ -367,48 +373,6 @@ final class ContactRows implements Serializable {
         return sum;
     }
 
-    /**
-     * What a pair did in the step, in the mean: a normal and the impulses along it and along its tangent, which together are all that the
-     * second body got, and are to one another as the sums.
-     *
-     * @param mean takes [nx, ny, normal impulse, tangential impulse]
-     */
-    void mean(int k, double[] mean) {
-        double nx = normalX(k);
-        double ny = normalY(k);
-        double normal = impulse(k);
-        double tangent = rubbed(k);
-        double moreX = turned[TURNED * k];
-        double moreY = turned[TURNED * k + 1];
-        double part = 1;
-        if ((moreX != 0 || moreY != 0) && normal > 0) {
-            double x = normal * nx - tangent * ny + moreX;
-            double y = normal * ny + tangent * nx + moreY;
-            double all = Math.sqrt(x * x + y * y);
-            double sum = Math.sqrt(normal * normal + tangent * tangent);
-            nx = (x * normal + y * tangent) / (all * sum);
-            ny = (y * normal - x * tangent) / (all * sum);
-            part = all / sum;
-        }
-        mean[0] = nx;
-        mean[1] = ny;
-        mean[2] = part * normal;
-        mean[3] = part * tangent;
-    }
-
-    /** Moves the ends of both arms to one point: by a part of the way between them that of the first body, by the rest that of the other; whether that is far. */
-    boolean follow(int p, double part, double dx, double dy) {
-        double wayX = dx - (points[p + AX] - points[p + BX]);
-        double wayY = dy - (points[p + AY] - points[p + BY]);
-        points[p + AX] += part * wayX;
-        points[p + AY] += part * wayY;
-        points[p + BX] -= (1 - part) * wayX;
-        points[p + BY] -= (1 - part) * wayY;
-        double arms = points[p + AX] * points[p + AX] + points[p + AY] * points[p + AY]
-                + points[p + BX] * points[p + BX] + points[p + BY] * points[p + BY];
-        return wayX * wayX + wayY * wayY > FAR * FAR * arms;
-    }
-
     /** The speed of a point's surfaces on one another. */
     double slip(int k, int p, double[] v) {
         return speed(k, p, v, -normals[PAIR * k + 1], normals[PAIR * k]) + normals[PAIR * k + BELT];
@@ -428,6 +392,13 @@ final class ContactRows implements Serializable {
         return dx * ux + dy * uy;
     }
 
+    /** Gives the bodies of a point impulses along the normal and the tangent. */
+    void give(int k, int p, double[] v, double normal, double tangent) {
+        double nx = normals[PAIR * k];
+        double ny = normals[PAIR * k + 1];
+        push(v, state.w().values(), State.BLOCK * first(k), State.BLOCK * second(k), p, nx * normal - ny * tangent, ny * normal + nx * tangent);
+    }
+
     /** Gives the bodies of a point an impulse. */
     void push(double[] v, double[] w, int a, int b, int p, double jx, double jy) {
         v[a] -= w[a] * jx;
@@ -438,25 +409,31 @@ final class ContactRows implements Serializable {
         v[b + 2] += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx);
     }
 
-    /** Whether a pair strikes: it has just met, or has a gap yet that it closes faster than forces do. */
+    /** Whether a pair has just met, or is fast. */
     boolean isStruck(int k) {
-        return pairs[INTS * k + PRESSED] == 0 || pairs[INTS * k + STRUCK] != 0;
+        return pairs[INTS * k + PRESSED] == 0 || isFast(k);
     }
 
+    /** Whether a pair closes a gap faster than forces do. */
     boolean isFast(int k) {
-        return pairs[INTS * k + STRUCK] != 0;
+        return pairs[INTS * k + FAST] != 0;
     }
 
-    /** The accelerations of both bodies by forces along the normal, whichever way they go. */
-    private double load(int k, double[] forces) {
+    /** Finds by how much forces accelerate the two bodies, whichever way they go. */
+    private void load(int k, double[] forces) {
         int a = State.BLOCK * first(k);
         int b = State.BLOCK * second(k);
         double nx = normalX(k);
         double ny = normalY(k);
-        return Math.abs(nx * forces[a] + ny * forces[a + 1]) + Math.abs(nx * forces[b] + ny * forces[b + 1]);
+        normals[PAIR * k + LOAD] = Math.abs(nx * forces[a] + ny * forces[a + 1]) + Math.abs(nx * forces[b] + ny * forces[b + 1]);
+        normals[PAIR * k + WEIGHT] = size(forces, a) + size(forces, b);
     }
 
-    private boolean strikes(int k, double h) {
+    private static double size(double[] forces, int o) {
+        return Math.sqrt(forces[o] * forces[o] + forces[o + 1] * forces[o + 1]);
+    }
+
+    private boolean closes(int k, double h) {
         boolean is = false;
         for (int p = begin(k); !is && p < end(k); p += STRIDE) {
             is = points[p + GAP] > 0 && points[p + APPROACH] < -2 * h * normals[PAIR * k + LOAD];

@@ -24,7 +24,6 @@ import static sim.physics.stepping.ContactRows.LEVER_B;
 import static sim.physics.stepping.ContactRows.NORMAL;
 import static sim.physics.stepping.ContactRows.NORMAL_MASS;
 import static sim.physics.stepping.ContactRows.NORMAL_SUM;
-import static sim.physics.stepping.ContactRows.NOTED;
 import static sim.physics.stepping.ContactRows.NOW;
 import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.PRESSED;
@@ -38,6 +37,7 @@ import static sim.physics.stepping.ContactRows.TANGENT_MASS;
 import static sim.physics.stepping.ContactRows.TANGENT_SUM;
 
 import java.io.Serializable;
+import sim.physics.internal.Growth;
 import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 
@@ -51,8 +51,11 @@ final class ContactSolver implements Serializable {
     /** When an impulse has settled, relative to itself. */
     private static final double SETTLED = 1e-4;
 
-    private static final int ALL = Integer.getInteger("all", 1);
-    private static final double SUDDEN = Double.parseDouble(System.getProperty("sudden", "4"));
+    /** How many times larger an impulse is than the one of the substep before, if it is that of an impact, and none to begin the next substep with. */
+    private static final double SUDDEN = 4;
+
+    /** Way of the ends of arms, relative to them, up to which what they take is as it was. */
+    private static final double FAR = 1e-3;
 
     private final State state;
     private final ContactRows rows;
@@ -63,6 +66,9 @@ final class ContactSolver implements Serializable {
 
     private transient double[] normals;
     private transient double[] points;
+
+    /** By point: the impulses along the normal and the tangent that will not be taken back. */
+    private transient double[] noted;
 
     ContactSolver(State state, ContactRows rows) {
         this.state = state;
@@ -114,7 +120,7 @@ final class ContactSolver implements Serializable {
         rows.push(sudden, w, a, b, p, (1 - part) * jx, (1 - part) * jy);
     }
 
-    /** Solves all points once: friction, and then what matters more. */
+    /** Solves all points once. */
     void solve(Softness softness, boolean regains, double h) {
         double[] v = state.v();
         double[] w = state.w().values();
@@ -123,9 +129,9 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    /** Solves the points of a pair: once, but those of one that strikes for both impulses at once, as they are gone in the next substep. */
+    /** Solves the points of a pair: friction, and then what matters more, but what strikes or has one point only for both at once. */
     private void solve(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
-        if (!regains && (rows.isStruck(k) || rows.pointCount(k) <= ALL)) {
+        if (!regains && (rows.isStruck(k) || rows.pointCount(k) == 1)) {
             struck.solve(k, h);
         } else {
             solveOnce(v, w, k, softness, regains, h);
@@ -264,8 +270,12 @@ final class ContactSolver implements Serializable {
 
     /** Notes what will not be taken back of the impulses of the step. */
     void note() {
-        for (int p = 0; p < STRIDE * rows.used; p += STRIDE) {
-            points[p + NOTED] = points[p + NORMAL_SUM];
+        if (noted == null || noted.length < 2 * rows.used) {
+            noted = new double[2 * Growth.length(noted == null ? 0 : noted.length / 2, rows.used)];
+        }
+        for (int m = 0; m < rows.used; m++) {
+            noted[2 * m] = points[STRIDE * m + NORMAL_SUM];
+            noted[2 * m + 1] = points[STRIDE * m + TANGENT_SUM];
         }
     }
 
@@ -274,10 +284,14 @@ final class ContactSolver implements Serializable {
         for (int k = 0; k < rows.count; k++) {
             double share = share(k, shares);
             for (int m = pairs[INTS * k + 3]; share < 1 && m < pairs[INTS * k + 4]; m++) {
-                double noted = points[STRIDE * m + NOTED];
-                points[STRIDE * m + NORMAL_SUM] = noted + share * (points[STRIDE * m + NORMAL_SUM] - noted);
+                limit(STRIDE * m + NORMAL_SUM, noted[2 * m], share);
+                limit(STRIDE * m + TANGENT_SUM, noted[2 * m + 1], share);
             }
         }
+    }
+
+    private void limit(int sum, double before, double share) {
+        points[sum] = before + share * (points[sum] - before);
     }
 
     /** Solves the points of marked bodies once. */
@@ -347,7 +361,7 @@ final class ContactSolver implements Serializable {
                     slide(k, p, a, b, dx, dy);
                     continue;
                 }
-                boolean isFar = discs == BOTH ? turn(k, p, 0, dx, dy) : rows.follow(p, discs == 0 ? 0.5 : discs - 1, dx, dy);
+                boolean isFar = discs == BOTH ? turn(k, p, 0, dx, dy) : move(p, discs == 0 ? 0.5 : discs - 1, dx, dy);
                 v[a + 2] -= w[a + 2] * (points[p + AX] * jy - points[p + AY] * jx - byA);
                 v[b + 2] += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx - byB);
                 if (isFar) {
@@ -355,6 +369,19 @@ final class ContactSolver implements Serializable {
                 }
             }
         }
+    }
+
+    /** Moves the ends of both arms to one point: by a part of the way between them that of the first body, by the rest that of the other; whether that is far. */
+    private boolean move(int p, double part, double dx, double dy) {
+        double wayX = dx - (points[p + AX] - points[p + BX]);
+        double wayY = dy - (points[p + AY] - points[p + BY]);
+        points[p + AX] += part * wayX;
+        points[p + AY] += part * wayY;
+        points[p + BX] -= (1 - part) * wayX;
+        points[p + BY] -= (1 - part) * wayY;
+        double arms = points[p + AX] * points[p + AX] + points[p + AY] * points[p + AY]
+                + points[p + BX] * points[p + BX] + points[p + BY] * points[p + BY];
+        return wayX * wayX + wayY * wayY > FAR * FAR * arms;
     }
 
     /**
@@ -419,19 +446,12 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    /** Gives an impulse along the normal. */
-    void give(int k, int p, double by) {
-        double jx = normals[PAIR * k] * by;
-        double jy = normals[PAIR * k + 1] * by;
-        rows.push(state.v(), state.w().values(), State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), p, jx, jy);
-    }
-
     /** Takes a part of what is left of a point's approach, with an impulse that is kept among its values; whether there was anything. */
     boolean compress(int k, int p, int impulse, double part) {
         double old = points[p + impulse];
         double now = Math.max(0, old - part * points[p + NORMAL_MASS] * rows.opening(k, p, state.v()));
         points[p + impulse] = now;
-        give(k, p, now - old);
+        rows.give(k, p, state.v(), now - old, 0);
         return Math.abs(now - old) > SETTLED * (now + old);
     }
 }

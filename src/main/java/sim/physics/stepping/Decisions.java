@@ -85,7 +85,7 @@ public final class Decisions implements Serializable {
             x = 0.5 * (x + rows.armX(row, 1));
             y = 0.5 * (y + rows.armY(row, 1));
         }
-        rows.mean(row, mean);
+        findMean(rows, row);
         return new Contact(
                 state.body(rows.first(row)), state.body(rows.second(row)), time,
                 state.x()[b] + x, state.x()[b + 1] + y, mean[0], mean[1], Math.max(0, approach), mean[2]);
@@ -214,7 +214,7 @@ public final class Decisions implements Serializable {
             x += one * rows.armX(row, k);
             y += one * rows.armY(row, k);
         }
-        rows.mean(row, mean);
+        findMean(rows, row);
         return new LastingContact(
                 a, b, b.getX() + x / normal, b.getY() + y / normal, mean[0], mean[1], mean[2] / h, mean[3] / h);
     }
@@ -222,5 +222,32 @@ public final class Decisions implements Serializable {
     /** {@return number of pairs that have begun to press on one another} */
     public long impacts() {
         return impacts;
+    }
+
+    /**
+     * What a pair did in the step, in the mean: a normal and the impulses along it and along its tangent, which together are all that the
+     * second body got, and are to one another as the sums.
+     */
+    private void findMean(ContactRows rows, int k) {
+        double nx = rows.normalX(k);
+        double ny = rows.normalY(k);
+        double normal = rows.impulse(k);
+        double tangent = rows.rubbed(k);
+        double moreX = rows.turned[ContactRows.TURNED * k];
+        double moreY = rows.turned[ContactRows.TURNED * k + 1];
+        double part = 1;
+        if ((moreX != 0 || moreY != 0) && normal > 0) {
+            double x = normal * nx - tangent * ny + moreX;
+            double y = normal * ny + tangent * nx + moreY;
+            double all = Math.sqrt(x * x + y * y);
+            double sum = Math.sqrt(normal * normal + tangent * tangent);
+            nx = (x * normal + y * tangent) / (all * sum);
+            ny = (y * normal - x * tangent) / (all * sum);
+            part = all / sum;
+        }
+        mean[0] = nx;
+        mean[1] = ny;
+        mean[2] = part * normal;
+        mean[3] = part * tangent;
     }
 }

@@ -90,7 +90,7 @@ final class Reflections implements Serializable {
         fastest = 0;
         for (int row = 0; row < rows.count; row++) {
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                contacts.give(row, p, -rows.points[p + NORMAL_SUM]);
+                rows.give(row, p, state.v(), -rows.points[p + NORMAL_SUM], 0);
                 rows.points[p + NORMAL_SUM] = 0;
                 fastest = Math.max(fastest, -rows.points[p + APPROACH]);
             }
@@ -125,7 +125,7 @@ final class Reflections implements Serializable {
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
                 double taken = Math.max(0, rows.points[p + NORMAL]);
                 double given = rows.points[p + RESTORED] * taken;
-                contacts.give(row, p, given);
+                rows.give(row, p, state.v(), given, 0);
                 rows.points[p + NORMAL_SUM] += taken + given;
                 rows.points[p + NORMAL] = -1;
             }

@@ -22,7 +22,7 @@ final class Retake implements Serializable {
     private static final int TURNS = 4;
 
     /** How often what bounces is solved in turn at most. */
-    private static final int BOUNCES = 32;
+    private static final int BOUNCES = 128;
 
     private final ContactRows rows;
     private final SurfaceRows surface;
@@ -35,7 +35,7 @@ final class Retake implements Serializable {
     /** What bodies that bounce may have. */
     private final Balance bounced;
 
-    private final Restitution restitution;
+    private final Impacts impacts;
     private final Reflections reflections;
     private final Belts belts;
 
@@ -51,7 +51,7 @@ final class Retake implements Serializable {
         groups = new Groups(state);
         balance = new Balance(state, groups);
         bounced = new Balance(state, groups);
-        restitution = new Restitution(state, rows, groups);
+        impacts = new Impacts(state, rows, groups);
         reflections = new Reflections(state, rows, contacts, groups);
         belts = new Belts(state, poses);
     }
@@ -124,31 +124,29 @@ final class Retake implements Serializable {
     }
 
     /**
-     * Lets bodies that have met bounce, by Poisson's hypothesis: what compression has taken, restitution gives once more, in part. Of what
-     * meets at the same time, joints included, that keeps the energy of elastic bodies, as v⁺ = 2 v − v⁻ is the mirror image of v⁻
-     * in the projection v.
+     * Lets bodies that have met bounce. What compression has taken, restitution gives once more, in part: of what meets at the same time, joints
+     * included, that keeps the energy of elastic bodies, as v⁺ = 2 v − v⁻ is the mirror image of v⁻ in the projection v.
      */
     void bounce(boolean isTied, double h) {
-        boolean goesOn = restitution.find(h);
+        boolean goesOn = impacts.find(h);
         if (!goesOn && !isTied) {
             return;
         }
+        boolean[] marks = balance.marks();
         double part = isTied ? Softness.EAGER.mass() : 1;
+        impacts.mark(marks, true);
         ties.keep();
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            if (isTied) {
-                ties.settle();
-            }
-            goesOn = restitution.compress(part);
+            goesOn = ties.settle(marks) | impacts.compress(part);
         }
         bounced.begin(rows);
         contacts.note();
         ties.note();
         reflections.reflect();
-        restitution.restore(h);
+        impacts.restore(h);
         goesOn = true;
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            goesOn = restitution.part(part, h) | (isTied && ties.settle());
+            goesOn = impacts.part(part, h) | ties.settle(marks);
         }
         if (isTied) {
             ties.bounce();
@@ -156,8 +154,9 @@ final class Retake implements Serializable {
         if (bounced.limit()) {
             contacts.limitSums(bounced.shares());
         }
-        ties.putBack(bounced.shares());
+        ties.putBack(marks, bounced.shares());
         bounced.forget();
+        impacts.mark(marks, false);
     }
 
     private void regain(boolean[] marks, Softness contact, Softness joint, double h) {

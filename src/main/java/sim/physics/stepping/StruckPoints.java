@@ -2,10 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.stepping;
 
-import static sim.physics.stepping.ContactRows.AX;
-import static sim.physics.stepping.ContactRows.AY;
-import static sim.physics.stepping.ContactRows.BX;
-import static sim.physics.stepping.ContactRows.BY;
+import static sim.physics.stepping.ContactRows.COUPLING;
 import static sim.physics.stepping.ContactRows.FRICTION;
 import static sim.physics.stepping.ContactRows.NORMAL;
 import static sim.physics.stepping.ContactRows.NORMAL_MASS;
@@ -68,18 +65,16 @@ final class StruckPoints implements Serializable {
     double solve(int k, int p, int kept, double closing, double opening, double part, boolean isLimited) {
         double[] points = rows.points;
         double[] v = state.v();
-        double[] w = state.w().values();
-        int a = State.BLOCK * rows.first(k);
-        int b = State.BLOCK * rows.second(k);
-        double nx = rows.normalX(k);
-        double ny = rows.normalY(k);
         double normal = points[p + kept];
         double tangent = points[p + kept + 1];
+        double speed = rows.opening(k, p, v);
+        if (normal == 0 && tangent == 0 && speed + closing >= 0) {
+            return 0; // it is open, and stays so
+        }
         double kn = 1 / points[p + NORMAL_MASS];
         double kt = 1 / points[p + TANGENT_MASS];
-        double knt = w[a + 2] * (points[p + AX] * ny - points[p + AY] * nx) * (points[p + AX] * nx + points[p + AY] * ny)
-                + w[b + 2] * (points[p + BX] * ny - points[p + BY] * nx) * (points[p + BX] * nx + points[p + BY] * ny);
-        double free = rows.opening(k, p, v) - kn * normal - knt * tangent;
+        double knt = points[p + COUPLING];
+        double free = speed - kn * normal - knt * tangent;
         double byNormal = -part * normal;
         double byTangent = -part * tangent;
         if (free + closing < 0) {
@@ -97,7 +92,7 @@ final class StruckPoints implements Serializable {
         byTangent = now > 0 ? byTangent : -tangent;
         points[p + kept] = now;
         points[p + kept + 1] = tangent + byTangent;
-        rows.push(v, w, a, b, p, nx * byNormal - ny * byTangent, ny * byNormal + nx * byTangent);
+        rows.give(k, p, v, byNormal, byTangent);
         return (Math.abs(byNormal) + Math.abs(byTangent)) / (now + normal + Double.MIN_NORMAL);
     }
 

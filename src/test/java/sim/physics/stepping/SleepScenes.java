@@ -104,7 +104,7 @@ final class SleepScenes {
 
     /** Steps until all bodies sleep; false if that takes more than a minute. */
     static boolean fallAsleep(PhysicsEngine engine) {
-        for (int k = 0; k < 60 / engine.getTimeStep() && !allSleep(engine); k++) {
+        for (int k = 0; k < 120 / engine.getTimeStep() && !allSleep(engine); k++) {
             engine.step();
         }
         return allSleep(engine);
