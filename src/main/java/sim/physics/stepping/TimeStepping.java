@@ -279,7 +279,7 @@ public final class TimeStepping implements Serializable {
         double size = Math.min(poses.hull(first).bounding, poses.hull(second).bounding);
         looks++;
         Pairs pairs = near.pairs();
-        touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + h * speed(State.BLOCK * first, State.BLOCK * second, first, second));
+        touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + h * speed(State.BLOCK * first, State.BLOCK * second, first, second), h);
         if (touch.count == 0) {
             near.flags[pair] = 0;
             if (sleep.isIdle(first, second)) {

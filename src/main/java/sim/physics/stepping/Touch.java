@@ -18,6 +18,7 @@ final class Touch implements Serializable {
 
     private final Poses poses;
     private final State state;
+    private final Graze graze;
 
     int count;
     double nx;
@@ -48,10 +49,11 @@ final class Touch implements Serializable {
     Touch(State state, Poses poses) {
         this.state = state;
         this.poses = poses;
+        graze = new Graze(state, poses);
     }
 
     /** Finds the points of two bodies' parts whose gaps are at most a margin. */
-    void find(int a, int partA, int b, int partB, double margin) {
+    void find(int a, int partA, int b, int partB, double margin, double h) {
         double[] x = state.x();
         int i = State.BLOCK * a;
         int k = State.BLOCK * b;
@@ -71,6 +73,14 @@ final class Touch implements Serializable {
         } else {
             roundOn(b, second, first.radius, offsetX(a, first) - dx, offsetY(a, first) - dy, margin, true);
         }
+        if (count > 0 && areBesideFixed(i, k) && graze.passes(this, a, first, b, second, h)) {
+            count = 0;
+        }
+    }
+
+    private boolean areBesideFixed(int i, int k) {
+        double[] w = state.w().values();
+        return w[i] == 0 || w[k] == 0;
     }
 
     /** Where a disc's centre is from that of its body, which it is a part of. */

@@ -44,7 +44,7 @@ class TouchTest {
             }
             Touch touch = new Touch(state, poses);
             double margin = 0.02;
-            touch.find(0, 0, 1, 0, margin);
+            touch.find(0, 0, 1, 0, margin, 1e-3);
             double gap = distance.between(a, b);
             if (gap > margin) {
                 continue;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
+
+/** Floors of tiles, under time stepping: contacts are a little deep, so that what slides meets each next tile with its corner. */
+class SteppedTilesTest {
+    private static PhysicsEngine world(double slope) {
+        PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
+        engine.add(new Gravity(-Stepped.G * Math.sin(slope), -Stepped.G * Math.cos(slope)));
+        for (int k = -20; k < 40; k++) {
+            engine.add(Body.fixed(new Rectangle(1, 1)).at(k + 0.5, -0.5)).setRestitution(0);
+        }
+        return engine;
+    }
+
+    /** Without friction, what slides goes on as over one floor. It lost most of its speed, within a second. */
+    @ParameterizedTest
+    @CsvSource({"0, 0.2", "0, 2", "0, 8", "0.5, 2", "0.5, 8"})
+    void whatSlidesFeelsNoSeam(double slope, double speed) {
+        for (Shape shape : List.of(new Circle(0.4), new Rectangle(0.7, 0.5), new Rectangle(1, 0.5), new Rectangle(1.7, 0.5))) {
+            double height = shape.vertexCount() == 1 ? 0.4 : 0.25;
+            for (int phase = 0; phase < 8; phase++) {
+                PhysicsEngine engine = world(slope);
+                Body body = engine.add(new Body(shape).at(0.5 + 0.125 * phase, height).moving(speed, 0));
+                body.setRestitution(0);
+                for (Body each : engine.bodies()) {
+                    each.setFriction(0);
+                }
+                Stepped.run(engine, 90);
+                double expected = speed - Stepped.G * Math.sin(slope) * 1.5;
+                assertThat(body.getVelocityX()).as(shape + ", phase " + phase).isCloseTo(expected, within(2e-3 * speed + 2e-4));
+                assertThat(body.getY()).isCloseTo(height, within(1e-3));
+                assertThat(body.getAngle()).isCloseTo(0, within(1e-3));
+            }
+        }
+    }
+
+    /** A tile that is higher by a twenty-fifth or a tenth of the box stops it. */
+    @ParameterizedTest
+    @CsvSource({"0.1, 0.02", "0.5, 0.02", "0.5, 0.05", "2, 0.05"})
+    void whatIsHigherStopsABox(double speed, double step) {
+        PhysicsEngine engine = world(0);
+        engine.add(Body.fixed(new Rectangle(1, 1)).at(3.5, step - 0.5)).setRestitution(0);
+        Body box = engine.add(new Body(new Rectangle(1, 0.5)).at(0.6, 0.25).moving(speed, 0));
+        box.setRestitution(0);
+        for (Body each : engine.bodies()) {
+            each.setFriction(0);
+        }
+        Stepped.run(engine, (int) (60 * 3 / speed));
+        assertThat(box.getX()).isLessThan(2.51);
+        assertThat(Math.abs(box.getVelocityX())).isLessThan(0.5 * speed);
+    }
+}
