@@ -190,6 +190,29 @@ class ImpactCasesTest {
         }
     }
 
+    /** One that is put on a grid meets the next tile corner to corner, before it has come to rest on its own one. It was stopped. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-3, 0.1, 2, 30, -2})
+    void aBoxThatIsPutOnAGridFeelsNoSeam(double speed) {
+        for (double width : new double[] {0.25, 0.5, 1, 2}) {
+            for (int quarter = 0; quarter < 4; quarter++) {
+                PhysicsEngine grid = new PhysicsEngine();
+                grid.setTimeStep(1.0 / 60);
+                grid.add(new Gravity(0, -10));
+                for (int k = -40; k < 40; k++) {
+                    grid.add(Body.fixed(new Rectangle(1, 1)).at(k + 0.5, -0.5)).setRestitution(0);
+                }
+                Body box = grid.add(new Body(new Rectangle(width, 0.5)).at(width / 2 + quarter / 4.0, 0.25).moving(speed, 0));
+                box.setRestitution(0);
+                for (int k = 0; k < 60; k++) {
+                    grid.step();
+                    assertThat(box.getVelocityX()).as("width " + width + ", quarter " + quarter).isCloseTo(speed, within(1e-12));
+                    assertThat(box.getY()).isCloseTo(0.25, within(1e-9));
+                }
+            }
+        }
+    }
+
     /** So does a stack, at the distance at which bodies of a heap lie. */
     @ParameterizedTest
     @ValueSource(doubles = {0.3, 1, 2.1})

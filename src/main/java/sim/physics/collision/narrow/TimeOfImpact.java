@@ -51,7 +51,7 @@ final class TimeOfImpact {
     private static final double NO_WAY = 0x1p-7;
 
     /** Way that bodies graze one another without approaching, relative to their sizes, from which that is no contact. */
-    private static final double GRAZE = 1e-6;
+    private static final double GRAZE = 1e-12;
 
     private static final int NUDGES = NUDGE.length;
 
