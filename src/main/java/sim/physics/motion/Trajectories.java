@@ -185,6 +185,16 @@ public final class Trajectories implements Serializable {
     }
 
     /**
+     * Since when a body is on its present course in this step.
+     *
+     * @param body index
+     * @return τ of its anchor; 0 if that is of an earlier step
+     */
+    public double since(int body) {
+        return data[body * STRIDE + STEP] == step ? data[body * STRIDE + OFFSET] : 0;
+    }
+
+    /**
      * Time from a body's anchor to an instant.
      *
      * @param body index

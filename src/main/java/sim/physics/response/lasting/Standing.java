@@ -56,7 +56,7 @@ final class Standing implements Serializable {
         if (pull == 0) {
             return NONE;
         }
-        double tau = trajectories.offset(body);
+        double tau = trajectories.since(body);
         for (int k = 0; k < detection.pairs().countOf(body); k++) {
             int pair = detection.pairs().of(body, k);
             if (!detection.marks().isUnseen(pair) && !lasting.has(pair) && standsOn(pair, body, tau, pull)) {
@@ -96,7 +96,7 @@ final class Standing implements Serializable {
     /** The greatest speed at which points of a pair approach. */
     private double approach(int pair, int body) {
         manifold = manifold == null ? new Manifold() : manifold;
-        LastingPairs.look(detection, pair, trajectories.offset(body), manifold);
+        LastingPairs.look(detection, pair, trajectories.since(body), manifold);
         double most = 0;
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
