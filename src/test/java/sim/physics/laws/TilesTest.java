@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.laws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.shape.Polygon;
+import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
+
+/** What falls on a floor of tiles, comes to lie and slides on. The next tile held it: at the start of a step, it was taken for one that it lies on. */
+class TilesTest {
+    private static Body land(Shape shape, boolean isTiled, long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1.0 / 120);
+        engine.add(new Gravity(0, -9.81));
+        if (isTiled) {
+            for (int k = -10; k < 10; k++) {
+                engine.add(Body.fixed(new Rectangle(1, 1)).at(k + 0.5, -3.5));
+            }
+        } else {
+            engine.add(Body.fixed(new Rectangle(20, 1)).at(0, -3.5));
+        }
+        Body body = engine.add(new Body(shape).at(-5 + 2 * random.nextDouble(), 2 * random.nextDouble() - 1, 3 * random.nextDouble()));
+        body.setVelocity(3 * (0.5 + random.nextDouble()), 3 * (random.nextDouble() - 0.5));
+        body.setAngularVelocity(2 * random.nextDouble() - 1);
+        for (Body each : engine.bodies()) {
+            each.setFriction(0);
+            each.setRestitution(0);
+        }
+        for (int k = 0; k < 240; k++) {
+            engine.step();
+        }
+        return body;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"box", "long box", "hexagon"})
+    void whatFallsOnTilesSlidesOn(String name) {
+        Shape shape = switch (name) {
+            case "box" -> new Rectangle(0.7, 0.5);
+            case "long box" -> new Rectangle(2.3, 0.4);
+            default -> Polygon.regular(6, 0.4);
+        };
+        for (long seed = 0; seed < 20; seed++) {
+            Body whole = land(shape, false, seed);
+            Body tiled = land(shape, true, seed);
+            assertThat(tiled.getX()).as("seed " + seed).isCloseTo(whole.getX(), within(2e-2));
+            assertThat(tiled.getVelocityX()).as("seed " + seed).isCloseTo(whole.getVelocityX(), within(1e-2));
+        }
+    }
+}
