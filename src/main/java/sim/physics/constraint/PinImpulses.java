@@ -56,7 +56,7 @@ final class PinImpulses implements Serializable {
     private int[] blocks = {};
 
     private double[] data = {};
-    /** Impulses that are to be put back, and those of which the sums know. */
+    /** Impulses with which the step began, and those of which the sums know. */
     private double[] kept = {};
 
     private double[] noted = {};

@@ -31,7 +31,7 @@ public final class TieRows implements Serializable {
     /** Impulses of this substep; of a stop that of its lower and its upper bound. */
     private double[] impulse = {};
     private double h;
-    /** Impulses that are to be put back. */
+    /** Impulses with which the step began. */
     private double[] kept = {};
     /** What the first bodies got in the step: impulse, and turning impulse about the centre. */
     private double[] sum = {};

@@ -52,6 +52,24 @@ public final class CoulombImpulse implements Serializable {
     }
 
     /**
+     * Shortens it if it creates more energy than it may; what it creates is found from the mobilities with which it was solved.
+     *
+     * @param kn as above
+     * @param kt as above
+     * @param knt as above
+     * @param opening the normal velocity before
+     * @param slide the tangential velocity before
+     * @param allowance the energy that it may create
+     */
+    public void limit(double kn, double kt, double knt, double opening, double slide, double allowance) {
+        double linear = normal * opening + tangent * slide;
+        double gain = linear + (0.5 * (kn * normal * normal + kt * tangent * tangent) + knt * normal * tangent);
+        if (gain > allowance) {
+            shorten(linear, gain, allowance);
+        }
+    }
+
+    /**
      * Shortens one that creates too much energy, as Newton's restitution may with friction (Kane and Levinson 1985): a part s of it gives
      * s·linear + s²·square, and that is what is allowed.
      *

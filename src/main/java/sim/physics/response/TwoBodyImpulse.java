@@ -40,8 +40,10 @@ public final class TwoBodyImpulse implements ImpulseSolver {
         double kt = c.tangentMobility();
         double knt = c.iA * c.leverA * c.armA + c.iB * c.leverB * c.armB;
         rub(c, kn, kt, knt);
-        if (!c.sticky) {
-            limit(c, c.energyGain());
+        double gain = c.energyGain();
+        if (!c.sticky && gain > c.allowance) {
+            c.law.shorten(c.jn * c.normalVelocity() + c.jt * c.tangentVelocity(), gain, c.allowance);
+            take(c);
         }
     }
 
@@ -51,6 +53,10 @@ public final class TwoBodyImpulse implements ImpulseSolver {
      */
     private static void rub(Impact c, double kn, double kt, double knt) {
         c.law.solve(kn, kt, knt, -(1 + c.restitution) * c.normalVelocity(), c.tangentVelocity(), c.sticky ? Double.POSITIVE_INFINITY : c.friction);
+        take(c);
+    }
+
+    private static void take(Impact c) {
         c.jn = c.law.normal;
         c.jt = c.law.tangent;
     }
@@ -58,15 +64,7 @@ public final class TwoBodyImpulse implements ImpulseSolver {
     /** The same for bodies that are tied, to whose energy no more is added than allowed. */
     static void rubTied(Impact c, double kn, double kt, double knt) {
         rub(c, kn, kt, knt);
-        double square = 0.5 * (kn * c.jn * c.jn + kt * c.jt * c.jt) + knt * c.jn * c.jt;
-        limit(c, c.jn * c.normalVelocity() + c.jt * c.tangentVelocity() + square);
-    }
-
-    private static void limit(Impact c, double gain) {
-        if (gain > c.allowance) {
-            c.law.shorten(c.jn * c.normalVelocity() + c.jt * c.tangentVelocity(), gain, c.allowance);
-            c.jn = c.law.normal;
-            c.jt = c.law.tangent;
-        }
+        c.law.limit(kn, kt, knt, c.normalVelocity(), c.tangentVelocity(), c.allowance);
+        take(c);
     }
 }

@@ -48,9 +48,6 @@ import sim.physics.motion.State;
 final class ContactSolver implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** When an impulse has settled, relative to itself. */
-    private static final double SETTLED = 1e-4;
-
     /** How many times larger an impulse is than the one of the substep before, if it is that of an impact, and none to begin the next substep with. */
     private static final double SUDDEN = 4;
 
@@ -444,14 +441,5 @@ final class ContactSolver implements Serializable {
             points[p + NORMAL_SUM] += points[p + NORMAL];
             points[p + TANGENT_SUM] += points[p + TANGENT];
         }
-    }
-
-    /** Takes a part of what is left of a point's approach, with an impulse that is kept among its values; whether there was anything. */
-    boolean compress(int k, int p, int impulse, double part) {
-        double old = points[p + impulse];
-        double now = Math.max(0, old - part * points[p + NORMAL_MASS] * rows.opening(k, p, state.v()));
-        points[p + impulse] = now;
-        rows.give(k, p, state.v(), now - old, 0);
-        return Math.abs(now - old) > SETTLED * (now + old);
     }
 }

@@ -70,7 +70,7 @@ final class Graze implements Serializable {
             double ny = sin * on.nx[k] + cos * on.ny[k];
             double turnedX = otherCos * nx + otherSin * ny;
             double turnedY = otherCos * ny - otherSin * nx;
-            int lowest = lowest(other, turnedX, turnedY);
+            int lowest = other.lowest(turnedX, turnedY);
             double height = nx * dx + ny * dy + turnedX * other.x[lowest] + turnedY * other.y[lowest] - other.radius
                     - on.nx[k] * on.x[k] - on.ny[k] * on.y[k];
             if (height < -deep || side * (nx * touch.nx + ny * touch.ny) > SAME) {
@@ -84,18 +84,5 @@ final class Graze implements Serializable {
             }
         }
         return false;
-    }
-
-    private static int lowest(Hull hull, double nx, double ny) {
-        int lowest = 0;
-        double least = Double.POSITIVE_INFINITY;
-        for (int m = 0; m < hull.count; m++) {
-            double height = nx * hull.x[m] + ny * hull.y[m];
-            if (height < least) {
-                least = height;
-                lowest = m;
-            }
-        }
-        return lowest;
     }
 }

@@ -76,4 +76,18 @@ final class Hull implements Serializable {
     int next(int k) {
         return k + 1 < count ? k + 1 : 0;
     }
+
+    /** The corner that is lowest along a direction. */
+    int lowest(double dx, double dy) {
+        int lowest = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (int m = 0; m < count; m++) {
+            double height = dx * x[m] + dy * y[m];
+            if (height < least) {
+                least = height;
+                lowest = m;
+            }
+        }
+        return lowest;
+    }
 }

@@ -24,6 +24,7 @@ import static sim.physics.stepping.ContactRows.WEIGHT;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
 /**
@@ -45,6 +46,9 @@ final class Impacts implements Serializable {
     private final ContactRows rows;
     private final Groups groups;
     private final StruckPoints struck;
+
+    /** The points that have met: row and first value of each. */
+    private final IntList met = new IntList();
 
     /** By group: the number of points that have met, and whether joints tie bodies of it. */
     private int[] counts = {};
@@ -71,28 +75,29 @@ final class Impacts implements Serializable {
         Arrays.fill(areTied, 0, groups.count, false);
         groups.markTied(areTied);
         count();
-        boolean any = false;
         for (int k = 0; k < rows.count; k++) {
             for (int p = rows.begin(k); mayMeet(k) && p < rows.end(k); p += STRIDE) {
                 boolean meets = rows.points[p + NORMAL_SUM] > 0 && isImpact(k, p, h);
                 rows.points[p + RESTORED] = meets ? Math.max(PLASTIC, rows.normals[PAIR * k + BOUNCE]) : 0;
                 rows.pairs[INTS * k + BOUNCED] |= meets && rows.mayBounce(k) ? 1 : 0;
                 counts[rows.group(k, groups)] += meets ? 1 : 0;
-                any |= meets;
             }
         }
-        if (any) {
-            addPressing();
-        }
-        return any;
+        collect();
+        return met.size > 0;
     }
 
-    /** What else presses where joints are struck has part in that. */
-    private void addPressing() {
+    /** Lists the points that have met; what else presses where joints are struck has part in that. */
+    private void collect() {
+        met.clear();
         for (int k = 0; k < rows.count; k++) {
-            for (int p = rows.begin(k); hasMet(k) && isTied(k) && p < rows.end(k); p += STRIDE) {
-                boolean presses = rows.points[p + NORMAL_SUM] > 0;
-                rows.points[p + RESTORED] = presses ? Math.max(PLASTIC, rows.points[p + RESTORED]) : 0;
+            for (int p = rows.begin(k); hasMet(k) && p < rows.end(k); p += STRIDE) {
+                boolean presses = isTied(k) && rows.points[p + NORMAL_SUM] > 0;
+                rows.points[p + RESTORED] = presses ? Math.max(PLASTIC, rows.points[p + RESTORED]) : rows.points[p + RESTORED];
+                if (rows.points[p + RESTORED] > 0) {
+                    met.add(k);
+                    met.add(p);
+                }
             }
         }
     }
@@ -141,22 +146,21 @@ final class Impacts implements Serializable {
         }
     }
 
-    private boolean meets(int p) {
-        return rows.points[p + RESTORED] > 0;
-    }
-
     /** Without friction the two laws say the same, and Poisson's keeps the energy also where turns among joints do not reach their end. */
     private boolean isAlone(int k) {
         return counts[rows.group(k, groups)] == 1 && (rows.normals[PAIR * k + FRICTION] > 0 || !isTied(k));
     }
 
+    /** Whether a point that has met has given back what it took by {@link Reflections}. */
+    private boolean isReflected(int p) {
+        return rows.points[p + RESTORED] == 0;
+    }
+
     /** Compresses what has met once more in turn; whether something has changed. */
     boolean compress(double part) {
         boolean goesOn = false;
-        for (int k = 0; k < rows.count; k++) {
-            for (int p = rows.begin(k); hasMet(k) && p < rows.end(k); p += STRIDE) {
-                goesOn |= meets(p) && struck.solve(k, p, NORMAL_SUM, 0, 0, part, false) > SETTLED;
-            }
+        for (int m = 0; m < met.size; m += 2) {
+            goesOn |= struck.solve(met.values[m], met.values[m + 1], NORMAL_SUM, 0, 0, part, false) > SETTLED;
         }
         return goesOn;
     }
@@ -164,10 +168,12 @@ final class Impacts implements Serializable {
     /** Lets what bounces alone part; whether something has changed. */
     boolean part(double part, double h) {
         boolean goesOn = false;
-        for (int k = 0; k < rows.count; k++) {
-            for (int p = rows.begin(k); hasMet(k) && isAlone(k) && p < rows.end(k); p += STRIDE) {
+        for (int m = 0; m < met.size; m += 2) {
+            int k = met.values[m];
+            int p = met.values[m + 1];
+            if (isAlone(k) && !isReflected(p)) {
                 double speed = Math.max(0, -rows.points[p + APPROACH] - time(p, h) * rows.points[p + FORCED]);
-                goesOn |= meets(p) && struck.solve(k, p, NORMAL_SUM, 0, rows.points[p + RESTORED] * speed, part, !isTied(k)) > SETTLED;
+                goesOn |= struck.solve(k, p, NORMAL_SUM, 0, rows.points[p + RESTORED] * speed, part, !isTied(k)) > SETTLED;
             }
         }
         return goesOn;
@@ -182,13 +188,13 @@ final class Impacts implements Serializable {
 
     /** Gives what compression has taken of several once more, in part. What forces alone give in the step does not bounce. */
     void restore(double h) {
-        for (int k = 0; k < rows.count; k++) {
-            for (int p = rows.begin(k); hasMet(k) && p < rows.end(k); p += STRIDE) {
-                if (meets(p)) {
-                    rows.points[p + NORMAL] = 0; // the two part, or what they will bear is not known
-                    rows.points[p + TANGENT] = 0;
-                }
-                if (meets(p) && (!isAlone(k) || isTied(k))) {
+        for (int m = 0; m < met.size; m += 2) {
+            int k = met.values[m];
+            int p = met.values[m + 1];
+            if (!isReflected(p)) {
+                rows.points[p + NORMAL] = 0; // the two part, or what they will bear is not known
+                rows.points[p + TANGENT] = 0;
+                if (!isAlone(k) || isTied(k)) {
                     restore(k, p, h);
                 }
             }

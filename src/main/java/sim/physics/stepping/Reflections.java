@@ -5,6 +5,7 @@ package sim.physics.stepping;
 import static sim.physics.stepping.ContactRows.APPROACH;
 import static sim.physics.stepping.ContactRows.FORCED;
 import static sim.physics.stepping.ContactRows.NORMAL;
+import static sim.physics.stepping.ContactRows.NORMAL_MASS;
 import static sim.physics.stepping.ContactRows.NORMAL_SUM;
 import static sim.physics.stepping.ContactRows.RESTORED;
 import static sim.physics.stepping.ContactRows.STRIDE;
@@ -28,12 +29,14 @@ final class Reflections implements Serializable {
 
     private static final int TURNS = 32;
 
+    /** When an impulse has settled, relative to itself. */
+    private static final double SETTLED = 1e-4;
+
     /** Approach that counts as none, relative to the fastest one of the step. */
     private static final double NEGLIGIBLE = 1e-9;
 
     private final State state;
     private final ContactRows rows;
-    private final ContactSolver contacts;
     private final Groups groups;
 
     /** By group: whether something else than bounces has part in its impacts. */
@@ -41,10 +44,9 @@ final class Reflections implements Serializable {
 
     private double fastest;
 
-    Reflections(State state, ContactRows rows, ContactSolver contacts, Groups groups) {
+    Reflections(State state, ContactRows rows, Groups groups) {
         this.state = state;
         this.rows = rows;
-        this.contacts = contacts;
         this.groups = groups;
     }
 
@@ -114,10 +116,19 @@ final class Reflections implements Serializable {
         boolean goesOn = false;
         for (int row = 0; row < rows.count; row++) {
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                goesOn |= rows.points[p + NORMAL] >= 0 && contacts.compress(row, p, NORMAL, 1);
+                goesOn |= rows.points[p + NORMAL] >= 0 && compress(row, p);
             }
         }
         return goesOn;
+    }
+
+    /** Takes what is left of a point's approach; whether there was anything. */
+    private boolean compress(int row, int p) {
+        double old = rows.points[p + NORMAL];
+        double now = Math.max(0, old - rows.points[p + NORMAL_MASS] * rows.opening(row, p, state.v()));
+        rows.points[p + NORMAL] = now;
+        rows.give(row, p, state.v(), now - old, 0);
+        return Math.abs(now - old) > SETTLED * (now + old);
     }
 
     private void restore() {

@@ -52,7 +52,7 @@ final class Retake implements Serializable {
         balance = new Balance(state, groups);
         bounced = new Balance(state, groups);
         impacts = new Impacts(state, rows, groups);
-        reflections = new Reflections(state, rows, contacts, groups);
+        reflections = new Reflections(state, rows, groups);
         belts = new Belts(state, poses);
     }
 

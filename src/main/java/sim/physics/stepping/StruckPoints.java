@@ -81,7 +81,7 @@ final class StruckPoints implements Serializable {
             double slide = rows.slip(k, p, v) - knt * normal - kt * tangent;
             law.solve(kn, kt, knt, opening - free, slide, rows.normals[PAIR * k + FRICTION]);
             if (isLimited) {
-                limit(kn, kt, knt, free, slide);
+                law.limit(kn, kt, knt, free, slide, 0);
             }
             double share = (free + closing) / free;
             byNormal += part * share * law.normal;
@@ -94,13 +94,5 @@ final class StruckPoints implements Serializable {
         points[p + kept + 1] = tangent + byTangent;
         rows.give(k, p, v, byNormal, byTangent);
         return (Math.abs(byNormal) + Math.abs(byTangent)) / (now + normal + Double.MIN_NORMAL);
-    }
-
-    private void limit(double kn, double kt, double knt, double free, double slide) {
-        double linear = law.normal * free + law.tangent * slide;
-        double square = 0.5 * (kn * law.normal * law.normal + kt * law.tangent * law.tangent) + knt * law.normal * law.tangent;
-        if (linear + square > 0) {
-            law.shorten(linear, linear + square, 0);
-        }
     }
 }

@@ -202,15 +202,8 @@ final class Touch implements Serializable {
             double n1 = on.ny[k];
             double turnedX = cos * n0 + sin * n1; // the normal in the other frame
             double turnedY = cos * n1 - sin * n0;
-            double least = Double.POSITIVE_INFINITY;
-            int nearest = 0;
-            for (int m = 0; m < other.count; m++) {
-                double height = turnedX * other.x[m] + turnedY * other.y[m];
-                if (height < least) {
-                    least = height;
-                    nearest = m;
-                }
-            }
+            int nearest = other.lowest(turnedX, turnedY);
+            double least = turnedX * other.x[nearest] + turnedY * other.y[nearest];
             least += n0 * (x - on.x[k]) + n1 * (y - on.y[k]);
             if (least > most) {
                 most = least;

@@ -102,7 +102,7 @@ final class SleepScenes {
         return movable(engine).stream().allMatch(engine::isAsleep);
     }
 
-    /** Steps until all bodies sleep; false if that takes more than a minute. */
+    /** Steps until all bodies sleep; false if that takes more than two minutes. */
     static boolean fallAsleep(PhysicsEngine engine) {
         for (int k = 0; k < 120 / engine.getTimeStep() && !allSleep(engine); k++) {
             engine.step();
