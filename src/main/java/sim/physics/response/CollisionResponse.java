@@ -149,7 +149,7 @@ public final class CollisionResponse implements Serializable {
 
     /** From which offset in the step on a body's motion has been smooth. */
     private double since(int body) {
-        return heaps.has(body) ? trajectories.offset(body) : motion.smoothSince(body);
+        return heaps.has(body) ? trajectories.since(body) : motion.smoothSince(body);
     }
 
     /**
