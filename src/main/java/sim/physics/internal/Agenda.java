@@ -232,20 +232,28 @@ public final class Agenda implements Serializable {
     }
 
     /**
-     * Goes on to a step and collects what is due in it. Steps must be visited one by one.
+     * Goes on to a step and collects what is due in it, or was in the steps that have been left out since the last call.
      *
      * @param step the present step
      * @return the items that are due, each once; valid until the next call
      */
     public IntList advance(long step) {
+        long before = now;
         now = step;
         due.clear();
-        int bucket = (int) (step & BUCKETS - 1);
+        long until = Math.min(step, before + BUCKETS);
+        for (long visited = Math.min(before + 1, step); visited <= until; visited++) {
+            empty((int) (visited & BUCKETS - 1), visited, step);
+        }
+        return due;
+    }
+
+    private void empty(int bucket, long visited, long step) {
         int waiting = count[bucket];
         int chunk = first[bucket];
-        count[bucket] = 0; // before items are scheduled again, which may compact all buckets but this one
+        count[bucket] = 0; // before items are scheduled again, which may compact all buckets but what is left of this one
         for (int k = 0, place = 0; k < waiting; k++) {
-            look(chunks[chunk + place], bucket, step);
+            look(chunks[chunk + place], bucket, visited, step);
             if (++place == CHUNK - 1 || k == waiting - 1) {
                 int next = chunks[chunk + CHUNK - 1];
                 giveBack(chunk);
@@ -253,20 +261,19 @@ public final class Agenda implements Serializable {
                 place = 0;
             }
         }
-        return due;
     }
 
     /** Takes an item out of a bucket, unless it has been scheduled to another one since, and finds out whether it is due. */
-    private void look(int item, int bucket, long step) {
+    private void look(int item, int bucket, long visited, long step) {
         int place = (item << shift) + at;
         int word = words[place];
         if ((word & WAITS) != bucket) {
             return;
         }
         words[place] = word & SPARE | EMPTY;
-        int ahead = ahead(word, step);
-        if (ahead > 0) {
-            schedule(item, step + ahead);
+        long date = visited + ahead(word, visited);
+        if (date > step) {
+            schedule(item, date);
         } else {
             due.add(item);
         }

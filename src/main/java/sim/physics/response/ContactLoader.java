@@ -77,7 +77,7 @@ final class ContactLoader implements ContactPoints {
         load(m, detection.pairs().first(pair), detection.pairs().second(pair), k, impact);
         impact.describe(point);
         if (detection.marks().isSticky(pair)) {
-            point.friction = PlasticImpact.STICKS;
+            point.friction = RoughImpact.STICKS;
         }
     }
 

@@ -55,8 +55,8 @@ final class SimultaneousImpact implements Serializable {
     private boolean tied;
     private BorderedJoints bordered;
 
-    /** Null until something does not bounce. */
-    private PlasticImpact plastic;
+    /** Null until there is friction at several points. */
+    private RoughImpact rough;
 
     /** What a unit of each point's impulse does to the velocities of all bodies: by points, then by bodies. */
     private final Replies replies = new Replies();
@@ -229,8 +229,7 @@ final class SimultaneousImpact implements Serializable {
         if (tied && points == 1 && only.friction > 0 && only.isEarly && !only.sticky && rubOne()) {
             return;
         }
-        if (PlasticImpact.isPlastic(impacts, points)) {
-            solvePlastic();
+        if (RoughImpact.isRough(impacts, points) && solveRough()) {
             return;
         }
         pushing.solve();
@@ -303,8 +302,8 @@ final class SimultaneousImpact implements Serializable {
         return true;
     }
 
-    private void solvePlastic() {
-        plastic = plastic == null ? new PlasticImpact() : plastic;
+    private boolean solveRough() {
+        rough = rough == null ? new RoughImpact() : rough;
         int[] placeA = new int[points];
         int[] placeB = new int[points];
         for (int k = 0; k < points; k++) {
@@ -314,7 +313,7 @@ final class SimultaneousImpact implements Serializable {
                 replies.find(points + k, bodyA[k], bodyB[k], impacts[k], true);
             }
         }
-        plastic.solve(impacts, points, placeA, placeB, velocity, bodies, tied ? replies : null);
+        return rough.solve(impacts, points, placeA, placeB, velocity, bodies, tied ? replies : null, allowance());
     }
 
     /** A = J W Jᵀ over the points, b = J v. */

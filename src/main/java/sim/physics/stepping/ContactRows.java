@@ -414,6 +414,14 @@ final class ContactRows implements Serializable {
         return pairs[INTS * k + PRESSED] == 0 || isFast(k);
     }
 
+    /** The body that strikes a fixed one in a pair, −1 if none does. */
+    int strikesFixed(int k) {
+        double[] w = state.w().values();
+        boolean isFirstFixed = w[State.BLOCK * first(k)] == 0;
+        boolean isFixed = isFirstFixed || w[State.BLOCK * second(k)] == 0;
+        return !isFixed || !isStruck(k) || isDriven(k) ? -1 : isFirstFixed ? second(k) : first(k);
+    }
+
     /** Whether a pair closes a gap faster than forces do. */
     boolean isFast(int k) {
         return pairs[INTS * k + FAST] != 0;

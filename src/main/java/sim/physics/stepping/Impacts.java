@@ -24,6 +24,7 @@ import static sim.physics.stepping.ContactRows.WEIGHT;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
@@ -39,6 +40,9 @@ final class Impacts implements Serializable {
     /** When an impulse has settled, relative to itself. */
     private static final double SETTLED = 1e-4;
 
+    /** Turns in which what is given back rubs. */
+    private static final int RUBS = 32;
+
     /** What a point gives back that gives nothing back, but takes part. */
     private static final double PLASTIC = Double.MIN_VALUE;
 
@@ -49,6 +53,9 @@ final class Impacts implements Serializable {
 
     /** The points that have met: row and first value of each. */
     private final IntList met = new IntList();
+
+    /** By point that has met: how much what it gives back may rub, and how much it has. */
+    private double[] limits = {};
 
     /** By group: the number of points that have met, and whether joints tie bodies of it. */
     private int[] counts = {};
@@ -186,8 +193,12 @@ final class Impacts implements Serializable {
         return gap < h * approach ? gap / approach : h;
     }
 
-    /** Gives what compression has taken of several once more, in part. What forces alone give in the step does not bounce. */
+    /** Gives what compression has taken of several once more, in part: first along normals, and then what rubs. */
     void restore(double h) {
+        if (limits.length < met.size) {
+            limits = new double[Growth.length(limits.length, met.size)];
+        }
+        Arrays.fill(limits, 0, met.size, 0);
         for (int m = 0; m < met.size; m += 2) {
             int k = met.values[m];
             int p = met.values[m + 1];
@@ -195,21 +206,37 @@ final class Impacts implements Serializable {
                 rows.points[p + NORMAL] = 0; // the two part, or what they will bear is not known
                 rows.points[p + TANGENT] = 0;
                 if (!isAlone(k) || isTied(k)) {
-                    restore(k, p, h);
+                    limits[m] = rows.normals[PAIR * k + FRICTION] * restore(k, p, h);
                 }
+            }
+        }
+        boolean goesOn = true;
+        for (int turn = 0; goesOn && turn < RUBS; turn++) {
+            goesOn = false;
+            for (int m = 0; m < met.size; m += 2) {
+                goesOn |= limits[m] > 0 && rub(met.values[m], met.values[m + 1], m);
             }
         }
     }
 
-    private void restore(int k, int p, double h) {
+    /** Gives a part of what a point has taken once more. What forces alone give in the step does not bounce. */
+    private double restore(int k, int p, double h) {
         double[] points = rows.points;
         double pull = (h - time(p, h)) * Math.max(0, -points[p + FORCED]) * points[p + NORMAL_MASS];
-        double by = points[p + RESTORED] * Math.max(0, points[p + NORMAL_SUM] - pull);
+        double by = points[p + RESTORED] > PLASTIC ? points[p + RESTORED] * Math.max(0, points[p + NORMAL_SUM] - pull) : 0;
         points[p + NORMAL_SUM] += by;
         rows.give(k, p, state.v(), by, 0);
-        double most = rows.normals[PAIR * k + FRICTION] * by; // what restitution gives rubs as what compression has taken
-        double along = Math.max(-most, Math.min(most, -points[p + TANGENT_MASS] * rows.slip(k, p, state.v())));
-        points[p + TANGENT_SUM] += along;
-        rows.give(k, p, state.v(), 0, along);
+        return by;
+    }
+
+    /** What restitution gives rubs as what compression has taken, within a bound of its own; whether something has changed. */
+    private boolean rub(int k, int p, int m) {
+        double old = limits[m + 1];
+        double wanted = old - rows.points[p + TANGENT_MASS] * rows.slip(k, p, state.v());
+        limits[m + 1] = Math.max(-limits[m], Math.min(limits[m], wanted));
+        double by = limits[m + 1] - old;
+        rows.points[p + TANGENT_SUM] += by;
+        rows.give(k, p, state.v(), 0, by);
+        return Math.abs(by) > SETTLED * limits[m];
     }
 }

@@ -40,16 +40,40 @@ final class StruckPoints implements Serializable {
         this.rows = rows;
     }
 
-    /** Solves the points of a pair in turn, each so that it uses up what is left of its gap. */
+    /** Solves the points of a pair in turn, each so that it uses up what is left of its gap. All that is fixed is one to the body that strikes it. */
     void solve(int k, double h) {
+        int body = rows.strikesFixed(k);
+        int first = body < 0 ? k : rest(rows.byBody.first(body), body);
+        if (first < k) {
+            return; // solved with the first of them
+        }
         boolean goesOn = true;
         for (int turn = 0; goesOn && turn < TURNS; turn++) {
             goesOn = false;
-            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
-                goesOn |= solve(k, p, NORMAL, Math.max(0, rows.points[p + NOW]) / h, 0, 1, false) > SETTLED;
+            int points = 0;
+            for (int row = k; row >= 0; row = body < 0 ? -1 : rest(rows.byBody.next(row, body), body)) {
+                goesOn |= solveInTurn(row, h);
+                points += rows.pointCount(row);
             }
-            goesOn &= rows.pointCount(k) > 1;
+            goesOn &= points > 1;
         }
+    }
+
+    /** The first of a body's rows from one on in which it strikes what is fixed, −1 for none. */
+    private int rest(int row, int body) {
+        int k = row;
+        while (k >= 0 && rows.strikesFixed(k) < 0) {
+            k = rows.byBody.next(k, body);
+        }
+        return k;
+    }
+
+    private boolean solveInTurn(int k, double h) {
+        boolean changes = false;
+        for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+            changes |= solve(k, p, NORMAL, Math.max(0, rows.points[p + NOW]) / h, 0, 1, false) > SETTLED;
+        }
+        return changes;
     }
 
     /**

@@ -123,7 +123,7 @@ public final class TimeStepping implements Serializable {
         near = new NearPairs(state, poses, filter);
         sleep = new Sleep(state, poses, near, forces, rows);
         decisions.setPairs(near, sleep.kept());
-        touch = new Touch(state, poses);
+        touch = new Touch(state, poses, near);
         halves = new Halves(state, poses, forces);
         retake = new Retake(state, poses, forces, ties, rows, contacts);
     }
@@ -279,7 +279,7 @@ public final class TimeStepping implements Serializable {
         double size = Math.min(poses.hull(first).bounding, poses.hull(second).bounding);
         looks++;
         Pairs pairs = near.pairs();
-        touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + h * speed(State.BLOCK * first, State.BLOCK * second, first, second), h);
+        touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + h * speed(State.BLOCK * first, State.BLOCK * second, first, second));
         if (touch.count == 0) {
             near.flags[pair] = 0;
             if (sleep.isIdle(first, second)) {

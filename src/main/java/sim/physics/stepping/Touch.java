@@ -16,9 +16,22 @@ final class Touch implements Serializable {
     /** Depth, relative to the size, by which the second body's edge must be the better one to be taken: else edges change places. */
     private static final double PREFERENCE = 1e-3;
 
+    /** Depth, relative to the size, from which on a way out that others do not cover is none: the other side of a tile below tiles. */
+    private static final double COVERED = 0.5;
+
     private final Poses poses;
     private final State state;
-    private final Graze graze;
+    private final Seams seams;
+
+    /** Whether the first or the second hull is fixed and joins others; whether the one does whose edges are asked for, or the one over them. */
+    private boolean joinsFirst;
+
+    private boolean joinsSecond;
+    private boolean joinsOn;
+    private boolean joinsOther;
+
+    /** Whether there are edges of the two that nothing can meet. */
+    private boolean isRestricted;
 
     int count;
     double nx;
@@ -46,24 +59,41 @@ final class Touch implements Serializable {
 
     private int corner;
 
-    Touch(State state, Poses poses) {
+    Touch(State state, Poses poses, NearPairs near) {
         this.state = state;
         this.poses = poses;
-        graze = new Graze(state, poses);
+        seams = new Seams(state, poses, near);
     }
 
     /** Finds the points of two bodies' parts whose gaps are at most a margin. */
-    void find(int a, int partA, int b, int partB, double margin, double h) {
+    void find(int a, int partA, int b, int partB, double margin) {
         double[] x = state.x();
         int i = State.BLOCK * a;
         int k = State.BLOCK * b;
         dx = x[k] - x[i];
         dy = x[k + 1] - x[i + 1];
-        count = 0;
         Hull first = poses.hull(a).part(partA);
         Hull second = poses.hull(b).part(partB);
         isDiscA = first == poses.hull(a) && first.count == 1;
         isDiscB = second == poses.hull(b) && second.count == 1;
+        meet(a, first, b, second, margin);
+        double[] w = state.w().values();
+        if (count > 0 && (w[i] == 0 || w[k] == 0)) {
+            boolean isFirstFixed = w[i] == 0;
+            Hull fixed = isFirstFixed ? first : second;
+            if (fixed.count > 1 && (isFirstFixed ? seams.find(b, a, partA) : seams.find(a, b, partB))) {
+                joinsFirst = isFirstFixed;
+                joinsSecond = !isFirstFixed;
+                meet(a, first, b, second, margin);
+                joinsFirst = false;
+                joinsSecond = false;
+            }
+        }
+    }
+
+    private void meet(int a, Hull first, int b, Hull second, double margin) {
+        count = 0;
+        joinsOn = joinsFirst || joinsSecond;
         if (first.count > 1 && second.count > 1) {
             edges(a, b, first, second, margin);
         } else if (first.count == 1 && second.count == 1) {
@@ -73,14 +103,6 @@ final class Touch implements Serializable {
         } else {
             roundOn(b, second, first.radius, offsetX(a, first) - dx, offsetY(a, first) - dy, margin, true);
         }
-        if (count > 0 && areBesideFixed(i, k) && graze.passes(this, a, first, b, second, h)) {
-            count = 0;
-        }
-    }
-
-    private boolean areBesideFixed(int i, int k) {
-        double[] w = state.w().values();
-        return w[i] == 0 || w[k] == 0;
     }
 
     /** Where a disc's centre is from that of its body, which it is a part of. */
@@ -122,14 +144,15 @@ final class Touch implements Serializable {
         double sin = poses.turns[2 * polygon + 1];
         double x = cos * cx + sin * cy;
         double y = cos * cy - sin * cx;
-        int best = 0;
-        double most = Double.NEGATIVE_INFINITY;
-        for (int k = 0; k < hull.count; k++) {
-            double s = hull.nx[k] * (x - hull.x[k]) + hull.ny[k] * (y - hull.y[k]);
-            if (s > most) {
-                most = s;
-                best = k;
+        int best = facing(hull, x, y, false);
+        double most = height(hull, best, x, y);
+        if (joinsOn && seams.isCovered(best)) {
+            int open = facing(hull, x, y, true);
+            if (most > 0 || open < 0 || height(hull, open, x, y) < -COVERED * radius) {
+                return;
             }
+            best = open;
+            most = height(hull, open, x, y);
         }
         if (most > radius + margin) {
             return;
@@ -151,6 +174,9 @@ final class Touch implements Serializable {
                 }
                 n0 = ex / distance;
                 n1 = ey / distance;
+                if (joinsOn && seams.isHidden(near, n0, n1)) {
+                    return;
+                }
             }
         }
         double wx = cos * n0 - sin * n1;
@@ -163,6 +189,24 @@ final class Touch implements Serializable {
         add(isOther ? x0 + dx : x0, isOther ? y0 + dy : y0, distance - radius, 0);
     }
 
+    /** The edge that a place is highest over, of all or of those that nothing covers; −1 for none. */
+    private int facing(Hull hull, double x, double y, boolean isOpen) {
+        int best = isOpen ? -1 : 0;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < hull.count; k++) {
+            double height = height(hull, k, x, y);
+            if (height > most && !(isOpen && seams.isCovered(k))) {
+                most = height;
+                best = k;
+            }
+        }
+        return best;
+    }
+
+    private static double height(Hull hull, int edge, double x, double y) {
+        return hull.nx[edge] * (x - hull.x[edge]) + hull.ny[edge] * (y - hull.y[edge]);
+    }
+
     private void edges(int a, int b, Hull first, Hull second, double margin) {
         double cosA = poses.turns[2 * a];
         double sinA = poses.turns[2 * a + 1];
@@ -172,6 +216,9 @@ final class Touch implements Serializable {
         double sin = cosA * sinB - sinA * cosB;
         double x = cosA * dx + sinA * dy;
         double y = cosA * dy - sinA * dx;
+        isRestricted = false;
+        joinsOn = joinsFirst;
+        joinsOther = joinsSecond;
         double byFirst = separation(first, second, cos, sin, x, y);
         if (byFirst > margin) {
             return;
@@ -180,15 +227,21 @@ final class Touch implements Serializable {
         int cornerB = corner;
         double bx = -(cos * x + sin * y); // the first centre in the second frame
         double by = sin * x - cos * y;
+        joinsOn = joinsSecond;
+        joinsOther = joinsFirst;
         double bySecond = separation(second, first, cos, -sin, bx, by);
-        if (bySecond > margin) {
+        double size = Math.min(first.bounding, second.bounding);
+        boolean isCovered = isRestricted && Math.max(byFirst, bySecond) < -COVERED * size;
+        if (bySecond > margin || isCovered) {
             return;
         }
-        boolean isSecond = bySecond > byFirst + PREFERENCE * Math.min(first.bounding, second.bounding);
+        boolean isSecond = bySecond > byFirst + PREFERENCE * size;
         if (isSecond) {
             clip(second, first, edge, corner, cos, -sin, bx, by, margin);
             toWorld(cosB, sinB, dx, dy, true);
         } else {
+            joinsOn = joinsFirst;
+            joinsOther = joinsSecond;
             clip(first, second, edgeA, cornerB, cos, sin, x, y, margin);
             toWorld(cosA, sinA, 0, 0, false);
         }
@@ -205,7 +258,9 @@ final class Touch implements Serializable {
             int nearest = other.lowest(turnedX, turnedY);
             double least = turnedX * other.x[nearest] + turnedY * other.y[nearest];
             least += n0 * (x - on.x[k]) + n1 * (y - on.y[k]);
-            if (least > most) {
+            boolean isNone = joinsOn && seams.isCovered(k) || joinsOther && !seams.sticksOut(nearest, -turnedX, -turnedY);
+            isRestricted |= isNone;
+            if (least > most && !isNone) {
                 most = least;
                 edge = k;
                 corner = nearest;
@@ -244,8 +299,12 @@ final class Touch implements Serializable {
         double slope = right - left > 0 ? (rightGap - leftGap) / (right - left) : 0;
         double l = Math.max(left, 0);
         double r = Math.min(right, length);
-        over(on, edge, l, leftGap + slope * (l - left), margin, id(edge, to, left < 0 ? 3 : 2));
-        if (r > l) {
+        boolean startGoesOn = joinsOn && left < -seams.distance && seams.goesOn(edge, n0, n1, false);
+        boolean endGoesOn = joinsOn && right > length + seams.distance && seams.goesOn(on.next(edge), n0, n1, true);
+        if (!startGoesOn && !(endGoesOn && left >= length - seams.distance)) {
+            over(on, edge, l, leftGap + slope * (l - left), margin, id(edge, to, left < 0 ? 3 : 2));
+        }
+        if (r > l && !endGoesOn && !(startGoesOn && right <= seams.distance)) {
             over(on, edge, r, leftGap + slope * (r - left), margin, id(edge, from, right > length ? 5 : 4));
         }
     }
@@ -276,6 +335,9 @@ final class Touch implements Serializable {
         }
         nx = ex / distance;
         ny = ey / distance;
+        if (joinsOn && seams.isHidden(isEnd ? on.next(edge) : edge, nx, ny)) {
+            return;
+        }
         add(on.x[edge] + endX + 0.5 * ex, on.y[edge] + endY + 0.5 * ey, distance, id);
     }
 

@@ -43,6 +43,34 @@ class AgendaTest {
         assertThat(seen).isGreaterThan(10_000);
     }
 
+    /** Nobody asks while something else than events moves the bodies. What was due then would have been due in four million steps. */
+    @Test
+    void whatWasDueInStepsThatWereLeftOutIsDueInTheNextOne() {
+        SplittableRandom random = new SplittableRandom(6);
+        Agenda agenda = new Agenda();
+        agenda.ensure(ITEMS);
+        long[] dates = new long[ITEMS];
+        Arrays.fill(dates, Agenda.NEVER);
+        int seen = 0;
+        for (long step = 1; step < 1_000_000; step += random.nextInt(3) == 0 ? random.nextLong(1, 10_000) : random.nextLong(1, 90)) {
+            long now = step;
+            IntList due = agenda.advance(step);
+            int[] found = Arrays.copyOf(due.values, due.size);
+            Arrays.sort(found);
+            assertThat(found).as("step %d", step).isEqualTo(IntStream.range(0, ITEMS).filter(k -> dates[k] <= now).toArray());
+            seen += found.length;
+            for (int item : found) {
+                dates[item] = Agenda.NEVER;
+            }
+            for (int k = 0; k < 120; k++) {
+                int item = random.nextInt(ITEMS);
+                dates[item] = step + (random.nextInt(4) == 0 ? random.nextLong(1, 20_000) : random.nextLong(1, 70));
+                agenda.schedule(item, dates[item]);
+            }
+        }
+        assertThat(seen).isGreaterThan(10_000);
+    }
+
     @Test
     void whatIsFarAheadIsPutOffWhileThereIsNoRoomLeft() {
         SplittableRandom random = new SplittableRandom(7);

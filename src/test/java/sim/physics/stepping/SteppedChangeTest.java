@@ -146,4 +146,22 @@ class SteppedChangeTest {
         assertThatThrownBy(() -> Stepped.run(engine, 30)).hasMessageContaining("NaN");
         assertThat(body.getX()).isFinite();
     }
+
+    /** Events go on after any number of steps. From 64 steps on, what bounced fell through the floor for ever. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 63, 64, 65, 128, 150, 1000})
+    void eventsGoOnAfterwards(int steps) {
+        PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
+        engine.add(new Gravity(0, -Stepped.G));
+        engine.add(Body.fixed(new Rectangle(100, 1)).at(0, -0.5));
+        Body ball = engine.add(new Body(new Circle(0.2)).at(0, 1));
+        Body other = engine.add(new Body(new Circle(0.2)).at(0.1, 2));
+        Stepped.run(engine, steps);
+        engine.setTimeStepping(0);
+        for (int k = 0; k < 300; k++) {
+            engine.step();
+            assertThat(ball.getY()).isGreaterThan(0.19);
+            assertThat(other.getY()).isGreaterThan(0.19);
+        }
+    }
 }

@@ -48,6 +48,35 @@ class SteppedTilesTest {
         }
     }
 
+    /** What falls on tiles, wherever their seams are, does as on one floor. */
+    @ParameterizedTest
+    @CsvSource({"0, 0", "0.4, 0", "0, 0.5", "0.4, 0.5"})
+    void whatFallsFlatFeelsNoSeam(double friction, double restitution) {
+        for (Shape shape : List.of(new Circle(0.4), new Rectangle(0.7, 0.5), new Rectangle(1, 0.5), new Rectangle(2.7, 0.5))) {
+            double height = shape.vertexCount() == 1 ? 0.4 : 0.25;
+            for (int phase = 0; phase < 8; phase++) {
+                Body[] bodies = new Body[2];
+                for (int k = 0; k < 2; k++) {
+                    PhysicsEngine engine = k == 0 ? Stepped.engine(1.0 / 60, 4) : world(0);
+                    if (k == 0) {
+                        engine.add(new Gravity(0, -Stepped.G));
+                        engine.add(Body.fixed(new Rectangle(60, 1)).at(10, -0.5));
+                    }
+                    bodies[k] = engine.add(new Body(shape).at(0.5 + 0.125 * phase, height + 0.3).moving(1, 0));
+                    for (Body each : engine.bodies()) {
+                        each.setFriction(friction);
+                        each.setRestitution(restitution);
+                    }
+                    Stepped.run(engine, 40);
+                }
+                String what = shape + ", phase " + phase;
+                assertThat(bodies[1].getX()).as(what).isCloseTo(bodies[0].getX(), within(5e-3));
+                assertThat(bodies[1].getY()).as(what).isCloseTo(bodies[0].getY(), within(5e-3));
+                assertThat(bodies[1].getAngle()).as(what).isCloseTo(bodies[0].getAngle(), within(1e-2));
+            }
+        }
+    }
+
     /** A tile that is higher by a twenty-fifth or a tenth of the box stops it. */
     @ParameterizedTest
     @CsvSource({"0.1, 0.02", "0.5, 0.02", "0.5, 0.05", "2, 0.05"})

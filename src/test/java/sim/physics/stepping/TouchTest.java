@@ -42,9 +42,9 @@ class TouchTest {
                 poses.add(body);
                 poses.turn(body);
             }
-            Touch touch = new Touch(state, poses);
+            Touch touch = new Touch(state, poses, null);
             double margin = 0.02;
-            touch.find(0, 0, 1, 0, margin, 1e-3);
+            touch.find(0, 0, 1, 0, margin);
             double gap = distance.between(a, b);
             if (gap > margin) {
                 continue;

@@ -6,17 +6,19 @@ import java.io.Serializable;
 import java.util.Arrays;
 
 /**
- * Impulses of an impact at several points from which nothing bounces, along normals and tangents together: Moreau's inelastic
- * impact with Coulomb friction,
+ * Impulses of an impact at several points with friction, along normals and tangents together. First Moreau's inelastic impact with
+ * Coulomb friction,
  *
  * <pre>
  *   λₙ ≥ 0,  vₙ ≥ 0,  λₙ vₙ = 0,    |λₜ| ≤ μ λₙ,  λₜ opposes vₜ
  * </pre>
  *
- * <p>with a μ without bounds at points that stick. Friction at one point of a flush edge turns the body into the other one, so that
- * it would rock if normals came first. Solved by projected relaxation until nothing changes beyond rounding.
+ * <p>with a μ without bounds at points that stick. Then, as Poisson has it, each point gives e λₙ once more, and rubs within μ e λₙ (Glocker and
+ * Pfeiffer, <i>Multiple impacts with friction in rigid multibody systems</i>, 1995); the same part of all that, where it would create energy. Friction
+ * at one point of a flush edge turns the body into the other one, so that it would rock if normals came first. Solved by projected relaxation until
+ * nothing changes beyond rounding.
  */
-final class PlasticImpact implements Serializable {
+final class RoughImpact implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** A coefficient of friction that nothing overcomes. */
@@ -28,6 +30,9 @@ final class PlasticImpact implements Serializable {
 
     /** Change of velocity in a sweep, relative to the largest one of the first sweep, at which the impulses are right. */
     private static final double RIGHT = 1e-16;
+
+    /** Friction that matters to no normal impulse, relative to the largest one. */
+    private static final double NONE = 1e-9;
 
     /** By rows: two for each point. */
     private double[] mobility = {};
@@ -43,18 +48,15 @@ final class PlasticImpact implements Serializable {
     private transient double[][] velocity;
     private transient Replies replies;
 
-    PlasticImpact() {
+    RoughImpact() {
         // grows with the impacts
     }
 
-    /** Whether points are of this kind: none bounces, and some rub or stick. */
-    static boolean isPlastic(Impact[] impacts, int points) {
+    /** Whether there is friction at points of several, or some stick. */
+    static boolean isRough(Impact[] impacts, int points) {
         boolean rubs = false;
         boolean sticks = false;
         for (int k = 0; k < points; k++) {
-            if (impacts[k].restitution != 0) {
-                return false;
-            }
             rubs |= impacts[k].friction > 0;
             sticks |= impacts[k].sticky;
         }
@@ -69,8 +71,10 @@ final class PlasticImpact implements Serializable {
      * @param placeB the second one
      * @param v velocities of that many bodies
      * @param ties what they reply to the points' normal impulses, and behind them to the tangential ones; null without ties
+     * @param allowance energy that may be created
+     * @return false, with velocities as they were, if points bounce and no friction acts: normals have a better solution then
      */
-    void solve(Impact[] which, int count, int[] placeA, int[] placeB, double[][] v, int bodies, Replies ties) {
+    boolean solve(Impact[] which, int count, int[] placeA, int[] placeB, double[][] v, int bodies, Replies ties, double allowance) {
         points = count;
         impacts = which;
         first = placeA;
@@ -78,15 +82,13 @@ final class PlasticImpact implements Serializable {
         velocity = v;
         replies = ties;
         begin();
-        double[][] before = new double[bodies][];
-        for (int k = 0; k < bodies; k++) {
-            before[k] = velocity[k].clone();
-        }
-        relax();
+        double[][] before = copy(velocity, bodies);
+        relax(impulse, true);
+        boolean isSolved = compressed(before, bodies, allowance);
         for (int k = 0; k < bodies; k++) {
             System.arraycopy(before[k], 0, velocity[k], 0, before[k].length); // the sweeps have added their rounding
         }
-        for (int row = 0; row < 2 * points; row++) {
+        for (int row = 0; isSolved && row < 2 * points; row++) {
             load(row / 2);
             push(row, impulse[row]);
         }
@@ -94,6 +96,60 @@ final class PlasticImpact implements Serializable {
             impacts[k].jn = impulse[2 * k];
             impacts[k].jt = impulse[2 * k + 1];
         }
+        return isSolved;
+    }
+
+    /** Goes on from the compression, if points bounce; false if no friction acts. */
+    private boolean compressed(double[][] before, int bodies, double allowance) {
+        boolean bounces = false;
+        double most = 0;
+        double friction = 0;
+        for (int k = 0; k < points; k++) {
+            bounces |= impacts[k].restitution > 0;
+            most = Math.max(most, impulse[2 * k]);
+            friction = Math.max(friction, Math.abs(impulse[2 * k + 1]));
+        }
+        if (bounces && friction > NONE * most) {
+            restore(before, copy(velocity, bodies), allowance);
+        }
+        return !bounces || friction > NONE * most;
+    }
+
+    private static double[][] copy(double[][] velocity, int bodies) {
+        double[][] copy = new double[bodies][];
+        for (int k = 0; k < bodies; k++) {
+            copy[k] = velocity[k].clone();
+        }
+        return copy;
+    }
+
+    /** Gives parts of the normal impulses once more, and what friction they allow. */
+    private void restore(double[][] before, double[][] compressed, double allowance) {
+        double[] back = new double[2 * points];
+        for (int k = 0; k < points; k++) {
+            back[2 * k] = impacts[k].restitution * impulse[2 * k];
+            load(k);
+            push(2 * k, back[2 * k]);
+        }
+        relax(back, false);
+        double gained = 0.5 * (work(impulse, before) + work(impulse, compressed)) - allowance;
+        double rate = work(back, compressed);
+        double square = 0.5 * (work(back, velocity) - rate);
+        boolean isTooMuch = square > 0 && gained + rate + square > 0;
+        double part = isTooMuch ? Math.max(0, Math.sqrt(Math.max(0, rate * rate - 4 * square * gained)) - rate) / (2 * square) : 1;
+        for (int row = 0; row < 2 * points; row++) {
+            impulse[row] += Math.min(1, part) * back[row];
+        }
+    }
+
+    /** Impulses times the velocities at their points. */
+    private double work(double[] by, double[][] at) {
+        double sum = 0;
+        for (int k = 0; k < points; k++) {
+            impacts[k].setVelocities(first[k] < 0 ? null : at[first[k]], second[k] < 0 ? null : at[second[k]]);
+            sum += by[2 * k] * impacts[k].normalVelocity() + by[2 * k + 1] * impacts[k].tangentVelocity();
+        }
+        return sum;
     }
 
     private void begin() {
@@ -110,14 +166,15 @@ final class PlasticImpact implements Serializable {
         }
     }
 
-    private void relax() {
+    /** Changes impulses until they are right: all, or those along tangents alone. */
+    private void relax(double[] impulse, boolean isAll) {
         double largest = 0;
         int sweeps = Math.max(LEAST_SWEEPS, Math.min(SWEEPS, WORK / points));
         for (int sweep = 0; sweep < sweeps; sweep++) {
             double most = 0;
-            for (int row = 0; row < 2 * points; row++) {
+            for (int row = isAll ? 0 : 1; row < 2 * points; row += isAll ? 1 : 2) {
                 load(row / 2);
-                double change = change(row);
+                double change = change(impulse, row);
                 push(row, change);
                 most = Math.max(most, Math.abs(change) * mobility[row]);
             }
@@ -133,7 +190,7 @@ final class PlasticImpact implements Serializable {
     }
 
     /** What makes a row right, even ones along normals, the next ones along tangents: a change of its impulse. */
-    private double change(int row) {
+    private double change(double[] impulse, int row) {
         if (!(mobility[row] > 0)) {
             return 0; // ties hold the point where it is
         }
