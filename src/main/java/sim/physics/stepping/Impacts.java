@@ -40,6 +40,12 @@ final class Impacts implements Serializable {
     /** When an impulse has settled, relative to itself. */
     private static final double SETTLED = 1e-4;
 
+    /** Times as fast as forces make it in a step is what bounces in spite of them. */
+    private static final double SLOW = 4;
+
+    /** Part of the speed that forces make in a step which is no bounce: it would be over within a part of the step. */
+    private static final double BRIEF = 0.1;
+
     /** Turns in which what is given back rubs. */
     private static final int RUBS = 32;
 
@@ -62,6 +68,11 @@ final class Impacts implements Serializable {
 
     private boolean[] areTied = {};
 
+    /** By group: the largest speed at which something strikes, and the largest one that forces make in the step. */
+    private double[] fastest = {};
+
+    private double[] loads = {};
+
     /** By body: the number of pairs in which it presses. */
     private int[] touched = {};
 
@@ -77,9 +88,13 @@ final class Impacts implements Serializable {
         if (counts.length < groups.count) {
             counts = new int[groups.slots.length];
             areTied = new boolean[groups.slots.length];
+            fastest = new double[groups.slots.length];
+            loads = new double[groups.slots.length];
         }
         Arrays.fill(counts, 0, groups.count, 0);
         Arrays.fill(areTied, 0, groups.count, false);
+        Arrays.fill(fastest, 0, groups.count, 0);
+        Arrays.fill(loads, 0, groups.count, 0);
         groups.markTied(areTied);
         count();
         for (int k = 0; k < rows.count; k++) {
@@ -87,7 +102,10 @@ final class Impacts implements Serializable {
                 boolean meets = rows.points[p + NORMAL_SUM] > 0 && isImpact(k, p, h);
                 rows.points[p + RESTORED] = meets ? Math.max(PLASTIC, rows.normals[PAIR * k + BOUNCE]) : 0;
                 rows.pairs[INTS * k + BOUNCED] |= meets && rows.mayBounce(k) ? 1 : 0;
-                counts[rows.group(k, groups)] += meets ? 1 : 0;
+                int group = rows.group(k, groups);
+                counts[group] += meets ? 1 : 0;
+                fastest[group] = meets ? Math.max(fastest[group], -rows.points[p + APPROACH]) : fastest[group];
+                loads[group] = meets ? Math.max(loads[group], h * rows.normals[PAIR * k + WEIGHT]) : loads[group];
             }
         }
         collect();
@@ -137,7 +155,7 @@ final class Impacts implements Serializable {
         boolean lies = touched[rows.first(k)] > 1 || touched[rows.second(k)] > 1;
         double apart = lies ? rows.normals[PAIR * k + LOAD] : Math.max(0, -rows.points[p + FORCED]);
         double pull = h * (hasPressed ? rows.normals[PAIR * k + WEIGHT] : apart);
-        return rows.points[p + APPROACH] < -2 * pull || !hasPressed && pull == 0;
+        return -rows.points[p + APPROACH] > Math.max(2 * pull, BRIEF * h * rows.normals[PAIR * k + WEIGHT]);
     }
 
     /** Counts the pairs in which each body presses. */
@@ -155,7 +173,13 @@ final class Impacts implements Serializable {
 
     /** Without friction the two laws say the same, and Poisson's keeps the energy also where turns among joints do not reach their end. */
     private boolean isAlone(int k) {
-        return counts[rows.group(k, groups)] == 1 && (rows.normals[PAIR * k + FRICTION] > 0 || !isTied(k));
+        int group = rows.group(k, groups);
+        return isLoaded(group) || counts[group] == 1 && (rows.normals[PAIR * k + FRICTION] > 0 || !isTied(k));
+    }
+
+    /** Whether nothing in a group strikes faster than forces could make it: most of what it takes is a load, which Poisson's law would give back. */
+    private boolean isLoaded(int group) {
+        return fastest[group] < SLOW * loads[group];
     }
 
     /** Whether a point that has met has given back what it took by {@link Reflections}. */
