@@ -87,7 +87,7 @@ final class Groups implements Serializable {
             watch(tied.values[k]);
         }
         for (int k = 0; k < rows.count; k++) {
-            if (rows.mayBounce(k)) {
+            if (rows.mayBounce(k) || rows.isFast(k)) {
                 watch(rows.first(k));
                 watch(rows.second(k));
             }
@@ -145,7 +145,7 @@ final class Groups implements Serializable {
     }
 
     private static int code(ContactRows rows, int k) {
-        return rows.first(k) << 2 | (rows.mayBounce(k) ? 1 : 0) | (rows.isDriven(k) ? 2 : 0);
+        return rows.first(k) << 3 | (rows.mayBounce(k) ? 1 : 0) | (rows.isDriven(k) ? 2 : 0) | (rows.isFast(k) ? 4 : 0);
     }
 
     /** Puts the bodies in the order of their groups. */

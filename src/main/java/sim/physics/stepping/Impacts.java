@@ -13,8 +13,10 @@ import static sim.physics.stepping.ContactRows.LOAD;
 import static sim.physics.stepping.ContactRows.NORMAL;
 import static sim.physics.stepping.ContactRows.NORMAL_MASS;
 import static sim.physics.stepping.ContactRows.NORMAL_SUM;
+import static sim.physics.stepping.ContactRows.NOW;
 import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.PRESSED;
+import static sim.physics.stepping.ContactRows.REGAIN;
 import static sim.physics.stepping.ContactRows.RESTORED;
 import static sim.physics.stepping.ContactRows.STRIDE;
 import static sim.physics.stepping.ContactRows.TANGENT;
@@ -39,6 +41,12 @@ final class Impacts implements Serializable {
 
     /** When an impulse has settled, relative to itself. */
     private static final double SETTLED = 1e-4;
+
+    /** Points of a group up to which it is solved to the end though nothing in it bounces. */
+    private static final int FEW = 24;
+
+    /** Gap that is none, of the depth that may be regained in a step. */
+    private static final double CLOSED = 1e-3;
 
     /** Times as fast as forces make it in a step is what bounces in spite of them. */
     private static final double SLOW = 4;
@@ -68,6 +76,9 @@ final class Impacts implements Serializable {
 
     private boolean[] areTied = {};
 
+    /** By group: the number of its points, and {@link #FEW} more if something in it may bounce or has turned. */
+    private int[] sizes = {};
+
     /** By group: the largest speed at which something strikes, and the largest one that forces make in the step. */
     private double[] fastest = {};
 
@@ -88,6 +99,7 @@ final class Impacts implements Serializable {
         if (counts.length < groups.count) {
             counts = new int[groups.slots.length];
             areTied = new boolean[groups.slots.length];
+            sizes = new int[groups.slots.length];
             fastest = new double[groups.slots.length];
             loads = new double[groups.slots.length];
         }
@@ -97,28 +109,31 @@ final class Impacts implements Serializable {
         Arrays.fill(loads, 0, groups.count, 0);
         groups.markTied(areTied);
         count();
+        measure();
         for (int k = 0; k < rows.count; k++) {
             for (int p = rows.begin(k); mayMeet(k) && p < rows.end(k); p += STRIDE) {
                 boolean meets = rows.points[p + NORMAL_SUM] > 0 && isImpact(k, p, h);
                 rows.points[p + RESTORED] = meets ? Math.max(PLASTIC, rows.normals[PAIR * k + BOUNCE]) : 0;
-                rows.pairs[INTS * k + BOUNCED] |= meets && rows.mayBounce(k) ? 1 : 0;
                 int group = rows.group(k, groups);
                 counts[group] += meets ? 1 : 0;
                 fastest[group] = meets ? Math.max(fastest[group], -rows.points[p + APPROACH]) : fastest[group];
                 loads[group] = meets ? Math.max(loads[group], h * rows.normals[PAIR * k + WEIGHT]) : loads[group];
             }
         }
-        collect();
+        collect(h);
         return met.size > 0;
     }
 
-    /** Lists the points that have met; what else presses where joints are struck has part in that. */
-    private void collect() {
+    /** Lists the points that have met; what else is closed there has part in that. */
+    private void collect(double h) {
         met.clear();
         for (int k = 0; k < rows.count; k++) {
-            for (int p = rows.begin(k); hasMet(k) && p < rows.end(k); p += STRIDE) {
-                boolean presses = isTied(k) && rows.points[p + NORMAL_SUM] > 0;
-                rows.points[p + RESTORED] = presses ? Math.max(PLASTIC, rows.points[p + RESTORED]) : rows.points[p + RESTORED];
+            boolean hasMet = hasMet(k);
+            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+                double restored = hasMet ? rows.points[p + RESTORED] : 0;
+                rows.pairs[INTS * k + BOUNCED] |= restored > PLASTIC ? 1 : 0;
+                boolean takesPart = hasMet && (isTied(k) && rows.points[p + NORMAL_SUM] > 0 || isPlastic(k) && isClosed(k, p, h));
+                rows.points[p + RESTORED] = takesPart ? Math.max(PLASTIC, restored) : restored;
                 if (rows.points[p + RESTORED] > 0) {
                     met.add(k);
                     met.add(p);
@@ -129,23 +144,36 @@ final class Impacts implements Serializable {
 
     /** Whether there is something to be done about a pair: it may bounce, or strikes what joints tie. */
     private boolean mayMeet(int k) {
-        return rows.mayBounce(k) || rows.isFast(k) && groups.has(k, rows) && isTied(k);
+        return rows.mayBounce(k) || rows.isFast(k) && groups.has(k, rows) && (isTied(k) || isPlastic(k));
+    }
+
+    /** Whether a pair is of a small group in which nothing bounces. */
+    private boolean isPlastic(int k) {
+        return sizes[rows.group(k, groups)] <= FEW;
+    }
+
+    private boolean isClosed(int k, int p, double h) {
+        return rows.points[p + NORMAL_SUM] > 0 || rows.points[p + NOW] <= CLOSED * h * rows.normals[PAIR * k + REGAIN];
     }
 
     private boolean isTied(int k) {
         return areTied[rows.group(k, groups)];
     }
 
-    /** Whether a pair is of a group in which something has met. */
+    /** Whether a pair is of a group in which something has met, and not only for a part of the step. */
     private boolean hasMet(int k) {
-        return groups.has(k, rows) && counts[rows.group(k, groups)] > 0;
+        return groups.has(k, rows) && isStruck(rows.group(k, groups));
+    }
+
+    private boolean isStruck(int group) {
+        return counts[group] > 0 && fastest[group] >= BRIEF * loads[group];
     }
 
     /** Marks the bodies of groups in which something has met, or takes the marks back. */
     void mark(boolean[] marks, boolean as) {
         for (int k = 0; k < groups.bodies; k++) {
             int body = groups.blocks[k] / State.BLOCK;
-            marks[body] = as && counts[groups.slots[body]] > 0;
+            marks[body] = as && isStruck(groups.slots[body]);
         }
     }
 
@@ -155,7 +183,23 @@ final class Impacts implements Serializable {
         boolean lies = touched[rows.first(k)] > 1 || touched[rows.second(k)] > 1;
         double apart = lies ? rows.normals[PAIR * k + LOAD] : Math.max(0, -rows.points[p + FORCED]);
         double pull = h * (hasPressed ? rows.normals[PAIR * k + WEIGHT] : apart);
-        return -rows.points[p + APPROACH] > Math.max(2 * pull, BRIEF * h * rows.normals[PAIR * k + WEIGHT]);
+        return rows.points[p + APPROACH] < -2 * pull || !hasPressed && pull == 0;
+    }
+
+    /** Counts the points of each group. */
+    private void measure() {
+        Arrays.fill(sizes, 0, groups.count, 0);
+        for (int k = 0; k < rows.count; k++) {
+            if (groups.has(k, rows)) {
+                sizes[rows.group(k, groups)] += rows.mayBounce(k) || hasTurned(k) ? FEW + 1 : rows.pointCount(k);
+            }
+        }
+    }
+
+    /** Whether the normal of a pair of discs has turned under its impulses, of which a part would be left if nothing pressed in the end. */
+    private boolean hasTurned(int k) {
+        int o = ContactRows.TURNED * k;
+        return rows.turned[o] != 0 || rows.turned[o + 1] != 0;
     }
 
     /** Counts the pairs in which each body presses. */
