@@ -27,9 +27,6 @@ import sim.physics.stepping.TimeStepping;
 final class Admission implements Presence, Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** How often joints are closed while bodies are parted, before there is thought to be no room. */
-    private static final int MAX_ROUNDS = 10_000;
-
     private final State state;
     private final Trajectories trajectories;
     private final Motion motion;
@@ -452,21 +449,15 @@ final class Admission implements Presence, Serializable {
         return new Overlaps(detection.filter());
     }
 
-    /** Parts overlapping bodies between steps. Where that opens joints, both are done in turn until nothing is left to do. */
+    /** Parts overlapping bodies between steps. */
     int separate(List<Body> bodies) {
-        Overlaps overlaps = overlaps();
-        int sweeps = overlaps.separate(bodies);
-        int round = 0;
-        for (int more = sweeps; more > 0 && constraints != null; sweeps += more) {
-            close(0);
-            state.placedAll();
-            if (++round > MAX_ROUNDS) {
-                throw new IllegalStateException(overlaps.find(bodies).size() + " pairs of bodies still overlap after "
-                        + MAX_ROUNDS + " rounds of parting them and closing their joints: is there room?");
-            }
-            more = overlaps.separate(bodies);
-        }
-        return sweeps;
+        Runnable joints = constraints == null ? null : this::closeJoints;
+        return new Separation(overlaps(), bodies).run(joints);
+    }
+
+    private void closeJoints() {
+        close(0);
+        state.placedAll();
     }
 
     /** Removes a body, with its constraints if that has not been done yet. */

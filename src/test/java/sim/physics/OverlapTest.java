@@ -4,6 +4,7 @@ package sim.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.tuple;
 import static org.assertj.core.api.Assertions.within;
 
@@ -18,6 +19,7 @@ import sim.physics.collision.CollisionFilter;
 import sim.physics.collision.Overlap;
 import sim.physics.collision.Overlaps;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.WeldJoint;
 import sim.physics.motion.Body;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
@@ -78,6 +80,28 @@ class OverlapTest {
         assertThat(engine.overlaps()).isNotEmpty();
         assertThat(engine.separate()).isPositive();
         assertThat(engine.overlaps()).isEmpty();
+    }
+
+    /** Two rods that welds hold across one another: to part them opens the welds, and to close these brings them back, for ever. */
+    @Test
+    void whatHasNoRoomIsGivenUpAndPutBack() {
+        PhysicsEngine engine = new PhysicsEngine();
+        Body trunk = engine.add(new Body(new Rectangle(4, 0.2)).at(0, 1));
+        for (int side = -1; side <= 1; side += 2) {
+            Body limb = engine.add(new Body(new Rectangle(2, 0.2)).at(0.4 * side, 0.1, 1.2 * side).moving(1, 2, 0));
+            engine.add(new WeldJoint(trunk, limb, 0.7 * side, 0.95));
+        }
+        List<double[]> before = places(engine);
+        assertThat(engine.overlaps()).hasSize(1);
+        assertThatThrownBy(engine::separate).isInstanceOf(IllegalStateException.class).hasMessageContaining("is there room?");
+        assertThat(places(engine)).usingRecursiveComparison().isEqualTo(before);
+        assertThat(engine.overlaps()).hasSize(1);
+    }
+
+    private static List<double[]> places(PhysicsEngine engine) {
+        return engine.bodies().stream()
+                .map(b -> new double[] {b.getX(), b.getY(), b.getAngle(), b.getVelocityX(), b.getVelocityY(), b.getAngularVelocity()})
+                .toList();
     }
 
     @Test

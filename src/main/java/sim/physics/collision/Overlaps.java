@@ -5,6 +5,7 @@ package sim.physics.collision;
 import java.util.ArrayList;
 import java.util.List;
 import sim.physics.collision.narrow.Distance;
+import sim.physics.internal.Progress;
 import sim.physics.motion.Body;
 
 /** Finds and parts bodies that overlap where they are. For setting up a scene: it looks at all pairs. */
@@ -15,7 +16,10 @@ public final class Overlaps {
     /** A little more than needed is moved, so that rounding does not leave an overlap. */
     private static final double EXTRA = 1e-10;
 
+    /** Sweeps at most, and those after which the bodies overlap no less. */
     private static final int MAX_SWEEPS = 10_000;
+
+    private static final int PATIENCE = 200;
 
     private final CollisionFilter filter;
     private final Distance distance = new Distance();
@@ -54,6 +58,20 @@ public final class Overlaps {
         return found;
     }
 
+    /**
+     * How deep all of some pairs overlap.
+     *
+     * @param found pairs
+     * @return the sum of their depths
+     */
+    public static double depth(List<Overlap> found) {
+        double sum = 0;
+        for (Overlap overlap : found) {
+            sum += overlap.depth();
+        }
+        return sum;
+    }
+
     private double depth(Body a, Body b) {
         double size = a.getShape().boundingRadius() + b.getShape().boundingRadius();
         if (!CirclePairs.doOverlap(a, b) || a.isFixed() && b.isFixed() || !filter.allows(a, b)) {
@@ -73,17 +91,20 @@ public final class Overlaps {
      */
     public int separate(List<Body> bodies) {
         CirclePairs pairs = new CirclePairs(bodies);
-        for (int sweep = 0; sweep < MAX_SWEEPS; sweep++) {
+        Progress progress = new Progress(PATIENCE);
+        int sweep = 0;
+        for (boolean stalls = false; sweep < MAX_SWEEPS && !stalls; sweep++) {
             List<Overlap> found = find(pairs);
             if (found.isEmpty()) {
                 return sweep;
             }
+            stalls = progress.stalls(depth(found));
             for (Overlap overlap : found) {
                 part(overlap.a(), overlap.b());
             }
         }
         throw new IllegalStateException(
-                find(bodies).size() + " pairs of bodies still overlap after " + MAX_SWEEPS + " sweeps: is there room?");
+                find(bodies).size() + " pairs of bodies still overlap after " + sweep + " sweeps: is there room?");
     }
 
     private void part(Body a, Body b) {

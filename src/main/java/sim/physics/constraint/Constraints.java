@@ -235,11 +235,18 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public void accelerate(IntList bodies, double[] a) {
+    public void accelerate(IntList bodies, double[] a, boolean counts) {
         List<Island> those = of(bodies);
         for (int k = 0; k < those.size(); k++) {
+            those.get(k).effort.setFree(!counts);
             accelerate(those.get(k), a);
+            those.get(k).effort.setFree(false);
         }
+    }
+
+    @Override
+    public long takeEffort(IntList bodies) {
+        return Effort.take(of(bodies));
     }
 
     /** The islands of a group. */
@@ -267,10 +274,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public void begin(IntList bodies, boolean isFree) {
-        List<Island> those = of(bodies);
-        for (int k = 0; k < those.size(); k++) {
-            those.get(k).invariants.begin(state, isFree);
-        }
+        Invariants.begin(of(bodies), state, isFree);
     }
 
     @Override
@@ -301,12 +305,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean project(IntList bodies) {
-        List<Island> those = stabilization.isFeedback() ? List.of() : of(bodies);
-        boolean well = true;
-        for (int k = 0; k < those.size(); k++) {
-            well &= projection.project(those.get(k), state, solver, true);
-        }
-        return well;
+        return stabilization.isFeedback() || projection.project(of(bodies), state, solver);
     }
 
     @Override

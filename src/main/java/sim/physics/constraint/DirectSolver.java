@@ -273,6 +273,7 @@ public final class DirectSolver extends ConstraintSolver {
     /** right = −(J (high + low) + g), with twice the precision. */
     private void residual(Island island, double[] g) {
         double[] j = island.j;
+        island.effort.refine();
         double[] sum = new double[1];
         double[] rest = new double[1];
         for (int p = 0; p < island.nodes; p++) {

@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import java.util.List;
 import sim.physics.motion.State;
 
 /**
@@ -60,6 +61,13 @@ final class Invariants implements Serializable {
             floating &= island.blockA[p] >= 0 && island.blockB[p] >= 0;
         }
         isFloating = floating;
+    }
+
+    /** Begins a step of some islands. */
+    static void begin(List<Island> islands, State state, boolean isFree) {
+        for (int k = 0; k < islands.size(); k++) {
+            islands.get(k).invariants.begin(state, isFree);
+        }
     }
 
     /** Notes the values at the start of a step. */

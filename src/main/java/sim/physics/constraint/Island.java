@@ -107,6 +107,8 @@ final class Island implements Serializable {
 
     final Reactions reactions;
 
+    final Effort effort;
+
     private final Equations equations = new Equations();
     final double leastSize;
     final double mostSize;
@@ -169,6 +171,7 @@ final class Island implements Serializable {
         shake = new Shake(this);
         passage = new Passage(this);
         reactions = new Reactions(this);
+        effort = new Effort(nodes, factor.start);
         isOwn = those.stream().allMatch(Joint::isOwn);
     }
 
@@ -267,6 +270,7 @@ final class Island implements Serializable {
 
     /** Evaluates C, J and J̇ ẋ at the positions and velocities of the state vectors. */
     void evaluate(State state) {
+        effort.evaluate();
         boolean moved = turns.follow(state);
         pins.evaluate(state, moved);
         if (onlyPins) {
@@ -318,12 +322,15 @@ final class Island implements Serializable {
 
     /** A = J W Jᵀ, (41), and its factors; rows that are zero get a 1 on the diagonal. */
     void factor(double[] w, double relaxation, double least, boolean whole) {
+        effort.factor();
         assemble(w, factor);
         factor.factor(relaxation, least, whole);
     }
 
     /** Factors A and solves A λ = b at once, b and λ in {@code right}. */
     void factorAndSolve(double[] w, double[] right, double least) {
+        effort.factor();
+        effort.solve();
         assemble(w, factor);
         factor.factor(right, least);
         factor.back(right);
@@ -397,6 +404,7 @@ final class Island implements Serializable {
 
     /** Solves A λ = b in place. */
     void solve(double[] right) {
+        effort.solve();
         factor.solve(right);
     }
 

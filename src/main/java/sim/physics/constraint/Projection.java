@@ -125,6 +125,15 @@ final class Projection implements Serializable {
         return done && !(gentle && island.passage.endsUnawares());
     }
 
+    /** Projects islands after a reasonable step; false if one has given up. */
+    boolean project(List<Island> those, State state, ConstraintSolver solver) {
+        boolean well = true;
+        for (int k = 0; k < those.size(); k++) {
+            well &= project(those.get(k), state, solver, true);
+        }
+        return well;
+    }
+
     /** Projects islands however far that is; false if one has no such place near, or gains by it what no force gives. */
     boolean force(List<Island> those, State state, ConstraintSolver solver) {
         boolean well = true;

@@ -265,7 +265,7 @@ public final class TieRows implements Serializable {
      */
     public void solve(boolean[] marks, Softness softness, double h) {
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.isMarked(k, marks) && (softness == Softness.RIGID || equations.kinds[k] != TieEquations.Kind.MOTOR)) {
+            if (equations.isMarked(k, marks) && (softness.rate() == 0 || equations.kinds[k] != TieEquations.Kind.MOTOR)) {
                 solve(k, softness, h);
             }
         }

@@ -126,12 +126,17 @@ public final class Work implements Serializable {
     /**
      * Takes note that the accelerations of a group were asked for.
      *
-     * @param bodies how many
+     * @param units how many bodies, and what was solved for them since the last time
      * @throws Spent if that is more than is allowed
      */
-    public void evaluate(int bodies) {
+    public void evaluate(long units) {
         evaluations++;
-        spend(bodies);
+        spend(units);
+    }
+
+    /** {@return whether a step is on its way, so that what is done counts} */
+    public boolean isOn() {
+        return isOn;
     }
 
     /** {@return how often accelerations were asked for, in steps and between them} */

@@ -454,10 +454,10 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     @Override
     public void acceleration(IntList bodies, double t, double[] a) {
-        work.evaluate(bodies.size);
+        work.evaluate(bodies.size + (work.isOn() && isTiedGroup(bodies) ? ties.takeEffort(bodies) : 0)); // what was solved since the last time
         load(bodies, t, a);
         if (isTiedGroup(bodies)) {
-            ties.accelerate(bodies, a); // (34)–(41)
+            ties.accelerate(bodies, a, work.isOn()); // (34)–(41)
         }
     }
 

@@ -80,8 +80,27 @@ public interface Ties extends Serializable {
      *
      * @param bodies all bodies of an island, or of several and others
      * @param a accelerations that the bodies would have without the ties, [x″, y″, θ″] per body of the state
+     * @param counts whether that is an effort: not if somebody asks between steps
      */
-    void accelerate(IntList bodies, double[] a);
+    void accelerate(IntList bodies, double[] a, boolean counts);
+
+    /**
+     * The same in a step.
+     *
+     * @param bodies all bodies of an island, or of several and others
+     * @param a accelerations
+     */
+    default void accelerate(IntList bodies, double[] a) {
+        accelerate(bodies, a, true);
+    }
+
+    /**
+     * Takes what the ties of some bodies have cost so far: their equations are solved many times where they depend on one another.
+     *
+     * @param bodies all bodies of an island, or of several and others
+     * @return units of {@link sim.physics.internal.Work} since the last call
+     */
+    long takeEffort(IntList bodies);
 
     /**
      * Takes note of the positions and velocities of the state vectors at the start of a step.

@@ -92,6 +92,9 @@ public final class TimeStepping implements Serializable {
     /** The substep by which depths and gaps are regained: what longer ones have left is not to be thrown out in a shorter one. */
     private double pace;
 
+    /** The pace that the softness is of. */
+    private double softened;
+
     private Softness contact = Softness.RIGID;
     private Softness joint = Softness.RIGID;
 
@@ -398,8 +401,9 @@ public final class TimeStepping implements Serializable {
     }
 
     private void soften(double substep) {
-        if (substep != pace) {
-            pace = substep;
+        pace = substep;
+        if (substep != softened) { // the pace may have been set beforehand
+            softened = substep;
             contact = Softness.of(CONTACT_FREQUENCY, CONTACT_DAMPING, pace);
             joint = Softness.of(JOINT_FREQUENCY, JOINT_DAMPING, pace);
         }
