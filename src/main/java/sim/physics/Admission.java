@@ -14,6 +14,7 @@ import sim.physics.motion.Body;
 import sim.physics.motion.Groups;
 import sim.physics.motion.Motion;
 import sim.physics.motion.Presence;
+import sim.physics.motion.Reach;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 import sim.physics.response.lasting.Heaps;
@@ -253,7 +254,7 @@ final class Admission implements Presence, Serializable {
                     bring(island.values[m], tau);
                 }
                 if (stepped == null) {
-                    constraints.assemble(island);
+                    constraints.assemble(island, Reach.ANYWHERE);
                 } else {
                     stepped.assemble(island);
                 }

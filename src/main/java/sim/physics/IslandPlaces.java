@@ -10,6 +10,7 @@ import sim.physics.constraint.Constraint;
 import sim.physics.constraint.Constraints;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
+import sim.physics.motion.Reach;
 import sim.physics.motion.State;
 
 /** Where the islands of some constraints are before they are closed: theirs alone, as a scene may close thousands one by one. */
@@ -34,7 +35,7 @@ final class IslandPlaces {
 
     /** Closes the constraints, one after the other. */
     void assemble() {
-        islands.forEach(constraints::assemble);
+        islands.forEach(island -> constraints.assemble(island, Reach.ANYWHERE));
     }
 
     private double[] copy(IntList island) {

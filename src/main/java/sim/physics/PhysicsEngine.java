@@ -162,6 +162,14 @@ public final class PhysicsEngine implements Steppable {
      *
      * <p>If a listener or other code of yours throws an exception, the step ends there. The bodies stay where they are at that
      * instant, the step is not counted, and the next one goes on from there.
+     *
+     * <p>Joints of bodies that were moved since the last step, such as by {@link Body#setPosition}, are closed first, as
+     * {@link #assemble} does it.
+     *
+     * @throws ConstraintException if there are no places that satisfy the joints, or the step is much too long for them. You are
+     *     told once: the next step, if it would throw that again, is {@linkplain #setWorkLimit relieved} instead, in which time
+     *     stepping pulls the bodies together as far as they go. Audited engines throw it each time
+     * @throws IllegalStateException if a listener or other code calls this within a step
      */
     public void step() {
         if (stepping || asking || telling) {
@@ -200,10 +208,11 @@ public final class PhysicsEngine implements Steppable {
                 }
             }
             finish();
+            relief.goOn();
             isOver = true;
         } catch (Work.Spent | ConstraintException e) {
-            if (e instanceof ConstraintException && relief.relieved() == 0) {
-                throw e; // the author's: what he has set, or a step that is too long
+            if (e instanceof ConstraintException && relief.tells(audit != null)) {
+                throw e;
             }
             relief.begin(steps); // time stepping makes the rest of the step
         } finally {
@@ -1239,7 +1248,8 @@ public final class PhysicsEngine implements Steppable {
      * Work is counted, not timed, so a run is the same on any machine.
      *
      * <p>Once a step has been relieved, steps in which a {@link ConstraintException} is thrown are relieved too, since joints may
-     * be where time stepping has left them.
+     * be where time stepping has left them. So is a step that you make after one that has thrown it, without having changed what
+     * it was thrown for.
      *
      * <p>Unless set, the limit is 10 million units plus 200 for each body, which is some seconds. The step in which the limit is
      * met and the eight after it are relieved. If events cost too much again within as many steps, twice as many are relieved, up

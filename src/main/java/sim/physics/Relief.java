@@ -7,6 +7,7 @@ import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Work;
+import sim.physics.motion.Reach;
 import sim.physics.motion.State;
 
 /**
@@ -39,6 +40,9 @@ final class Relief implements Serializable {
     private long until;
     private long last = Long.MIN_VALUE / 2;
     private long relieved;
+
+    /** Whether the last step by events has ended in an exception that the author was told. */
+    private boolean hasTold;
 
     void setLimit(long units) {
         limit = units;
@@ -74,6 +78,21 @@ final class Relief implements Serializable {
         return isOn && step >= until;
     }
 
+    /**
+     * Whether the author is to be told that constraints cannot be kept: what he has set may contradict itself, or a step is too long.
+     * He is told once; if he makes the next step all the same, he gets as much of it as there is.
+     */
+    boolean tells(boolean isAudited) {
+        boolean isNews = relieved == 0 && (!hasTold || isAudited);
+        hasTold = true;
+        return isNews;
+    }
+
+    /** A step has been made by events. */
+    void goOn() {
+        hasTold = false;
+    }
+
     /** Events cannot go on from where bodies are. */
     void extend(long step) {
         isOn = true;
@@ -90,7 +109,7 @@ final class Relief implements Serializable {
                     for (int m = 0; m < island.size; m++) {
                         state.touch(island.values[m]);
                     }
-                    constraints.assemble(island);
+                    constraints.assemble(island, Reach.NEWTON);
                 }
             }
             return true;

@@ -212,6 +212,16 @@ final class BlockFactor implements Serializable {
         }
     }
 
+    /** Products of blocks that a factorization takes. */
+    long work() {
+        long sum = n;
+        for (int p = 0; p < n; p++) {
+            long met = start[p + 1] - start[p];
+            sum += met * (met + 1) / 2;
+        }
+        return sum;
+    }
+
     /** Ways and angles apart, as a sum of the two would depend on the unit of length; and without rows that are empty or at rest. */
     private void relax(double relaxation) {
         extraWay = 0;

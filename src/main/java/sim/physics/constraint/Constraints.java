@@ -10,6 +10,7 @@ import sim.physics.internal.IntList;
 import sim.physics.matrix.BlockSparseMatrix;
 import sim.physics.motion.Body;
 import sim.physics.motion.Loads;
+import sim.physics.motion.Reach;
 import sim.physics.motion.State;
 import sim.physics.motion.SwitchedTies;
 import sim.physics.motion.TiedCoordinates;
@@ -309,8 +310,8 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public void assemble(IntList bodies) {
-        of(bodies).forEach(island -> projection.assemble(island, state, solver));
+    public void assemble(IntList bodies, Reach reach) {
+        of(bodies).forEach(island -> projection.assemble(island, state, solver, reach));
     }
 
     /**
@@ -326,7 +327,7 @@ public final class Constraints implements Ties, Serializable {
     @Override
     public boolean force(IntList bodies) {
         if (stabilization.isFeedback() || !Creep.arePossible(of(bodies))) {
-            assemble(bodies);
+            assemble(bodies, Reach.NEWTON); // a step does not put bodies elsewhere
             return true;
         }
         return projection.force(of(bodies), state, solver);

@@ -343,6 +343,13 @@ final class Island implements Serializable {
         pins.forgetMasses();
     }
 
+    /** u += W Jᵀ λ with other masses. */
+    void applyOther(double[] w, double[] multipliers, double[] u) {
+        pins.forgetMasses();
+        apply(w, multipliers, u);
+        pins.forgetMasses();
+    }
+
     private void assemble(double[] w, BlockFactor to) {
         to.clear();
         if (onlyPins) {

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import sim.physics.motion.Carry;
+import sim.physics.motion.Reach;
 import sim.physics.motion.State;
 
 /**
@@ -76,7 +77,7 @@ final class Projection implements Serializable {
     }
 
     /** Projects positions and velocities, however far that is; throws if there are none, and all is as before. */
-    void assemble(Island island, State state, ConstraintSolver solver) {
+    void assemble(Island island, State state, ConstraintSolver solver, Reach reach) {
         island.invariants.end();
         int n = State.BLOCK * island.bodies.size;
         before = before.length < 2 * n ? new double[2 * n] : before;
@@ -85,8 +86,15 @@ final class Projection implements Serializable {
             before[n + k] = state.v()[slot(island, k)];
         }
         boolean done = false;
+        int tried = 0;
         try {
             done = project(island, state, solver, false);
+            tried = corrections;
+            if (!done && reach != Reach.NEWTON) {
+                Assembly assembly = new Assembly(this, island, state, solver, before);
+                done = assembly.close(reach == Reach.ANYWHERE);
+                tried += assembly.corrections();
+            }
         } finally { // an author's constraint may throw
             for (int k = 0; !done && k < n; k++) {
                 state.x()[slot(island, k)] = before[k];
@@ -96,7 +104,7 @@ final class Projection implements Serializable {
         if (!done) {
             note(state);
             island.evaluate(state);
-            throw Slack.failure(island, corrections);
+            throw Slack.failure(island, tried);
         }
     }
 

@@ -26,9 +26,9 @@ public final class Spring implements ForceGenerator, Link {
     private final double ay;
     private final double bx;
     private final double by;
-    private final double length;
-    private final double stiffness;
-    private final double damping;
+    private double length;
+    private double stiffness;
+    private double damping;
 
     /** Cosine and sine of both bodies, and the angles that they are of: both bodies are asked for at each instant. */
     private transient double[] turn;
@@ -106,6 +106,19 @@ public final class Spring implements ForceGenerator, Link {
     }
 
     /**
+     * Sets the length at which the spring exerts no force, as a muscle does that contracts. Like a motor's speed, it may be set at any time, between steps or from a listener; it holds from that
+     * instant on.
+     *
+     * @param length length L, length, not negative
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
+    public void setLength(double length) {
+        boolean isNew = Check.notNegative("length", length) != this.length;
+        writeIf(isNew);
+        this.length = length;
+    }
+
+    /**
      * Returns the stiffness: force per length.
      *
      * @return stiffness k
@@ -115,12 +128,47 @@ public final class Spring implements ForceGenerator, Link {
     }
 
     /**
+     * Sets the stiffness. Like a motor's speed, it may be set at any time, between steps or from a listener; it holds from that
+     * instant on.
+     *
+     * @param stiffness k, force/length, not negative
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
+    public void setStiffness(double stiffness) {
+        boolean isNew = Check.notNegative("stiffness", stiffness) != this.stiffness;
+        writeIf(isNew);
+        this.stiffness = stiffness;
+    }
+
+    /**
      * Returns the damping: force per speed.
      *
      * @return damping c
      */
     public double getDamping() {
         return damping;
+    }
+
+    /**
+     * Sets the damping. Like a motor's speed, it may be set at any time, between steps or from a listener; it holds from that
+     * instant on.
+     *
+     * @param damping c, force·time/length, not negative
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
+    public void setDamping(double damping) {
+        boolean isNew = Check.notNegative("damping", damping) != this.damping;
+        writeIf(isNew);
+        this.damping = damping;
+    }
+
+    /** Lets an engine look anew at the bodies of the spring, which may be at rest or asleep. */
+    private void writeIf(boolean isNew) {
+        for (Body body : isNew ? getBodies() : List.<Body>of()) {
+            if (!body.isFixed()) {
+                body.state().write(body.index());
+            }
+        }
     }
 
     @Override
@@ -209,5 +257,11 @@ public final class Spring implements ForceGenerator, Link {
         dy -= sinB * bx + cosB * by + (b == null ? 0 : b.getY());
         double stretch = Math.sqrt(dx * dx + dy * dy) - length;
         return 0.5 * stiffness * stretch * stretch;
+    }
+
+    @Override
+    public String toString() {
+        return getClass().getSimpleName() + "(" + a + ", " + (b == null ? "world" : b) + ", length " + length + ", stiffness "
+                + stiffness + ", damping " + damping + ")";
     }
 }

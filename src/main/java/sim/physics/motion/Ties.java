@@ -209,9 +209,10 @@ public interface Ties extends Serializable {
      * Brings an island to positions and velocities that its ties allow, however far they are.
      *
      * @param island all bodies of an island, or of several and others
-     * @throws IllegalStateException if there are none
+     * @param reach how far it is looked for them
+     * @throws IllegalStateException if there are none; then all is as before
      */
-    void assemble(IntList island);
+    void assemble(IntList island, Reach reach);
 
     /**
      * Prepares for {@link #reply} and {@link #settle} at the positions of the state vectors.

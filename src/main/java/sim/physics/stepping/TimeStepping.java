@@ -16,6 +16,7 @@ import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
 import sim.physics.motion.Body;
 import sim.physics.motion.Motion;
+import sim.physics.motion.Reach;
 import sim.physics.motion.State;
 import sim.physics.motion.SteppedForces;
 import sim.physics.motion.SurfaceRows;
@@ -216,7 +217,7 @@ public final class TimeStepping implements Serializable {
     public void assemble(IntList island) {
         try {
             if (!constraints.haveHub(island)) {
-                constraints.assemble(island);
+                constraints.assemble(island, Reach.DOWNHILL);
             }
         } catch (ConstraintException e) {
             // all is as before

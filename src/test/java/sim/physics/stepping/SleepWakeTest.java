@@ -116,6 +116,9 @@ class SleepWakeTest {
         OTHERS.put("motor removed", s -> s.engine.remove(s.motor));
         OTHERS.put("breaking load", s -> s.hinge.setBreakingLoad(1e9, 1e9));
         OTHERS.put("hook of the spring", s -> s.hook.setPosition(20, 3.1));
+        OTHERS.put("length of the spring", s -> s.spring.setLength(2.1));
+        OTHERS.put("stiffness of the spring", s -> s.spring.setStiffness(90));
+        OTHERS.put("damping of the spring", s -> s.spring.setDamping(10));
         OTHERS.put("spring removed", s -> s.engine.remove(s.spring));
         OTHERS.put("hook removed", s -> s.engine.remove(s.hook));
 
