@@ -28,6 +28,7 @@ public final class TieRows implements Serializable {
     /** The pins, which have a loop of their own; and all others. */
     private final TieOrder order = new TieOrder();
     private final PinImpulses pinImpulses;
+    private final StopRows stops;
     /** Impulses of this substep; of a stop that of its lower and its upper bound. */
     private double[] impulse = {};
     private double h;
@@ -35,12 +36,8 @@ public final class TieRows implements Serializable {
     private double[] kept = {};
     /** What the first bodies got in the step: impulse, and turning impulse about the centre. */
     private double[] sum = {};
-    /** Speeds of stops, and bounds of motors, at the start of the step. */
-    private double[] approach = {};
-    /** Whether a bound of a stop has borne something in this step. */
-    private boolean[] hit = {};
-    /** Whether there are stops that bounce. */
-    private boolean bounces;
+    /** Bounds of motors at the start of the step. */
+    private double[] limits = {};
     /** The changes that these rows are for. */
     private long version = -1;
 
@@ -52,6 +49,7 @@ public final class TieRows implements Serializable {
     public TieRows(State state) {
         this.state = state;
         equations = new TieEquations(state);
+        stops = new StopRows(state, equations);
         pinImpulses = new PinImpulses(state);
     }
 
@@ -94,15 +92,14 @@ public final class TieRows implements Serializable {
         impulse = new double[ROWS * n];
         kept = new double[ROWS * n];
         sum = new double[BLOCK * n];
-        approach = new double[n];
-        hit = new boolean[2 * n];
-        bounces = others.stream().anyMatch(tie -> tie instanceof Limit stop && stop.getRestitution() > 0);
+        limits = new double[n];
+        stops.gather(impulse);
         for (int k = 0; k < n; k++) {
             double[] old = before.get(others.get(k));
             if (old != null) {
                 System.arraycopy(old, 0, impulse, ROWS * k, ROWS);
                 System.arraycopy(old, ROWS, sum, BLOCK * k, BLOCK);
-                approach[k] = old[ROWS + BLOCK];
+                limits[k] = old[ROWS + BLOCK];
             }
         }
     }
@@ -112,7 +109,7 @@ public final class TieRows implements Serializable {
         double[] record = new double[ROWS + BLOCK + 1];
         System.arraycopy(impulse, ROWS * k, record, 0, ROWS);
         System.arraycopy(sum, BLOCK * k, record, ROWS, BLOCK);
-        record[ROWS + BLOCK] = approach[k];
+        record[ROWS + BLOCK] = limits[k];
         return record;
     }
 
@@ -166,7 +163,7 @@ public final class TieRows implements Serializable {
 
     /** Whether a constraint is a motor that wants to run, or is of another strength than in its last step. */
     private boolean isSet(int k) {
-        return equations.ties[k] instanceof Motor motor && (motor.getSpeed() != 0 || motor.getLimit() != approach[k]);
+        return equations.ties[k] instanceof Motor motor && (motor.getSpeed() != 0 || motor.getLimit() != limits[k]);
     }
 
     /**
@@ -184,10 +181,9 @@ public final class TieRows implements Serializable {
         System.arraycopy(impulse, 0, kept, 0, ROWS * equations.count());
         equations.evaluate(true, h);
         Arrays.fill(sum, 0, BLOCK * equations.count(), 0);
-        Arrays.fill(hit, false);
+        stops.begin(h);
         for (int k = 0; k < equations.count(); k++) {
-            boolean isStop = equations.kinds[k] == TieEquations.Kind.STOP;
-            approach[k] = isStop ? equations.speed(k, 0, state.v()) : equations.ties[k] instanceof Motor motor ? motor.getLimit() : 0;
+            limits[k] = equations.ties[k] instanceof Motor motor ? motor.getLimit() : 0;
         }
     }
 
@@ -309,7 +305,7 @@ public final class TieRows implements Serializable {
         switch (equations.kinds[k]) {
             case JOINT -> join(k, softness);
             case MOTOR -> drive(k, (Motor) equations.ties[k], h);
-            case STOP -> stop(k, (Limit) equations.ties[k], softness, h);
+            case STOP -> stops.solve(k, softness, h);
         }
     }
 
@@ -350,54 +346,18 @@ public final class TieRows implements Serializable {
         take(k, 0, (asked > most ? most : asked < -most ? -most : asked) - old); // a branch waits for nothing, Math.min does
     }
 
-    private void stop(int k, Limit stop, Softness softness, double h) {
-        double q = equations.c[ROWS * k];
-        bound(k, 0, q - stop.getLower(), 1, softness, h);
-        bound(k, 1, stop.getUpper() - q, -1, softness, h);
-    }
-
-    /** One bound of a stop: what is left of the way may be gone in the substep, what is beyond it is regained. */
-    private void bound(int k, int side, double gap, int sign, Softness softness, double h) {
-        int o = ROWS * k + side;
-        if (gap == Double.POSITIVE_INFINITY) {
-            return;
-        }
-        double speed = sign * equations.speed(k, 0, state.v());
-        boolean isOpen = gap > 0;
-        double aim = isOpen ? gap / h : softness.rate() * equations.limited(k, 0, gap);
-        aim += softness.rate() > 0 ? sign * equations.bend[ROWS * k] : 0;
-        double mass = isOpen ? 1 : softness.mass();
-        double back = isOpen ? 0 : softness.impulse();
-        double old = impulse[o];
-        double now = old - mass * equations.inverse[ROWS * ROWS * k] * (speed + aim) - back * old;
-        now = now > 0 ? now : 0;
-        if (now > 0 || old > 0) { // else it is free, as stops mostly are
-            impulse[o] = now;
-            hit[2 * k + side] |= now > 0;
-            equations.push(k, 0, sign * (now - old));
-        }
-    }
-
     /** Adds the impulses of a substep to those of the step. */
     public void add() {
         pinImpulses.add();
         for (int k = 0; k < BLOCK * equations.count(); k++) {
             sum[k] += equations.given[k];
         }
+        stops.add();
     }
 
-    /** {@return whether there are stops that bounce} */
-    public boolean bounces() {
-        return bounces;
-    }
-
-    /** Lets coordinates bounce off stops that they have hit. */
-    public void bounce() {
-        for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k] == TieEquations.Kind.STOP) {
-                equations.bounce(k, approach[k], hit[2 * k], hit[2 * k + 1]);
-            }
-        }
+    /** {@return the stops, and what strikes them} */
+    public StopRows stops() {
+        return stops;
     }
 
     /** Begins to add up what bounces give. */

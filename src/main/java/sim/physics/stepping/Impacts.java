@@ -24,6 +24,7 @@ import static sim.physics.stepping.ContactRows.WEIGHT;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.constraint.StopRows;
 import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
@@ -65,8 +66,8 @@ final class Impacts implements Serializable {
         struck = new StruckPoints(state, rows);
     }
 
-    /** Notes which points have met; false if none has. */
-    boolean find(double h) {
+    /** Notes which points have met, and which stops were struck; false if none. */
+    boolean find(double h, StopRows stops) {
         if (counts.length < groups.count) {
             counts = new int[groups.slots.length];
             areTied = new boolean[groups.slots.length];
@@ -83,8 +84,9 @@ final class Impacts implements Serializable {
                 counts[rows.group(k, groups)] += meets ? 1 : 0;
             }
         }
+        stops.find(groups.slots, counts);
         collect();
-        return met.size > 0;
+        return met.size > 0 || stops.haveMet();
     }
 
     /** Lists the points that have met; what else presses where joints are struck has part in that. */

@@ -341,7 +341,7 @@ public final class TimeStepping implements Serializable {
         if (isRubbed) {
             surface.begin(poses.awake);
         }
-        boolean bounces = rows.bounces > 0 || isTied && (ties.bounces() || rows.fast > 0);
+        boolean bounces = rows.bounces > 0 || isTied && (ties.stops().mayStrike(h) || rows.fast > 0);
         boolean isBalanced = bounces || isTied;
         retake.begin(rows, isCold || areOthers, isBalanced || rows.driven > 0);
         if (bounces) {
