@@ -304,7 +304,7 @@ public final class TieRows implements Serializable {
     private void solve(int k, Softness softness, double h) {
         switch (equations.kinds[k]) {
             case JOINT -> join(k, softness);
-            case MOTOR -> drive(k, (Motor) equations.ties[k], h);
+            case MOTOR -> drive(k, (Motor) equations.ties[k], softness, h);
             case STOP -> stops.solve(k, softness, h);
         }
     }
@@ -339,10 +339,12 @@ public final class TieRows implements Serializable {
         equations.push(k, row, by);
     }
 
-    private void drive(int k, Motor motor, double h) {
+    /** A motor has no place to go back to; but where a way is to be gone, it is that of its speed, along a direction that turns meanwhile. */
+    private void drive(int k, Motor motor, Softness softness, double h) {
         double most = motor.getLimit() * h;
         double old = impulse[ROWS * k];
-        double asked = old - equations.inverse[ROWS * ROWS * k] * (equations.speed(k, 0, state.v()) - motor.getSpeed());
+        double speed = equations.speed(k, 0, state.v()) + (softness.rate() > 0 ? equations.bend[ROWS * k] : 0);
+        double asked = old - equations.inverse[ROWS * ROWS * k] * (speed - motor.getSpeed());
         take(k, 0, (asked > most ? most : asked < -most ? -most : asked) - old); // a branch waits for nothing, Math.min does
     }
 
