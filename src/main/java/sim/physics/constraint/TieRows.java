@@ -29,6 +29,7 @@ public final class TieRows implements Serializable {
     private final TieOrder order = new TieOrder();
     private final PinImpulses pinImpulses;
     private final StopRows stops;
+    private final HeldMotors held;
     /** Impulses of this substep; of a stop that of its lower and its upper bound. */
     private double[] impulse = {};
     private double h;
@@ -50,6 +51,7 @@ public final class TieRows implements Serializable {
         this.state = state;
         equations = new TieEquations(state);
         stops = new StopRows(state, equations);
+        held = new HeldMotors(equations);
         pinImpulses = new PinImpulses(state);
     }
 
@@ -94,6 +96,7 @@ public final class TieRows implements Serializable {
         sum = new double[BLOCK * n];
         limits = new double[n];
         stops.gather(impulse);
+        held.gather();
         for (int k = 0; k < n; k++) {
             double[] old = before.get(others.get(k));
             if (old != null) {
@@ -178,8 +181,9 @@ public final class TieRows implements Serializable {
         for (int k = 0; growth != 1 && k < ROWS * equations.count(); k++) {
             impulse[k] *= growth;
         }
-        System.arraycopy(impulse, 0, kept, 0, ROWS * equations.count());
         equations.evaluate(true, h);
+        held.share(impulse, h);
+        System.arraycopy(impulse, 0, kept, 0, ROWS * equations.count());
         Arrays.fill(sum, 0, BLOCK * equations.count(), 0);
         stops.begin(h);
         for (int k = 0; k < equations.count(); k++) {

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.GearJoint;
 import sim.physics.constraint.Limit;
+import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.SliderJoint;
@@ -197,5 +198,30 @@ class SteppedStopTest {
         }
         assertThat(highest).as("fastest upwards, of 4.5 downwards").isLessThan(0.02);
         assertThat(engine.getReaction(stop).forceY()).isCloseTo(2 * Stepped.G, within(0.05));
+    }
+
+    /** A lift on its lower stop, held by a brake, too, on which a box has fallen: both push up, the brake as far as it can. */
+    @Test
+    void aBrakeDoesNotPushAgainstTheStopAtWhichItStands() {
+        for (double limit : new double[] {6000, 1000}) {
+            for (int side : new int[] {1, -1}) {
+                PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
+                engine.setSleepAllowed(false);
+                engine.add(new Gravity(0, -Stepped.G));
+                Body lift = engine.add(Stepped.rough(new Body(new Rectangle(3, 0.2))));
+                lift.setMass(300);
+                SliderJoint rail = engine.add(new SliderJoint(lift, null, 0, 0, 0, side));
+                Motor brake = engine.add(Motor.sliding(rail, 0, limit));
+                Limit stop = engine.add(side > 0 ? Limit.travel(rail, 0, 10) : Limit.travel(rail, -10, 0));
+                Body box = engine.add(Stepped.rough(new Body(new Rectangle(1, 1)).at(0, 1)));
+                box.setMass(240);
+                Stepped.run(engine, 180);
+                double half = 270 * Stepped.G;
+                double held = Math.min(limit, half);
+                assertThat(engine.getReaction(brake).forceY()).isCloseTo(held, within(1.0));
+                assertThat(engine.getReaction(stop).forceY()).isCloseTo(2 * half - held, within(1.0));
+                assertThat(rail.getTravel()).isCloseTo(0, within(1e-3));
+            }
+        }
     }
 }
