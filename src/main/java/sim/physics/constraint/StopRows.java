@@ -36,6 +36,9 @@ public final class StopRows implements Serializable {
     private int count;
     private boolean bounces;
 
+    /** By stop: whether its strikes are impacts. Of ropes alone each is right as soon as it is solved, if it gives nothing back. */
+    private boolean[] areImpacts = {};
+
     /** Impulses of the substep, of all constraints. */
     private double[] impulse = {};
 
@@ -70,8 +73,12 @@ public final class StopRows implements Serializable {
         this.equations = equations;
     }
 
-    /** Takes the stops among the constraints, whose impulses are these. */
-    void gather(double[] impulses) {
+    /**
+     * Takes the stops among the constraints, whose impulses are these.
+     *
+     * @param jointed bodies with joints
+     */
+    void gather(double[] impulses, boolean[] jointed) {
         impulse = impulses;
         places = new int[equations.count()];
         count = 0;
@@ -93,6 +100,10 @@ public final class StopRows implements Serializable {
         free = new double[count];
         met = new int[2 * count];
         areAlone = new boolean[2 * count];
+        areImpacts = new boolean[count];
+        for (int s = 0; s < count; s++) {
+            areImpacts[s] = stop(s).getRestitution() > 0 || equations.isMarked(places[s], jointed);
+        }
         metCount = 0;
     }
 
@@ -110,7 +121,7 @@ public final class StopRows implements Serializable {
             loads[2 * s] = impulse[ROWS * k];
             loads[2 * s + 1] = impulse[ROWS * k + 1];
             coordinate[s] = equations.c[ROWS * k];
-            speed[s] = equations.speed(k, 0, state.v());
+            speed[s] = areImpacts[s] ? equations.speed(k, 0, state.v()) : 0;
             free[s] = 0;
         }
     }
@@ -156,7 +167,7 @@ public final class StopRows implements Serializable {
         int k = places[m / 2];
         double inverse = equations.inverse[ROWS * ROWS * k];
         double borne = loads[m] > 0 ? LIES * loads[m] / (inverse * h) : 0;
-        return toward(m) > step * Math.max(borne, pull(m)) && toward(m) * step > LEAST * equations.limited(k, 0, Double.POSITIVE_INFINITY);
+        return areImpacts[m / 2] && toward(m) > step * Math.max(borne, pull(m)) && toward(m) * step > LEAST * equations.limited(k, 0, Double.POSITIVE_INFINITY);
     }
 
     /** Solves a stop once: what is left of the way may be gone in the substep, what is beyond it is regained. */
@@ -194,7 +205,7 @@ public final class StopRows implements Serializable {
             int o = ROWS * places[s];
             sums[2 * s] += impulse[o];
             sums[2 * s + 1] += impulse[o + 1];
-            if (sums[2 * s] == 0 && sums[2 * s + 1] == 0) {
+            if (areImpacts[s] && sums[2 * s] == 0 && sums[2 * s + 1] == 0) {
                 double now = equations.speed(places[s], 0, state.v());
                 gainBefore[s] = gain[s];
                 gain[s] = (now - speed[s]) / h;

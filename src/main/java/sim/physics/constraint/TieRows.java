@@ -95,7 +95,7 @@ public final class TieRows implements Serializable {
         kept = new double[ROWS * n];
         sum = new double[BLOCK * n];
         limits = new double[n];
-        stops.gather(impulse);
+        stops.gather(impulse, jointed());
         held.gather();
         for (int k = 0; k < n; k++) {
             double[] old = before.get(others.get(k));
@@ -105,6 +105,17 @@ public final class TieRows implements Serializable {
                 limits[k] = old[ROWS + BLOCK];
             }
         }
+    }
+
+    private boolean[] jointed() {
+        boolean[] marks = new boolean[state.x().length / BLOCK];
+        pinImpulses.mark(marks);
+        for (int k = 0; k < equations.count(); k++) {
+            if (equations.kinds[k] == TieEquations.Kind.JOINT) {
+                equations.mark(k, marks);
+            }
+        }
+        return marks;
     }
 
     /** Impulses, what they did in the step, and the bound of a constraint. */
