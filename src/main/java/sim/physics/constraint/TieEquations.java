@@ -130,7 +130,7 @@ final class TieEquations implements Serializable {
     }
 
     /** The first body of a constraint that can move: what is fixed has no group. */
-    private int movable(int k) {
+    int movable(int k) {
         boolean isFirst = state.w().values()[blocks[2 * k]] > 0;
         return blocks[isFirst ? 2 * k : 2 * k + 1] / BLOCK;
     }
@@ -281,18 +281,6 @@ final class TieEquations implements Serializable {
             }
         }
         return off > SETTLED * SETTLED * all;
-    }
-
-    /** Lets a coordinate bounce off a stop whose lower or upper bound it has hit. */
-    void bounce(int k, double approach, boolean hasHitLower, boolean hasHitUpper) {
-        double restitution = ((Limit) ties[k]).getRestitution();
-        double aim = -restitution * approach;
-        double speed = speed(k, 0, state.v());
-        boolean isLower = hasHitLower && aim > speed && approach < 0;
-        boolean isUpper = hasHitUpper && aim < speed && approach > 0;
-        if (restitution > 0 && (isLower || isUpper)) {
-            push(k, 0, inverse[ROWS * ROWS * k] * (aim - speed));
-        }
     }
 
     /** Gives the bodies an impulse along a row. */

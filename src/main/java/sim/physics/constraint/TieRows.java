@@ -28,6 +28,8 @@ public final class TieRows implements Serializable {
     /** The pins, which have a loop of their own; and all others. */
     private final TieOrder order = new TieOrder();
     private final PinImpulses pinImpulses;
+    private final StopRows stops;
+    private final HeldMotors held;
     /** Impulses of this substep; of a stop that of its lower and its upper bound. */
     private double[] impulse = {};
     private double h;
@@ -35,12 +37,8 @@ public final class TieRows implements Serializable {
     private double[] kept = {};
     /** What the first bodies got in the step: impulse, and turning impulse about the centre. */
     private double[] sum = {};
-    /** Speeds of stops, and bounds of motors, at the start of the step. */
-    private double[] approach = {};
-    /** Whether a bound of a stop has borne something in this step. */
-    private boolean[] hit = {};
-    /** Whether there are stops that bounce. */
-    private boolean bounces;
+    /** Bounds of motors at the start of the step. */
+    private double[] limits = {};
     /** The changes that these rows are for. */
     private long version = -1;
 
@@ -52,6 +50,8 @@ public final class TieRows implements Serializable {
     public TieRows(State state) {
         this.state = state;
         equations = new TieEquations(state);
+        stops = new StopRows(state, equations);
+        held = new HeldMotors(equations);
         pinImpulses = new PinImpulses(state);
     }
 
@@ -94,17 +94,28 @@ public final class TieRows implements Serializable {
         impulse = new double[ROWS * n];
         kept = new double[ROWS * n];
         sum = new double[BLOCK * n];
-        approach = new double[n];
-        hit = new boolean[2 * n];
-        bounces = others.stream().anyMatch(tie -> tie instanceof Limit stop && stop.getRestitution() > 0);
+        limits = new double[n];
+        stops.gather(impulse, jointed());
+        held.gather();
         for (int k = 0; k < n; k++) {
             double[] old = before.get(others.get(k));
             if (old != null) {
                 System.arraycopy(old, 0, impulse, ROWS * k, ROWS);
                 System.arraycopy(old, ROWS, sum, BLOCK * k, BLOCK);
-                approach[k] = old[ROWS + BLOCK];
+                limits[k] = old[ROWS + BLOCK];
             }
         }
+    }
+
+    private boolean[] jointed() {
+        boolean[] marks = new boolean[state.x().length / BLOCK];
+        pinImpulses.mark(marks);
+        for (int k = 0; k < equations.count(); k++) {
+            if (equations.kinds[k] == TieEquations.Kind.JOINT) {
+                equations.mark(k, marks);
+            }
+        }
+        return marks;
     }
 
     /** Impulses, what they did in the step, and the bound of a constraint. */
@@ -112,7 +123,7 @@ public final class TieRows implements Serializable {
         double[] record = new double[ROWS + BLOCK + 1];
         System.arraycopy(impulse, ROWS * k, record, 0, ROWS);
         System.arraycopy(sum, BLOCK * k, record, ROWS, BLOCK);
-        record[ROWS + BLOCK] = approach[k];
+        record[ROWS + BLOCK] = limits[k];
         return record;
     }
 
@@ -166,7 +177,7 @@ public final class TieRows implements Serializable {
 
     /** Whether a constraint is a motor that wants to run, or is of another strength than in its last step. */
     private boolean isSet(int k) {
-        return equations.ties[k] instanceof Motor motor && (motor.getSpeed() != 0 || motor.getLimit() != approach[k]);
+        return equations.ties[k] instanceof Motor motor && (motor.getSpeed() != 0 || motor.getLimit() != limits[k]);
     }
 
     /**
@@ -181,13 +192,13 @@ public final class TieRows implements Serializable {
         for (int k = 0; growth != 1 && k < ROWS * equations.count(); k++) {
             impulse[k] *= growth;
         }
-        System.arraycopy(impulse, 0, kept, 0, ROWS * equations.count());
         equations.evaluate(true, h);
+        held.share(impulse, h);
+        System.arraycopy(impulse, 0, kept, 0, ROWS * equations.count());
         Arrays.fill(sum, 0, BLOCK * equations.count(), 0);
-        Arrays.fill(hit, false);
+        stops.begin(h);
         for (int k = 0; k < equations.count(); k++) {
-            boolean isStop = equations.kinds[k] == TieEquations.Kind.STOP;
-            approach[k] = isStop ? equations.speed(k, 0, state.v()) : equations.ties[k] instanceof Motor motor ? motor.getLimit() : 0;
+            limits[k] = equations.ties[k] instanceof Motor motor ? motor.getLimit() : 0;
         }
     }
 
@@ -308,8 +319,8 @@ public final class TieRows implements Serializable {
     private void solve(int k, Softness softness, double h) {
         switch (equations.kinds[k]) {
             case JOINT -> join(k, softness);
-            case MOTOR -> drive(k, (Motor) equations.ties[k], h);
-            case STOP -> stop(k, (Limit) equations.ties[k], softness, h);
+            case MOTOR -> drive(k, (Motor) equations.ties[k], softness, h);
+            case STOP -> stops.solve(k, softness, h);
         }
     }
 
@@ -343,39 +354,13 @@ public final class TieRows implements Serializable {
         equations.push(k, row, by);
     }
 
-    private void drive(int k, Motor motor, double h) {
+    /** A motor has no place to go back to; but where a way is to be gone, it is that of its speed, along a direction that turns meanwhile. */
+    private void drive(int k, Motor motor, Softness softness, double h) {
         double most = motor.getLimit() * h;
         double old = impulse[ROWS * k];
-        double asked = old - equations.inverse[ROWS * ROWS * k] * (equations.speed(k, 0, state.v()) - motor.getSpeed());
+        double speed = equations.speed(k, 0, state.v()) + (softness.rate() > 0 ? equations.bend[ROWS * k] : 0);
+        double asked = old - equations.inverse[ROWS * ROWS * k] * (speed - motor.getSpeed());
         take(k, 0, (asked > most ? most : asked < -most ? -most : asked) - old); // a branch waits for nothing, Math.min does
-    }
-
-    private void stop(int k, Limit stop, Softness softness, double h) {
-        double q = equations.c[ROWS * k];
-        bound(k, 0, q - stop.getLower(), 1, softness, h);
-        bound(k, 1, stop.getUpper() - q, -1, softness, h);
-    }
-
-    /** One bound of a stop: what is left of the way may be gone in the substep, what is beyond it is regained. */
-    private void bound(int k, int side, double gap, int sign, Softness softness, double h) {
-        int o = ROWS * k + side;
-        if (gap == Double.POSITIVE_INFINITY) {
-            return;
-        }
-        double speed = sign * equations.speed(k, 0, state.v());
-        boolean isOpen = gap > 0;
-        double aim = isOpen ? gap / h : softness.rate() * equations.limited(k, 0, gap);
-        aim += softness.rate() > 0 ? sign * equations.bend[ROWS * k] : 0;
-        double mass = isOpen ? 1 : softness.mass();
-        double back = isOpen ? 0 : softness.impulse();
-        double old = impulse[o];
-        double now = old - mass * equations.inverse[ROWS * ROWS * k] * (speed + aim) - back * old;
-        now = now > 0 ? now : 0;
-        if (now > 0 || old > 0) { // else it is free, as stops mostly are
-            impulse[o] = now;
-            hit[2 * k + side] |= now > 0;
-            equations.push(k, 0, sign * (now - old));
-        }
     }
 
     /** Adds the impulses of a substep to those of the step. */
@@ -384,20 +369,12 @@ public final class TieRows implements Serializable {
         for (int k = 0; k < BLOCK * equations.count(); k++) {
             sum[k] += equations.given[k];
         }
+        stops.add();
     }
 
-    /** {@return whether there are stops that bounce} */
-    public boolean bounces() {
-        return bounces;
-    }
-
-    /** Lets coordinates bounce off stops that they have hit. */
-    public void bounce() {
-        for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k] == TieEquations.Kind.STOP) {
-                equations.bounce(k, approach[k], hit[2 * k], hit[2 * k + 1]);
-            }
-        }
+    /** {@return the stops, and what strikes them} */
+    public StopRows stops() {
+        return stops;
     }
 
     /** Begins to add up what bounces give. */

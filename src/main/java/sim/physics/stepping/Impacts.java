@@ -26,6 +26,7 @@ import static sim.physics.stepping.ContactRows.WEIGHT;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.constraint.StopRows;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.motion.State;
@@ -94,8 +95,8 @@ final class Impacts implements Serializable {
         struck = new StruckPoints(state, rows);
     }
 
-    /** Notes which points have met; false if none has. */
-    boolean find(double h) {
+    /** Notes which points have met, and which stops were struck; false if none. */
+    boolean find(double h, StopRows stops) {
         if (counts.length < groups.count) {
             counts = new int[groups.slots.length];
             areTied = new boolean[groups.slots.length];
@@ -120,8 +121,12 @@ final class Impacts implements Serializable {
                 loads[group] = meets ? Math.max(loads[group], h * rows.normals[PAIR * k + WEIGHT]) : loads[group];
             }
         }
+        for (int g = 0; g < groups.count; g++) {
+            counts[g] = fastest[g] < BRIEF * loads[g] ? 0 : counts[g];
+        }
+        stops.find(groups.slots, counts);
         collect(h);
-        return met.size > 0;
+        return met.size > 0 || stops.haveMet();
     }
 
     /** Lists the points that have met; what else is closed there has part in that. */
@@ -160,20 +165,16 @@ final class Impacts implements Serializable {
         return areTied[rows.group(k, groups)];
     }
 
-    /** Whether a pair is of a group in which something has met, and not only for a part of the step. */
+    /** Whether a pair is of a group in which something has met. */
     private boolean hasMet(int k) {
-        return groups.has(k, rows) && isStruck(rows.group(k, groups));
-    }
-
-    private boolean isStruck(int group) {
-        return counts[group] > 0 && fastest[group] >= BRIEF * loads[group];
+        return groups.has(k, rows) && counts[rows.group(k, groups)] > 0;
     }
 
     /** Marks the bodies of groups in which something has met, or takes the marks back. */
     void mark(boolean[] marks, boolean as) {
         for (int k = 0; k < groups.bodies; k++) {
             int body = groups.blocks[k] / State.BLOCK;
-            marks[body] = as && isStruck(groups.slots[body]);
+            marks[body] = as && counts[groups.slots[body]] > 0;
         }
     }
 

@@ -3,6 +3,7 @@
 package sim.physics.stepping;
 
 import java.io.Serializable;
+import sim.physics.constraint.StopRows;
 import sim.physics.constraint.TieRows;
 import sim.physics.internal.Softness;
 import sim.physics.motion.SpringRows;
@@ -128,8 +129,9 @@ final class Retake implements Serializable {
      * included, that keeps the energy of elastic bodies, as v⁺ = 2 v − v⁻ is the mirror image of v⁻ in the projection v.
      */
     void bounce(boolean isTied, double h) {
-        boolean goesOn = impacts.find(h);
-        if (!goesOn && !isTied) {
+        StopRows stops = ties.stops();
+        boolean goesOn = impacts.find(h, stops);
+        if (!goesOn) {
             return;
         }
         boolean[] marks = balance.marks();
@@ -137,20 +139,19 @@ final class Retake implements Serializable {
         impacts.mark(marks, true);
         ties.keep();
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            goesOn = ties.settle(marks) | impacts.compress(part);
+            goesOn = ties.settle(marks) | stops.compress(part) | impacts.compress(part);
         }
         bounced.begin(rows);
         contacts.note();
         ties.note();
         reflections.reflect();
         impacts.restore(h);
+        stops.restore();
         goesOn = true;
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            goesOn = impacts.part(part, h) | ties.settle(marks);
+            goesOn = impacts.part(part, h) | stops.part(part) | ties.settle(marks);
         }
-        if (isTied) {
-            ties.bounce();
-        }
+        stops.part(1); // as what is solved last is right
         if (bounced.limit()) {
             contacts.limitSums(bounced.shares());
         }

@@ -345,7 +345,7 @@ public final class TimeStepping implements Serializable {
         if (isRubbed) {
             surface.begin(poses.awake);
         }
-        boolean bounces = rows.bounces > 0 || rows.fast > 0 || isTied && ties.bounces();
+        boolean bounces = rows.bounces > 0 || rows.fast > 0 || isTied && ties.stops().mayStrike(h);
         boolean isBalanced = bounces || isTied;
         retake.begin(rows, isCold || areOthers, isBalanced || rows.driven > 0);
         if (bounces) {
