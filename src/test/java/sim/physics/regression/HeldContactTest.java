@@ -17,7 +17,7 @@ import sim.physics.shape.Rectangle;
  * are none, or a thousand times the energy.
  */
 class HeldContactTest {
-    /** What lies there with friction, after impacts, is given some of it back; it was 3,880,000 J of 0.15 J. */
+    /** With friction it comes to lie there, after impacts; it was refused, and is not thrown. */
     @ParameterizedTest
     @CsvSource({"1e-4, -3", "1e-4, -1", "1e-4, 0.1", "1e-6, -3", "1e-6, -1", "1e-6, -0.1", "1e-6, 3"})
     void nothingIsThrownWhereItLies(double gap, double speed) {
