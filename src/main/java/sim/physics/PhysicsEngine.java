@@ -119,6 +119,11 @@ public final class PhysicsEngine implements Steppable {
     /** Whether, and for how long, it does so because events would cost too much. */
     private final Relief relief = new Relief();
 
+    /** Where a step of tied bodies began; and whether it is being closed what an author has added or written. */
+    private final StepStart start = new StepStart();
+
+    private boolean isAdmitting;
+
     /** Looks of the narrow phase that are counted as work. */
     private transient long looks;
 
@@ -192,6 +197,7 @@ public final class PhysicsEngine implements Steppable {
     private void stepByEvents() {
         stepping = true;
         boolean isOver = false;
+        boolean isFailed = false;
         try {
             begin();
             drive();
@@ -211,18 +217,26 @@ public final class PhysicsEngine implements Steppable {
             relief.goOn();
             isOver = true;
         } catch (Work.Spent | ConstraintException e) {
-            if (e instanceof ConstraintException && relief.tells(audit != null)) {
-                throw e;
+            if (e instanceof ConstraintException && isRefusal() && relief.tells(audit != null)) {
+                throw e; // the author's: what he has set, or a step that is too long
             }
-            relief.begin(steps); // time stepping makes the rest of the step
+            isFailed = e instanceof ConstraintException && !isAdmitting;
+            relief.begin(steps); // time stepping makes the rest of the step, or all of it
         } finally {
-            end(isOver);
+            isAdmitting = false;
+            end(isOver, isFailed);
         }
         if (isOver) {
             tell();
         } else {
             relieve();
         }
+    }
+
+    /** Whether joints that cannot be closed are the author's affair, and not that of a pose in which nobody can tell how bodies go on. */
+    private boolean isRefusal() {
+        boolean isNew = relief.relieved() == 0;
+        return isNew && (audit != null || isAdmitting || start.isTooLong(state, constraints, motion.generators(), timeStep));
     }
 
     /** Events have cost as much as they may in the step: time stepping takes over from here. */
@@ -327,11 +341,11 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /** The step is over, or has been broken off. */
-    private void end(boolean isOver) {
+    private void end(boolean isOver, boolean isFailed) {
         work.end();
         state.setPresence(null, false);
         if (!isOver) {
-            breakOff();
+            breakOff(isFailed);
         }
         stepping = false;
     }
@@ -344,18 +358,37 @@ public final class PhysicsEngine implements Steppable {
         work.spend(units + since);
     }
 
-    /** Code of authors has thrown, or the work is spent: all bodies stay where they are at that instant, and go on from there. */
-    private void breakOff() {
+    /**
+     * Code of authors has thrown, or the work is spent: all bodies stay where they are at that instant, and go on from there; or from where
+     * the step began, if the motion of tied ones has failed or got lost.
+     */
+    private void breakOff(boolean isFailed) {
         response.heaps().breakOff();
+        if (isFailed) {
+            motion.late().drop(); // or the same happened again
+        }
         makeLatePaths();
+        boolean goesBack = isFailed;
         for (Body body : bodies()) {
             int index = body.index();
-            if (detection.knows(index) && !state.isTouched(index)) {
+            if (isFollowed(index)) {
                 trajectories.publish(index, instant, state);
+                goesBack |= relief.isOn() && constraints != null && constraints.isTied(index) && start.hasLost(index, state, timeStep);
             }
-            state.touch(index);
+        }
+        instant = goesBack ? 0 : instant;
+        for (Body body : bodies()) {
+            if (goesBack && isFollowed(body.index())) {
+                start.restore(body.index(), state);
+            }
+            state.touch(body.index());
         }
         state.placedAll();
+    }
+
+    /** Whether a body was here when the step began, and has not been written in it. */
+    private boolean isFollowed(int index) {
+        return detection.knows(index) && !state.isTouched(index);
     }
 
     /** Begins the step; bodies that were added or set since the last one start from where they were put. */
@@ -365,6 +398,9 @@ public final class PhysicsEngine implements Steppable {
         work.begin(relief.limit(state.bodyCount(), audit != null));
         looks = detection.narrowPhase().evaluations();
         state.settle(asksAuthors || audit != null || constraints != null || state.touchedCount() > 0);
+        if (constraints != null) {
+            start.keep(state);
+        }
         trajectories.begin(steps, timeStep);
         detection.begin(steps, timeStep);
         motion.begin(getTime());
@@ -721,7 +757,9 @@ public final class PhysicsEngine implements Steppable {
             makeLatePaths();
             motion.late().forget();
         }
+        isAdmitting = true;
         IntList admitted = admission.admit(tau);
+        isAdmitting = false;
         if (motion.groups().mayCouple()) {
             makeLatePaths(); // forces couple what they did not couple before
         }
@@ -1247,9 +1285,10 @@ public final class PhysicsEngine implements Steppable {
      * <p>{@link #getRelievedSteps()} counts the relieved steps. As long as there are none, the limit changes no bit of a run.
      * Work is counted, not timed, so a run is the same on any machine.
      *
-     * <p>Once a step has been relieved, steps in which a {@link ConstraintException} is thrown are relieved too, since joints may
-     * be where time stepping has left them. So is a step that you make after one that has thrown it, without having changed what
-     * it was thrown for.
+     * <p>Steps are relieved from their beginning on in which the motion of joints gets lost, in a pose that lets nothing pass, so that
+     * a {@link ConstraintException} were thrown; but not if the step is too long for the motion that it begins with, or if joints cannot be
+     * closed that were added or whose bodies were written. Once a step has been relieved, those are too, since joints may be where
+     * time stepping has left them. So is a step that you make after one that has thrown it, without having changed what it was thrown for.
      *
      * <p>Unless set, the limit is 10 million units plus 200 for each body, which is some seconds. The step in which the limit is
      * met and the eight after it are relieved. If events cost too much again within as many steps, twice as many are relieved, up

@@ -97,10 +97,9 @@ public final class Constraints implements Ties, Serializable {
     }
 
     /**
-     * Whether a constraint is here.
+     * {@return whether a constraint is here: true from add to remove}
      *
      * @param constraint any
-     * @return true from add to remove
      */
     public boolean contains(Constraint constraint) {
         return register.all.contains(constraint);
@@ -315,10 +314,9 @@ public final class Constraints implements Ties, Serializable {
     }
 
     /**
-     * Whether so many joints meet in a body that to close them exactly takes as long as many steps.
+     * {@return whether hundreds of joints meet in a body, so that to close them exactly takes as long as many steps}
      *
      * @param bodies an island
-     * @return true for hubs of hundreds of spokes
      */
     public boolean haveHub(IntList bodies) {
         return of[bodies.values[0]].hasHub();
@@ -331,6 +329,11 @@ public final class Constraints implements Ties, Serializable {
             return true;
         }
         return projection.force(of(bodies), state, solver);
+    }
+
+    @Override
+    public IllegalStateException tooLong(IntList bodies) {
+        return projection.tooLong(of(bodies));
     }
 
     @Override
@@ -389,10 +392,9 @@ public final class Constraints implements Ties, Serializable {
     }
 
     /**
-     * What a constraint does, as the last evaluation of the accelerations found it.
+     * {@return what a constraint does, as the last evaluation of the accelerations found it: its force}
      *
      * @param constraint one that was added and regrouped
-     * @return its force
      */
     public Reaction reaction(Constraint constraint) {
         Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
@@ -400,10 +402,9 @@ public final class Constraints implements Ties, Serializable {
     }
 
     /**
-     * The joints whose load is greater than they bear, as the last evaluation of the accelerations found it.
+     * {@return the joints whose load is greater than they bear, as the last evaluation of the accelerations found it}
      *
      * @param bodies an island
-     * @return those that break; empty if none does
      */
     public List<Constraint> overloaded(IntList bodies) {
         return active(bodies.values[0]).reactions.overloaded();

@@ -76,6 +76,12 @@ public final class LatePaths implements Team.Work {
         refused = -1;
     }
 
+    /** Nobody is late any more: bodies are put back to where the step began. */
+    public void drop() {
+        begin();
+        forget();
+    }
+
     /** Bodies have been written, or are driven from now on, or no longer, or are tied otherwise: other groups may be late. */
     public void forget() {
         isStale = true;

@@ -30,6 +30,9 @@ final class TiedMotion implements Serializable {
     /** Parts of a step that are too long and yet gone; with more the pose is one that lets nothing pass. */
     private static final int MOST_FORCED = 8;
 
+    /** Sizes of a body in a step of the engine, by which no forced projection may move it or change its velocity. */
+    private static final double FAR = 30;
+
     /** Part of a step in which the correction at its end does not matter to the path. */
     private static final double SHORT = 1e-3;
 
@@ -291,6 +294,7 @@ final class TiedMotion implements Serializable {
             boolean isTiny = halvings >= FEW_HALVINGS && Math.abs(done) <= trajectories.h() / MOST_PARTS; // or it went on for ever
             boolean isLast = hasGivenUp || halvings == most || isTiny;
             if (isLast && !hasGivenUp && ties.force(group)) {
+                requireNear(group, pieceX, pieceV);
                 return done;
             }
             copy(group, pieceX, state.x());
@@ -443,6 +447,7 @@ final class TiedMotion implements Serializable {
                 }
                 forced++;
                 if (forced <= MOST_FORCED && ties.force(group)) {
+                    requireNear(group, startX, startV);
                     continue;
                 }
                 again(group);
@@ -451,6 +456,20 @@ final class TiedMotion implements Serializable {
             }
         }
         return true;
+    }
+
+    /** What was forced onto its ties must not have been thrown by that: in a pose that lets nothing pass it may lead anywhere. */
+    private void requireNear(IntList group, double[] fromX, double[] fromV) {
+        for (int k = 0; k < group.size; k++) {
+            int b = State.BLOCK * group.values[k];
+            double most = FAR * state.body(group.values[k]).getShape().boundingRadius();
+            double way = Math.abs(state.x()[b] - fromX[b]) + Math.abs(state.x()[b + 1] - fromX[b + 1]);
+            double change = Math.abs(state.v()[b] - fromV[b]) + Math.abs(state.v()[b + 1] - fromV[b + 1]);
+            if (!(way <= most + trajectories.h() * (Math.abs(fromV[b]) + Math.abs(fromV[b + 1])) && change * trajectories.h() <= most)) {
+                again(group);
+                throw ties.tooLong(group);
+            }
+        }
     }
 
     /** A step of the integrator; where it is long enough the path is made of its ends, afterwards. */

@@ -174,6 +174,14 @@ public interface Ties extends Serializable {
     boolean force(IntList bodies);
 
     /**
+     * What there is to say of bodies that no part of a step is short enough for.
+     *
+     * @param bodies all bodies of an island, or of several and others
+     * @return to be thrown
+     */
+    IllegalStateException tooLong(IntList bodies);
+
+    /**
      * How often a step of an island may be halved before it is left to {@link #creep}.
      *
      * @param bodies all bodies of an island, or of several and others

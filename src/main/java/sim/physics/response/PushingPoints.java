@@ -12,6 +12,12 @@ final class PushingPoints implements Serializable {
     /** Weight that makes redundant systems solvable; refinement removes its effect. */
     private static final double REGULARIZATION = 1e-9;
 
+    /** What is rounding in a number, relative to those that it is the difference of. */
+    private static final double ROUNDING = 1e-14;
+
+    /** Approach that is none, relative to the greatest one. */
+    private static final double EXACT = 1e-12;
+
     private static final int REFINEMENTS = 4;
     private static final int MAX_CHANGES = 60;
 
@@ -26,9 +32,13 @@ final class PushingPoints implements Serializable {
     private boolean[] active = new boolean[8];
     private int points;
 
+    /** What is rounding in the matrix beyond that of its own numbers. */
+    private double rounding;
+
     /** Makes room for a number of points. */
     void begin(int count) {
         points = count;
+        rounding = 0;
         if (rhs.length < count) {
             rhs = new double[2 * count];
             lambda = new double[2 * count];
@@ -39,6 +49,11 @@ final class PushingPoints implements Serializable {
             matrix = new double[2 * count * count];
             factor = new double[2 * count * count];
         }
+    }
+
+    /** Says that the matrix is what ties leave of mobilities as great as this one, so that it has their rounding. */
+    void roundAt(double mobility) {
+        rounding = Math.max(rounding, ROUNDING * mobility);
     }
 
     /** Finds the points that push: starts with those that approach, then lets go of and adds all that are wrong. */
@@ -57,9 +72,10 @@ final class PushingPoints implements Serializable {
                     done = false;
                 }
             }
+            double tolerance = tolerance(scale);
             for (int k = 0; k < points && done; k++) {
-                if (!active[k] && residual(k) < -1e-12 * scale) {
-                    addViolated(1e-12 * scale);
+                if (!active[k] && residual(k) < -tolerance) {
+                    addViolated(tolerance);
                     done = false;
                 }
             }
@@ -68,6 +84,14 @@ final class PushingPoints implements Serializable {
             }
         }
         relax();
+    }
+
+    private double tolerance(double scale) {
+        double tolerance = EXACT * scale;
+        for (int k = 0; k < points && rounding > 0; k++) {
+            tolerance = Math.max(tolerance, rounding * lambda[k]);
+        }
+        return tolerance;
     }
 
     private void addViolated(double tolerance) {
@@ -119,7 +143,7 @@ final class PushingPoints implements Serializable {
             for (int j = 0; j <= i; j++) {
                 double sum = active[i] && active[j] ? matrix[i * points + j] : i == j ? 1 : 0;
                 if (i == j && active[i]) {
-                    sum += REGULARIZATION * trace;
+                    sum += Math.max(REGULARIZATION * trace, rounding);
                 }
                 for (int k = 0; k < j; k++) {
                     sum -= factor[i * points + k] * factor[j * points + k];

@@ -58,6 +58,9 @@ final class SimultaneousImpact implements Serializable {
     /** Null until there is friction at several points. */
     private RoughImpact rough;
 
+    /** Null until tied bodies collide. */
+    private TiedImpactEnergy energy;
+
     /** What a unit of each point's impulse does to the velocities of all bodies: by points, then by bodies. */
     private final Replies replies = new Replies();
 
@@ -215,6 +218,21 @@ final class SimultaneousImpact implements Serializable {
 
     /** Solves for the impulses and gives the bodies their new velocities. */
     void solve() {
+        boolean isWatched = tied && bordered == null;
+        if (isWatched) {
+            energy = energy == null ? new TiedImpactEnergy(state) : energy;
+            energy.begin(velocity, bodies);
+        }
+        solveAll();
+        for (int k = 0; isWatched && k < points; k++) {
+            energy.add(impacts[k], place(bodyA[k]), place(bodyB[k]), approach(k), pushing.matrix[k * points + k]);
+        }
+        if (isWatched) {
+            energy.limit(body, velocity, impacts, points);
+        }
+    }
+
+    private void solveAll() {
         Impact only = impacts[0];
         if (bordered != null && tied && points == 1 && only.friction == 0 && !only.sticky) {
             before[0] = only.normalVelocity();
@@ -320,6 +338,9 @@ final class SimultaneousImpact implements Serializable {
     private void assemble() {
         pushing.begin(points);
         double[] matrix = pushing.matrix;
+        for (int k = 0; tied && k < points; k++) {
+            pushing.roundAt(impacts[k].normalMobility());
+        }
         if (tied) {
             replies.begin(bodies, body, state, ties);
             for (int k = 0; k < points; k++) {

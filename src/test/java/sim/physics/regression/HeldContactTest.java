@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.regression;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.constraint.PinJoint;
+import sim.physics.motion.Body;
+import sim.physics.shape.Rectangle;
+
+/**
+ * A parallelogram whose coupler lies on its base, or just above it, while the cranks are upright: its joints let the points of
+ * that contact move by next to nothing along the normal. Rounding of what they leave gave impulses of any size: numbers that
+ * are none, or a thousand times the energy.
+ */
+class HeldContactTest {
+    /** With friction it comes to lie there, after impacts; it was refused, and is not thrown. */
+    @ParameterizedTest
+    @CsvSource({"1e-4, -3", "1e-4, -1", "1e-4, 0.1", "1e-6, -3", "1e-6, -1", "1e-6, -0.1", "1e-6, 3"})
+    void nothingIsThrownWhereItLies(double gap, double speed) {
+        PhysicsEngine engine = parallelogram(true, 0.3, 0.5, gap, speed);
+        double start = engine.kineticEnergy();
+        for (int k = 0; k < 60; k++) {
+            engine.step();
+            assertThat(engine.kineticEnergy()).as("step %d", k).isLessThan(1.01 * start);
+        }
+    }
+
+    private static PhysicsEngine parallelogram(boolean isFree, double restitution, double friction, double gap, double speed) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1 / 60.0);
+        double length = 0.25 + gap;
+        Body base = engine.add((isFree ? new Body(new Rectangle(0.8, 0.4)) : Body.fixed(new Rectangle(0.8, 0.4))).at(0, 0));
+        Body coupler = engine.add(new Body(new Rectangle(0.7, 0.1)).at(0.125, length));
+        coupler.setMass(0.075);
+        for (int k = 0; k < 2; k++) {
+            Body crank = engine.add(new Body(new Rectangle(0.08, length)).at(k * 0.25, length / 2));
+            crank.setMass(0.06);
+            crank.setCollisionGroup(2, 0);
+            engine.add(new PinJoint(crank, base, k * 0.25, 0));
+            engine.add(new PinJoint(crank, coupler, k * 0.25, length));
+            crank.setAngularVelocity(speed);
+        }
+        for (Body body : engine.bodies()) {
+            body.setRestitution(restitution);
+            body.setFriction(friction);
+        }
+        return engine;
+    }
+
+    /** No force acts, and no impact makes energy, so it only falls. */
+    @ParameterizedTest
+    @CsvSource({
+        "true, 1, 0, 0", "true, 1, 0, 1e-6", "true, 0.3, 0, 0", "true, 0, 0, 1e-9", "false, 1, 0, 0",
+        "false, 1, 0, 1e-9", "false, 0.3, 0, 0", "false, 0.3, 0.5, 1e-6", "false, 0, 0, 1e-9"
+    })
+    void anImpactMakesNoEnergyWhereJointsHoldIt(boolean isFree, double restitution, double friction, double gap) {
+        for (double speed : new double[] {-3, -1, -0.1, 0.1, 1, 3}) {
+            PhysicsEngine engine = parallelogram(isFree, restitution, friction, gap, speed);
+            engine.step();
+            double before = engine.kineticEnergy();
+            double start = before;
+            for (int k = 1; k < 30; k++) {
+                engine.step();
+                assertThat(engine.kineticEnergy()).as("speed %s, step %d", speed, k).isLessThanOrEqualTo(before + 0.01 * start);
+                before = engine.kineticEnergy();
+            }
+        }
+    }
+}
