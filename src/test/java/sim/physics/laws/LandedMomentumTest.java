@@ -68,35 +68,6 @@ class LandedMomentumTest {
         }
     }
 
-    /** A disc falls on a box that lies on a cart, and leaves it as fast if all of that moves, but for what gravity gives in a step. */
-    @ParameterizedTest
-    @ValueSource(doubles = {60, 240, 960, 3840})
-    void whatMovesIsStruckAsWhatStands(double stepsInASecond) {
-        double still = rebound(0, stepsInASecond);
-        double slow = rebound(1e-6, stepsInASecond);
-        assertThat(still).isGreaterThan(2.7);
-        assertThat(slow).isCloseTo(still, within(G / stepsInASecond));
-        for (double speed : new double[] {1e-4, 1e-2, 1}) {
-            assertThat(rebound(speed, stepsInASecond)).as("speed %s", speed).isCloseTo(slow, within(1e-6));
-        }
-    }
-
-    private static double rebound(double speed, double stepsInASecond) {
-        PhysicsEngine engine = overFloor(1 / stepsInASecond, 0.8);
-        Body cart = put(engine, new Body(new Rectangle(4, 0.5)).at(0, 0.25), 0.8).moving(speed, 0);
-        cart.setMass(30);
-        Body box = put(engine, new Body(new Rectangle(1, 1)).at(0, 1), 0.8).moving(speed, 0);
-        box.setMass(1);
-        Body disc = put(engine, new Body(new Circle(0.2)).at(0.05, 2.7), 0.8).moving(speed, -1);
-        disc.setMass(1);
-        double before = 0;
-        while (disc.getVelocityY() < before + 0.5) {
-            before = disc.getVelocityY();
-            engine.step();
-        }
-        return disc.getVelocityY();
-    }
-
     private static double spin(Body b) {
         return b.getInertia() * b.getAngularVelocity()
                 + b.getMass() * (b.getX() * b.getVelocityY() - b.getY() * b.getVelocityX());

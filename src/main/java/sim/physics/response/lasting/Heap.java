@@ -271,23 +271,19 @@ final class Heap implements Serializable {
     /** Takes in the bodies of the heap and their points; the time ends where the first of these strikes. */
     private void gather(double tau) {
         take(tau);
-        if (isRough || heap.size > FreeHeap.FEW || by.mostTurns(heap) > MOST) {
+        if (isResumed || isRough || heap.size > FreeHeap.FEW || by.mostTurns(heap) > MOST) {
             return;
         }
         double shortest = trajectories.h() / SOLUTIONS;
-        if (isResumed) {
-            closing.bounce(pulls.most(heap), shortest);
-        } else {
-            double first = closing.first(heap, scale, until - tau, shortest);
-            if (first < until - tau) {
-                until = tau + first;
-                take(tau);
-            } else if (closing.gathers(heap, members.ties(), tau)) {
-                take(tau);
-                closing.first(heap, scale, until - tau, shortest);
-            }
-            closing.hold(heap);
+        double first = closing.first(heap, scale, until - tau, shortest);
+        if (first < until - tau) {
+            until = tau + first;
+            take(tau);
+        } else if (closing.gathers(heap, members.ties(), tau)) {
+            take(tau);
+            closing.first(heap, scale, until - tau, shortest);
         }
+        closing.hold(heap);
         if (!isEven() && closing.strikes() && striking.actFirst(heap, deep, scale, closing.rebounds())) {
             take(tau);
         }

@@ -49,11 +49,6 @@ final class HeapCourses implements Serializable {
         return before;
     }
 
-    /** The same without what they have been given for the time that is left. */
-    double[] without() {
-        return without;
-    }
-
     /** Whether a body that has got what forces give it goes on as it did, but for some rounding. */
     boolean isKept(int k, int body, double tau, double[] v, double none) {
         return by.paidUntil[body] > tau
