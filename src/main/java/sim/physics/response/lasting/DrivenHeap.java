@@ -4,6 +4,7 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
@@ -27,6 +28,7 @@ final class DrivenHeap implements Serializable {
     private final Motion motion;
     private final HeapBodies by;
     private final HeapSystem system;
+    private final HeapNotes notes;
     private final BodyScale scales;
     private final double[] fall = new double[State.BLOCK];
 
@@ -51,11 +53,20 @@ final class DrivenHeap implements Serializable {
         this.motion = motion;
         this.by = by;
         this.system = system;
+        this.notes = notes;
         this.scales = scales;
         this.search = new ForceSearch(state, trajectories, motion, by, system, notes, scales);
         this.switches = search.switches;
         this.probes = search.probes;
         this.turning = search.turning;
+    }
+
+    /** Takes note of the impulses that have been found, and lets pairs be as deep as they are if they had to be. */
+    void note(CollisionDetection detection) {
+        if (search.isReleased()) {
+            notes.letBe(detection);
+        }
+        notes.turn();
     }
 
     /** Takes in a point of the heap, the gap that there may be at the end, and how far forces take its bodies in a step, relative to their size. */

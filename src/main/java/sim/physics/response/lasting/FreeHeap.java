@@ -3,6 +3,7 @@
 package sim.physics.response.lasting;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
@@ -28,11 +29,17 @@ final class FreeHeap implements Serializable {
     /**
      * Part of its energy that a heap under forces may gain in the first half of a time, as it is lifted for the bends of its ways, which the
      * second half takes back; and times that something has happened to a body after which it is also lent when that is done at once. Fast
-     * bodies that slide on one another as they turn would else close again and again until they are halted.
+     * bodies that slide on one another as they turn would else close again and again.
      */
     private static final double LENT = 1e-4;
 
     private static final int OFTEN = 10;
+
+    /** Part of a time that a shorter one is, for which a heap is solved that cannot be lifted for all of it. */
+    static final double SHORTER = 0.25;
+
+    /** Part of the speed at which points approach with which they hop: no rounding may make that more. */
+    private static final double HOP = 0.99;
 
     /** Times that a heap may not be solved in a step, before little work is spent on it. */
     private static final int FAILURES = 3;
@@ -73,7 +80,7 @@ final class FreeHeap implements Serializable {
         system.tolerance().bear(system.tolerance().isRough() ? HeapGaps.fairSpeedOfMany(size, time) : HeapGaps.fairSpeed(size, time));
     }
 
-    /** Finds what holds a heap that stands still from now on, when it has been stopped; nothing else depends on that. */
+    /** Stops a heap that stands still from now on, and finds what holds it; nothing else depends on that. */
     void bear(IntList heap, Motion motion, double scale, double time, double none, boolean isHalf) {
         double[] fall = new double[State.BLOCK];
         for (int k = 0; k < heap.size; k++) {
@@ -89,6 +96,7 @@ final class FreeHeap implements Serializable {
         system.solve(scale, true);
         notes.press(time);
         notes.strike(isHalf ? -0.5 : -1); // what has stopped it was more than what holds it
+        Arrays.fill(system.v, 0, 3 * heap.size, 0);
     }
 
     /** Solves a heap whose points have been taken in, for half of a time or all of it; false if the impulses are not nearly right. */
@@ -132,11 +140,36 @@ final class FreeHeap implements Serializable {
 
     /** Solves a large heap again, roughly, since what was found is not right. */
     boolean solveRoughly(double time) {
-        system.tolerance().roughen();
+        system.tolerance().roughen(true);
         system.again();
         boolean done = system.solve(0, true);
         soften(time);
         return done;
+    }
+
+    /**
+     * Whether a heap that may not be lifted is to be solved for a shorter time: what lifts it for the bends of its ways is less then. Without forces
+     * nothing is lent, and no time would be short enough.
+     */
+    boolean isShort(IntList heap, HeapPull pulls) {
+        return by.mostTurns(heap) > OFTEN && pulls.isOnAny(heap);
+    }
+
+    /**
+     * The last resort, where so much has happened in a step that this would not end: points that are too deep part as fast as they approached,
+     * which neither gives energy nor takes any. While their bodies turn towards one another they hop, as deep as it takes. All of that
+     * are impulses that contacts may give, so nothing is lost of what nothing opposes.
+     */
+    boolean hop(IntList heap, double[] before, double[] from, double scale, double time) {
+        system.again();
+        system.regainNothing();
+        for (int p = 0; p < system.contacts(); p++) {
+            double speed = -system.normal(p, before);
+            system.bound(p, speed > 0 && notes.gap(p) < 0 ? HOP * speed : system.bound(p));
+        }
+        boolean done = system.solve(scale, true);
+        soften(time);
+        return by.afford(heap, HeapEnergy.gained(system, from), 0) ? done : regainNothing(scale, time);
     }
 
     /** Whether a heap has lost as much energy before in the step as it has gained now, but for what it is lent. */

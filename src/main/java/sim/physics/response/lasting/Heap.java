@@ -3,7 +3,6 @@
 package sim.physics.response.lasting;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
@@ -45,7 +44,7 @@ final class Heap implements Serializable {
     /** Part of the work of contacts in a time which it is at least in a shorter one where that is of no use. */
     private static final double HARDLY_LESS = 0.25;
 
-    /** Times that something may happen to a body in a step before its heap stands still for the rest of it. */
+    /** Times that something may happen to a body in a step before its heap hops for the rest of it. */
     private static final int MOST = 50;
 
     private final State state;
@@ -298,11 +297,8 @@ final class Heap implements Serializable {
         deep.clear();
         scale = 0;
         large.begin();
-        if (!isRough && large.wasRough(heap)) {
-            system.tolerance().hurry();
-        } else if (isRough) {
-            system.tolerance().roughen();
-        }
+        system.tolerance().hurry(!isRough && large.wasRough(heap));
+        system.tolerance().roughen(isRough);
         if (!isEven()) {
             free.begin(heap);
         }
@@ -360,14 +356,10 @@ final class Heap implements Serializable {
             double roam = isDriven ? scales.roam(a, b, scale / left) : 0;
             double full = scales.bend(manifold, point, a, b, left);
             double bend = isDriven ? scales.bendOfTurned(point, full, roam) + size * regain.sag(sag) : full;
-            double least = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, left)
+            double any = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, left)
                     : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven(), isTied);
-            if (isResumed && least > 0 && !isRough) {
-                double now = system.normal(p, courses.before());
-                double lift = (bend - Math.max(0, manifold.gaps[k] + depth)) / left;
-                least = now >= Math.max(0, lift) ? Math.min(least, now) : least; // as it was found; else gaps are noise
-            }
-            system.bound(p, least);
+            boolean isKnown = isResumed && any > 0 && !isRough;
+            system.bound(p, isKnown ? HeapGaps.asFound(any, system.normal(p, courses.before()), manifold.gaps[k] + depth, bend, left) : any);
             closing.set(p, manifold.gaps[k], full, size, bounce,
                     ledger.presses(pair) && manifold.gaps[k] <= manifold.gap + HeapGaps.fairDepth(size));
             if (isDriven) {
@@ -377,9 +369,7 @@ final class Heap implements Serializable {
             if (isRubbed) {
                 rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
-            if (isHalf) {
-                system.drift(p, 0.5 * left * point.drifting());
-            }
+            system.drift(p, isHalf ? 0.5 * left * point.drifting() : 0);
             if (!isEven()) {
                 free.take(p, size, left, given(left), isFresh || scale > 0);
             }
@@ -396,29 +386,31 @@ final class Heap implements Serializable {
     }
 
     private void solve(double tau) {
-        scale = isDriven ? scale : Math.max(scale, scales.fastest(heap, system.v));
-        boolean done = isDriven ? driving.search().isRight()
-                : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time(), isHalf);
-        double[] from = isResumed && system.fastestBelt() == 0 ? courses.before() : system.free();
+        boolean done = findImpulses(tau);
         if (!isEven() && !isRough && !large.judge(heap, system, done, scales.fastest(heap, system.v))) {
             isRough = true;
             done = free.solveRoughly(regain.time());
         }
-        if (isDriven ? effort.isOver() : !free.affords(heap, pulls, from, isHalf)) {
-            if (isDriven) {
-                system.stopBelts();
-            } else {
-                system.unwedge();
-            }
-            done = regainNothing(); // that must not add energy
-            by.afford(heap, HeapEnergy.gained(system, from), 0);
+        halts = by.mostTurns(heap) > MOST && !isDriven;
+        boolean isDear = isDriven ? effort.isOver() : !free.affords(heap, pulls, from(), isHalf);
+        boolean mayShorten = isDear && !halts && !isEven() && !isRough && free.isShort(heap, pulls);
+        while (isDear && mayShorten && until - tau > trajectories.h() / SOLUTIONS) {
+            until = tau + FreeHeap.SHORTER * (until - tau); // what it takes to lift bodies falls with the time
+            gather(tau);
+            done = findImpulses(tau);
+            isDear = !free.affords(heap, pulls, from(), isHalf);
         }
-        if (isDriven && driving.search().isReleased()) {
-            notes.letBe(detection);
+        if (halts) {
+            done = isRubbed ? regainNothing() : free.hop(heap, courses.before(), from(), scale, regain.time());
+            notes.deepen(detection, scales);
+        } else if (isDear) {
+            system.unwedge(isDriven);
+            done = regainNothing(); // that must not add energy
+            by.afford(heap, HeapEnergy.gained(system, from()), 0);
         }
         notes.press(given(until - tau));
         if (isDriven) {
-            notes.turn();
+            driving.note(detection);
         }
         if (isFresh) {
             notes.note(given(until - tau), done || !system.isTied());
@@ -426,10 +418,18 @@ final class Heap implements Serializable {
         if (isRubbed) {
             rubbing.end();
         }
-        halts = by.mostTurns(heap) > MOST && !isDriven;
-        if (halts) {
-            HeapEnergy.halt(system);
-        }
+    }
+
+    /** Solves for the impulses of the points that have been taken in; false if they are not right. */
+    private boolean findImpulses(double tau) {
+        scale = isDriven ? scale : Math.max(scale, scales.fastest(heap, system.v));
+        return isDriven ? driving.search().isRight()
+                : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time(), isHalf);
+    }
+
+    /** The velocities from which on energy is counted. */
+    private double[] from() {
+        return isResumed && system.fastestBelt() == 0 ? courses.before() : system.free();
     }
 
     private boolean regainNothing() {
@@ -442,11 +442,8 @@ final class Heap implements Serializable {
     }
 
     private void publish(double tau, IntList changed) {
-        double pull = 0;
+        double pull = pulls.most(heap);
         double most = scales.fastest(heap, system.v);
-        for (int k = 0; k < heap.size; k++) {
-            pull = Math.max(pull, pull(heap.values[k]));
-        }
         boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && most <= (isRough ? STANDS : STILL) * pull * (until - tau);
         if (!still && until < trajectories.h()) {
             detection.plan(heap.values[0], until);
@@ -465,9 +462,6 @@ final class Heap implements Serializable {
             by.place[body] = 0;
             by.isStill[body] = still || stands;
             large.solved(body, isRough && !still);
-            if (still) {
-                Arrays.fill(system.v, 3 * k, 3 * k + 3, 0);
-            }
             if (system.contacts() == 0 && isFresh) {
                 by.lies[body] = false;
                 motion.support(body, 0, 0, 0);

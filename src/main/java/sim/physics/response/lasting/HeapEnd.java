@@ -84,7 +84,7 @@ final class HeapEnd implements Serializable {
         }
         system.solve(Math.max(scale, scales.fastest(heap, system.v)), true);
         if (HeapEnergy.isWedged(system, system.free())) {
-            system.unwedge();
+            system.unwedge(false);
             system.solve(scale, false);
         }
         for (int p = 0; p < system.size(); p++) {

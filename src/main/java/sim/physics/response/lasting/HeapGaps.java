@@ -23,6 +23,9 @@ final class HeapGaps {
     /** What a large heap regains in a step at most, relative to the smaller body. */
     private static final double MOST_REGAINED = 1e-2;
 
+    /** Growth of the root of the depth of a pair that has become too deep too often, relative to that which it may have else. */
+    private static final double DEEPER = 2;
+
     /** Part of a missing gap that a solution regains. */
     private static final double REGAIN = 0.2;
 
@@ -66,6 +69,12 @@ final class HeapGaps {
     /** The same in a large heap. */
     static double fairSpeedOfMany(double size, double time) {
         return FAIR * LARGE_CUSHION * size / time;
+    }
+
+    /** How deep a pair may be that has become too deep too often. */
+    static double deeper(double gap, double size) {
+        double root = Math.sqrt(Math.max(0, -gap)) + DEEPER * Math.sqrt(CUSHION * size);
+        return gap < 0 ? root * root : 0;
     }
 
     /** How deep a pair of a large heap may be. */
@@ -122,6 +131,12 @@ final class HeapGaps {
         double regained = REGAIN * (room - gap);
         double lift = bend - Math.max(0, exact + depth); // or it would be too deep before the time is over
         return isEven ? regain.speed(regained) + Math.max(0, 2 * lift) / regain.time() : Math.max(regained, lift) / regain.time();
+    }
+
+    /** A least speed above 0 as it was found before for a longer time, where that does; else gaps are noise. */
+    static double asFound(double least, double now, double room, double bend, double time) {
+        double lift = (bend - Math.max(0, room)) / time;
+        return now >= Math.max(0, lift) ? Math.min(least, now) : least;
     }
 
     private static double round(double gap, double grain) {

@@ -35,6 +35,11 @@ final class HeapNotes implements Serializable {
         origin.add(2 * pair + point);
     }
 
+    /** The gap of a point. */
+    double gap(int p) {
+        return gaps[p];
+    }
+
     /** Adds what tells each point from others. */
     void name(IntList names) {
         for (int p = 0; p < system.contacts(); p++) {
@@ -48,6 +53,15 @@ final class HeapNotes implements Serializable {
             int pair = origin.values[p] / 2;
             double depth = detection.marks().depth(pair);
             detection.marks().setDepth(pair, gaps[p] < 0 ? depth - gaps[p] : depth);
+        }
+    }
+
+    /** Lets pairs that are too deep be deeper: the times between their hops grow evenly then, which takes the least depth for as many of them. */
+    void deepen(CollisionDetection detection, BodyScale scales) {
+        for (int p = 0; p < system.contacts(); p++) {
+            int pair = origin.values[p] / 2;
+            double size = scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
+            detection.marks().setDepth(pair, Math.max(detection.marks().depth(pair), HeapGaps.deeper(gaps[p], size)));
         }
     }
 

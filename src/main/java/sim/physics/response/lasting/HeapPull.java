@@ -29,6 +29,15 @@ final class HeapPull implements Serializable {
         return Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]);
     }
 
+    /** The greatest acceleration of some bodies. */
+    double most(IntList bodies) {
+        double most = 0;
+        for (int k = 0; k < bodies.size; k++) {
+            most = Math.max(most, of(bodies.values[k]));
+        }
+        return most;
+    }
+
     /** Whether a force acts on one of some bodies. */
     boolean isOnAny(IntList bodies) {
         boolean yes = false;

@@ -202,9 +202,11 @@ final class HeapSystem extends HeapPoints {
         }
     }
 
-    /** The same, if one does, and forgets the impulses: bodies between two surfaces bear any. */
-    void unwedge() {
-        if (fastestBelt() > 0) {
+    /** The same, and forgets the impulses if one does: bodies between two surfaces bear any. Those of driven bodies are kept. */
+    void unwedge(boolean isDriven) {
+        if (isDriven) {
+            stopBelts();
+        } else if (fastestBelt() > 0) {
             stopBelts();
             startFromNothing();
             restart();

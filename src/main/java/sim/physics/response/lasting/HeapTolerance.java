@@ -46,18 +46,18 @@ final class HeapTolerance implements Serializable {
         return fair;
     }
 
-    /** Takes note that an error which is fair is good enough. */
-    void roughen() {
-        rough = true;
+    /** Takes note whether an error which is fair is good enough. */
+    void roughen(boolean yes) {
+        rough = yes;
     }
 
     boolean isRough() {
         return rough;
     }
 
-    /** Takes note that not much is to be tried, since it has been in vain. */
-    void hurry() {
-        brief = true;
+    /** Takes note whether not much is to be tried, since it has been in vain. */
+    void hurry(boolean yes) {
+        brief = yes;
     }
 
     boolean isBrief() {
