@@ -247,7 +247,7 @@ final class SimultaneousImpact implements Serializable {
         if (tied && points == 1 && only.friction > 0 && only.isEarly && !only.sticky && rubOne()) {
             return;
         }
-        if (RoughImpact.isRough(impacts, points) && solveRough()) {
+        if (RoughImpact.isRough(impacts, points) && (!tied || !isHeld()) && solveRough()) {
             return;
         }
         pushing.solve();
@@ -318,6 +318,16 @@ final class SimultaneousImpact implements Serializable {
         replies.apply(0, one.jn, velocity);
         replies.apply(1, one.jt, velocity);
         return true;
+    }
+
+    /** Whether a point bounces that ties hold but for next to nothing: the least impulses are taken there. */
+    private boolean isHeld() {
+        boolean is = false;
+        for (int k = 0; k < points; k++) {
+            double mobility = pushing.matrix[k * points + k];
+            is |= impacts[k].restitution > 0 && mobility <= TiedImpactEnergy.HELD * impacts[k].normalMobility();
+        }
+        return is;
     }
 
     private boolean solveRough() {

@@ -25,7 +25,7 @@ final class TiedImpactEnergy implements Serializable {
     private static final double ROUNDING = 1e-9;
 
     /** Part of the mobility of a point without ties, of which these leave less where they hold it but for next to nothing. */
-    private static final double HELD = 1e-3;
+    static final double HELD = 1e-3;
 
     private final State state;
     private double[][] kept = new double[8][3];
