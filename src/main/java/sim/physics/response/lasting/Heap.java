@@ -400,7 +400,8 @@ final class Heap implements Serializable {
             done = findImpulses(tau);
             isDear = !free.affords(heap, pulls, from(), isHalf);
         }
-        if (halts) {
+        boolean isPressed = pulls.isOnAny(heap); // else it would hop deeper and deeper, and is halted
+        if (halts && isPressed) {
             done = isRubbed ? regainNothing() : free.hop(heap, courses.before(), from(), scale, regain.time());
             notes.deepen(detection, scales);
         } else if (isDear) {
@@ -417,6 +418,9 @@ final class Heap implements Serializable {
         }
         if (isRubbed) {
             rubbing.end();
+        }
+        if (halts && !isPressed) {
+            HeapEnergy.halt(system);
         }
     }
 
