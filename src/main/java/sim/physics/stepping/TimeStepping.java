@@ -49,6 +49,8 @@ public final class TimeStepping implements Serializable {
     /** Solutions of a substep where something is new, of whose impulses nothing is known. */
     private static final int COLD = 8;
 
+    /** How many times larger impulses are begun with in a longer substep at most: what a short one has not settled would grow as much. */
+    private static final double MOST_GROWTH = 2;
 
     /** Time in which the pace becomes shorter by one unit of it where substeps are shorter: depths are regained in a few paces. */
     private static final double PATIENCE = 16;
@@ -250,7 +252,7 @@ public final class TimeStepping implements Serializable {
         if (a.length < state.x().length) {
             a = new double[state.x().length];
         }
-        growth = keptOf > 0 ? step / substeps / keptOf : 0;
+        growth = keptOf > 0 ? Math.min(MOST_GROWTH, step / substeps / keptOf) : 0;
         sleep.wakeDriven(ties);
         areOthersAsleep |= sleep.refresh();
         near.update(step);

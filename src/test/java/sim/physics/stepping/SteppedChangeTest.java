@@ -164,4 +164,25 @@ class SteppedChangeTest {
             assertThat(other.getY()).isGreaterThan(0.19);
         }
     }
+
+    /** A stack stands in steps that are sixteen times as long and as short by turns. It flew apart at 8 m/s. */
+    @Test
+    void aStackStandsInStepsOfAnyLength() {
+        PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
+        engine.setSleepAllowed(false);
+        engine.add(new Gravity(0, -Stepped.G));
+        Stepped.rough(engine.add(Body.fixed(new Rectangle(100, 1)).at(0, -0.5)));
+        Body top = null;
+        for (int k = 0; k < 6; k++) {
+            top = engine.add(Stepped.rough(new Body(new Rectangle(0.5, 0.5)).at(0, 0.25 + 0.5 * k)));
+        }
+        Stepped.run(engine, 240);
+        for (int k = 0; k < 400; k++) {
+            engine.setTimeStep(k % 2 == 0 ? 1.0 / 480 : 1.0 / 30);
+            engine.step();
+            assertThat(Stepped.fastest(engine)).as("step %d", k).isLessThan(0.6);
+        }
+        assertThat(top.getY()).isCloseTo(2.75, within(0.05));
+        assertThat(top.getX()).isCloseTo(0, within(0.05));
+    }
 }
