@@ -235,8 +235,7 @@ public final class PhysicsEngine implements Steppable {
 
     /** Whether joints that cannot be closed are the author's affair, and not that of a pose in which nobody can tell how bodies go on. */
     private boolean isRefusal() {
-        boolean isNew = relief.relieved() == 0;
-        return isNew && (audit != null || isAdmitting || start.isTooLong(state, constraints, motion.generators(), timeStep));
+        return audit != null || isAdmitting || start.isTooLong(state, constraints, motion.generators(), timeStep);
     }
 
     /** Events have cost as much as they may in the step: time stepping takes over from here. */

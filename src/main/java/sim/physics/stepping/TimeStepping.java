@@ -3,7 +3,6 @@
 package sim.physics.stepping;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import java.util.List;
 import sim.physics.collision.CollisionFilter;
 import sim.physics.collision.broad.Pairs;
