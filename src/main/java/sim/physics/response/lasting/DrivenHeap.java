@@ -133,7 +133,9 @@ final class DrivenHeap implements Serializable {
         double[] pushes = turning.pushes(heap.size);
         search.support(heap, time, pushes);
         turning.keep(heap, system.v, time);
-        search.history.forecast(heap.values[0]).keep(system, search.middle(heap.values[0], time), time);
+        if (time >= Heap.SLIVER * trajectories.h()) {
+            search.history.forecast(heap.values[0]).keep(system, search.middle(heap.values[0], time), time);
+        }
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             if (!trajectories.isDriven(body)) {

@@ -338,7 +338,6 @@ final class ForceSearch implements Serializable {
             if (isFirst(body)) {
                 share = Math.min(MOST_SHARE, length / probes.probe(body, length)); // it may end early, at a stop
             }
-            most = trajectories.isDriven(body) ? Math.max(most, scales.speed(body, state.v(), State.BLOCK * body)) : most;
             motion.fall(body, fall, 0);
             for (int c = 0; c < State.BLOCK; c++) {
                 double gained = trajectories.isDriven(body)
@@ -346,6 +345,8 @@ final class ForceSearch implements Serializable {
                         : fall[c] * length + pushes[3 * k + c];
                 system.v[3 * k + c] = d[o + c] + gained;
             }
+            boolean isFollowed = trajectories.isDriven(body);
+            most = Math.max(most, scales.speed(body, isFollowed ? state.v() : system.v, isFollowed ? State.BLOCK * body : 3 * k));
         }
         turning.turn(system.v, length, !isReleased);
         turned = scales.fastest(heap, turning.makeUp(heap.size));

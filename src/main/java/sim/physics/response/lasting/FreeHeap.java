@@ -41,6 +41,11 @@ final class FreeHeap implements Serializable {
     /** Part of the speed at which points approach with which they hop: no rounding may make that more. */
     private static final double HOP = 0.99;
 
+    /** Speed that is none, relative to that which the forces give in the time of a solution; and in a heap that is solved roughly. */
+    private static final double STILL = 1e-7;
+
+    private static final double STANDS = 1e-5;
+
     /** Times that a heap may not be solved in a step, before little work is spent on it. */
     private static final int FAILURES = 3;
 
@@ -80,8 +85,14 @@ final class FreeHeap implements Serializable {
         system.tolerance().bear(system.tolerance().isRough() ? HeapGaps.fairSpeedOfMany(size, time) : HeapGaps.fairSpeed(size, time));
     }
 
-    /** Stops a heap that stands still from now on, and finds what holds it; nothing else depends on that. */
-    void bear(IntList heap, Motion motion, double scale, double time, double none, boolean isHalf) {
+    /** Whether a heap whose bodies have a speed at most stands still, against what forces give in the time. */
+    boolean isStill(double fastest, double given, boolean isRough) {
+        return fastest <= (isRough ? STANDS : STILL) * given;
+    }
+
+    /** Stops a heap that stands still from now on, and finds what holds it against a pull; nothing else depends on that. */
+    void bear(IntList heap, Motion motion, double scale, double time, double pull, boolean isHalf) {
+        double none = STILL * pull * time;
         double[] fall = new double[State.BLOCK];
         for (int k = 0; k < heap.size; k++) {
             motion.fall(heap.values[k], fall, 0);

@@ -27,19 +27,16 @@ final class Heap implements Serializable {
     /** Change of velocity that is none, relative to the speeds. */
     private static final double SAME = 1e-13;
 
-    /** Speed that is none, relative to that which the forces give in the time of a solution. */
-    private static final double STILL = 1e-7;
-
-    /** The same in a heap that is solved roughly. */
-    private static final double STANDS = 1e-5;
-
-    /** The same at the start and at the end of a step of bodies that the integrator drives. */
+    /** Speed that is none, relative to what forces give, at the start and at the end of a step of bodies that the integrator drives. */
     private static final double RESTING = 1e-9;
 
     /** Turn of a body, rad, for which a solution holds; and how many there are in a step at most. */
     private static final double TURN = 0.1;
 
     private static final int SOLUTIONS = 1000;
+
+    /** Part of a step in which forces are but the rounding of impulses: none are to start from those. */
+    static final double SLIVER = 5e-5;
 
     /** Part of the work of contacts in a time which it is at least in a shorter one where that is of no use. */
     private static final double HARDLY_LESS = 0.25;
@@ -247,11 +244,11 @@ final class Heap implements Serializable {
     /** Finds the heap of a body, and until when the velocities of its bodies are to hold. */
     private void find(int seed, double tau) {
         members.find(seed, tau);
-        isDriven = members.isDriven();
         isTied = members.isTied();
         boolean isAlone = !isTied && !members.isCoupled(); // only what moves by itself can be stopped
-        isRubbed = isAlone && (members.isRubbed() || isDriven && by.mostTurns(heap) > MOST);
-        isDriven &= !isRubbed;
+        boolean isOver = by.mostTurns(heap) > MOST;
+        isRubbed = isAlone && (members.isRubbed() || members.isDriven() && isOver);
+        isDriven = !isRubbed && (members.isDriven() || isAlone && !isOver && isFollowed());
         isRough = !isEven() && !isTied && large.isRough(heap);
         isFresh = !members.isStruck();
         isHalf = isFresh && !isEven() && !isTied && !isRough && !LargeHeaps.isLarge(heap.size) && !large.wasRough(heap);
@@ -261,6 +258,14 @@ final class Heap implements Serializable {
         sag = isDriven ? by.sag[seed] : 0;
         until = Math.min(isEven() ? h : members.paidUntil(), tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
+    }
+
+    /**
+     * Whether free bodies get what contacts give them evenly over a time, as those do that the integrator drives: normals turn with them, which
+     * impulses at an instant can only follow by making them part, and without a force to give that back it would be energy.
+     */
+    private boolean isFollowed() {
+        return members.bending() > 0 && (!members.isOnFixed() || !pulls.isOnAny(heap));
     }
 
     /** For how much of a time bodies are given what forces and contacts give them when it begins. */
@@ -306,7 +311,7 @@ final class Heap implements Serializable {
         for (int k = 0; k < heap.size; k++) {
             enter(k, tau, isPaid);
         }
-        regain.set(Math.max(until - tau, 0.05 * trajectories.h() / SOLUTIONS), trajectories.h(), scale);
+        regain.set(Math.max(until - tau, SLIVER * trajectories.h()), trajectories.h(), scale);
         IntList pairs = members.pairs(tau);
         for (int k = 0; k < pairs.size; k++) {
             collect(pairs.values[k], tau);
@@ -413,14 +418,14 @@ final class Heap implements Serializable {
         if (isDriven) {
             driving.note(detection);
         }
-        if (isFresh) {
+        if (isFresh && until - tau >= SLIVER * trajectories.h()) {
             notes.note(given(until - tau), done || !system.isTied());
         }
         if (isRubbed) {
             rubbing.end();
         }
         if (halts && !isPressed) {
-            HeapEnergy.halt(system);
+            HeapHalt.halt(system, heap, trajectories);
         }
     }
 
@@ -448,14 +453,13 @@ final class Heap implements Serializable {
     private void publish(double tau, IntList changed) {
         double pull = pulls.most(heap);
         double most = scales.fastest(heap, system.v);
-        boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && most <= (isRough ? STANDS : STILL) * pull * (until - tau);
+        boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && free.isStill(most, pull * (until - tau), isRough);
         if (!still && until < trajectories.h()) {
             detection.plan(heap.values[0], until);
         }
         if (still) {
-            free.bear(heap, motion, scale, until - tau, STILL * pull * (until - tau), isHalf);
+            free.bear(heap, motion, scale, until - tau, pull, isHalf);
         }
-        double[] d = trajectories.data();
         if (isDriven && !(system.contacts() == 0 && isFresh)) {
             driving.publish(heap, until - tau);
         }
@@ -485,7 +489,6 @@ final class Heap implements Serializable {
                 changed.add(body);
                 continue;
             }
-            int o = body * Trajectories.STRIDE + Trajectories.VX;
             if (!(isResumed && !members.areTurned() && courses.isKept(k, body, tau, system.v, SAME * scale))) {
                 by.paidUntil[body] = still ? 0 : until;
                 courses.set(k, body, tau, system.v, isHalf && !still);

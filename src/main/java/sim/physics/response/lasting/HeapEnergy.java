@@ -94,25 +94,4 @@ final class HeapEnergy {
         }
         return sum;
     }
-
-    /** Takes all motion relative to one another from the bodies, and all motion if they lie on what cannot move. */
-    static void halt(HeapSystem s) {
-        double mass = 0;
-        double px = 0;
-        double py = 0;
-        for (int k = 0; k < s.bodyCount(); k++) {
-            mass += 1 / s.w[2 * k];
-            px += s.v[3 * k] / s.w[2 * k];
-            py += s.v[3 * k + 1] / s.w[2 * k];
-        }
-        boolean fixed = false;
-        for (int p = 0; p < s.size(); p++) {
-            fixed |= s.rows().isOnFixed(p);
-        }
-        for (int k = 0; k < s.bodyCount(); k++) {
-            s.v[3 * k] = fixed ? 0 : px / mass;
-            s.v[3 * k + 1] = fixed ? 0 : py / mass;
-            s.v[3 * k + 2] = 0;
-        }
-    }
 }

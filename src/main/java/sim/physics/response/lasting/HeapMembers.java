@@ -29,6 +29,7 @@ final class HeapMembers implements Serializable {
     private boolean coupled;
     private boolean struck;
     private boolean turned;
+    private boolean onFixed;
     private double bending;
     private double paidUntil;
     private final double[] fall = new double[State.BLOCK];
@@ -75,6 +76,7 @@ final class HeapMembers implements Serializable {
         coupled = false;
         struck = false;
         turned = false;
+        onFixed = false;
         bending = 0;
         paidUntil = trajectories.h();
         include(seed);
@@ -94,6 +96,7 @@ final class HeapMembers implements Serializable {
                 int other = detection.pairs().other(pair, body);
                 if (lasting.has(pair)) {
                     bending = Math.max(bending, scales.bending(body, other));
+                    onFixed |= state.body(other).isFixed();
                     if (!state.body(other).isFixed() && by.place[other] == 0) {
                         include(other);
                     }
@@ -187,6 +190,11 @@ final class HeapMembers implements Serializable {
     /** Whether some of these have just been given what they were to have at the end of that time. */
     boolean areTurned() {
         return turned;
+    }
+
+    /** Whether one lies on a fixed body: the momentum of others is theirs alone. */
+    boolean isOnFixed() {
+        return onFixed;
     }
 
     /** Until when all of these were to hold, at most to the end of the step. */
