@@ -2,19 +2,15 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.stepping;
 
-import static sim.physics.stepping.ContactRows.APPROACH;
 import static sim.physics.stepping.ContactRows.ARM_A;
 import static sim.physics.stepping.ContactRows.ARM_B;
 import static sim.physics.stepping.ContactRows.AX;
 import static sim.physics.stepping.ContactRows.AY;
 import static sim.physics.stepping.ContactRows.BELT;
 import static sim.physics.stepping.ContactRows.BOTH;
-import static sim.physics.stepping.ContactRows.BOUNCE;
-import static sim.physics.stepping.ContactRows.BOUNCED;
 import static sim.physics.stepping.ContactRows.BX;
 import static sim.physics.stepping.ContactRows.BY;
 import static sim.physics.stepping.ContactRows.DISCS;
-import static sim.physics.stepping.ContactRows.FORCED;
 import static sim.physics.stepping.ContactRows.FRICTION;
 import static sim.physics.stepping.ContactRows.GAP;
 import static sim.physics.stepping.ContactRows.INTS;
@@ -26,9 +22,7 @@ import static sim.physics.stepping.ContactRows.NORMAL_MASS;
 import static sim.physics.stepping.ContactRows.NORMAL_SUM;
 import static sim.physics.stepping.ContactRows.NOW;
 import static sim.physics.stepping.ContactRows.PAIR;
-import static sim.physics.stepping.ContactRows.PRESSED;
 import static sim.physics.stepping.ContactRows.REGAIN;
-import static sim.physics.stepping.ContactRows.RESTORED;
 import static sim.physics.stepping.ContactRows.RUBBING;
 import static sim.physics.stepping.ContactRows.STEADY;
 import static sim.physics.stepping.ContactRows.STRIDE;
@@ -51,12 +45,10 @@ final class ContactSolver implements Serializable {
     /** How many times larger an impulse is than the one of the substep before, if it is that of an impact, and none to begin the next substep with. */
     private static final double SUDDEN = 4;
 
-    /** Way of the ends of arms, relative to them, up to which what they take is as it was. */
-    private static final double FAR = 1e-3;
-
     private final State state;
     private final ContactRows rows;
     private final StruckPoints struck;
+    private final ContactArms arms;
 
     /** Those of the rows, which grow when a step begins. */
     private transient int[] pairs;
@@ -71,6 +63,7 @@ final class ContactSolver implements Serializable {
         this.state = state;
         this.rows = rows;
         struck = new StruckPoints(state, rows);
+        arms = new ContactArms(state, rows);
     }
 
     /** Begins a step: all of its rows are there. */
@@ -78,6 +71,7 @@ final class ContactSolver implements Serializable {
         pairs = rows.pairs;
         normals = rows.normals;
         points = rows.points;
+        arms.begin();
     }
 
     /** Gives the bodies the impulses of the substep before. */
@@ -135,19 +129,28 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    /** Solves the points of a pair. Velocities wait in locals, as each impulse needs what the one before has made of them. */
+    /** Solves the points of a pair: friction, and then what matters more; but where nothing is regained any more it is bounded by what presses in the end. */
     private void solveOnce(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
+        if (regains) {
+            rub(v, w, k);
+            press(v, w, k, softness, true, h);
+        } else {
+            press(v, w, k, softness, false, h);
+            rub(v, w, k);
+        }
+    }
+
+    /** Solves for the friction of the points of a pair. Velocities wait in locals, as each impulse needs what the one before has made of them. */
+    private void rub(double[] v, double[] w, int k) {
         double[] points = this.points;
         int a = State.BLOCK * rows.first(k);
         int b = State.BLOCK * rows.second(k);
-        int begin = STRIDE * pairs[INTS * k + 3];
         int end = STRIDE * pairs[INTS * k + 4];
         double nx = normals[PAIR * k], ny = normals[PAIR * k + 1];
         double friction = normals[PAIR * k + FRICTION];
-        double regain = -normals[PAIR * k + REGAIN];
         double vx = v[a], vy = v[a + 1], spin = v[a + 2];
         double ux = v[b], uy = v[b + 1], turn = v[b + 2];
-        for (int p = begin; p < end; p += STRIDE) {
+        for (int p = STRIDE * pairs[INTS * k + 3]; p < end; p += STRIDE) {
             double most = friction * points[p + NORMAL];
             double old = points[p + TANGENT];
             if (most == 0 && old == 0) {
@@ -166,7 +169,25 @@ final class ContactSolver implements Serializable {
             uy += w[b] * jy;
             turn += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx);
         }
-        for (int p = begin; p < end; p += STRIDE) {
+        v[a] = vx;
+        v[a + 1] = vy;
+        v[a + 2] = spin;
+        v[b] = ux;
+        v[b + 1] = uy;
+        v[b + 2] = turn;
+    }
+
+    /** Solves for what presses the points of a pair. */
+    private void press(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
+        double[] points = this.points;
+        int a = State.BLOCK * rows.first(k);
+        int b = State.BLOCK * rows.second(k);
+        int end = STRIDE * pairs[INTS * k + 4];
+        double nx = normals[PAIR * k], ny = normals[PAIR * k + 1];
+        double regain = -normals[PAIR * k + REGAIN];
+        double vx = v[a], vy = v[a + 1], spin = v[a + 2];
+        double ux = v[b], uy = v[b + 1], turn = v[b + 2];
+        for (int p = STRIDE * pairs[INTS * k + 3]; p < end; p += STRIDE) {
             double gap = points[p + NOW];
             boolean isDeep = gap < 0 && regains;
             double aim = gap >= 0 ? gap / h : isDeep ? Math.max(softness.rate() * gap, regain) : 0;
@@ -209,44 +230,7 @@ final class ContactSolver implements Serializable {
                 points[STRIDE * m + TANGENT] = 0;
                 points[STRIDE * m + STEADY] = normals[PAIR * k + FRICTION] == 0 ? 0 : points[STRIDE * m + STEADY];
             }
-            forget(k, isMarked(k, marks) ? 1 : 0);
-        }
-    }
-
-    /** What was given before the normal turned and taken back along another one has left something beside it: two that do not press do nothing. */
-    private void straighten(int k) {
-        int p = STRIDE * pairs[INTS * k + 3];
-        double x = rows.turned[ContactRows.TURNED * k + 2];
-        double y = rows.turned[ContactRows.TURNED * k + 3];
-        if (x == 0 && y == 0) {
-            return;
-        }
-        int a = State.BLOCK * rows.first(k);
-        int b = State.BLOCK * rows.second(k);
-        if (normals[PAIR * k + FRICTION] == 0) {
-            pushCentres(a, b, -x, -y);
-        } else {
-            rows.push(state.v(), state.w().values(), a, b, p, -x, -y);
-        }
-        forget(k, 1);
-    }
-
-    /** What discs without friction do to one another acts at their centres. */
-    private void pushCentres(int a, int b, double jx, double jy) {
-        double[] v = state.v();
-        double[] w = state.w().values();
-        v[a] -= w[a] * jx;
-        v[a + 1] -= w[a] * jy;
-        v[b] += w[b] * jx;
-        v[b + 1] += w[b] * jy;
-    }
-
-    /** Takes a part of what was noted of the last turn back. */
-    private void forget(int k, double part) {
-        int o = ContactRows.TURNED * k;
-        for (int m = o; m < o + 2; m++) {
-            rows.turned[m] -= part * rows.turned[m + 2];
-            rows.turned[m + 2] *= 1 - part;
+            arms.forget(k, isMarked(k, marks) ? 1 : 0);
         }
     }
 
@@ -330,109 +314,15 @@ final class ContactSolver implements Serializable {
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /**
-     * Lets points go along when the bodies have moved, since only of one point for both does an impulse keep the angular momentum:
-     * half with each, with the disc of a disc and a polygon, and of two discs along the line of their centres. Those of elastic
-     * pairs stay, as their bounce is the mirror image of all that the step has taken.
-     */
+    /** Lets points go along when the bodies have moved. */
     void follow() {
-        double[] x = state.x();
-        double[] v = state.v();
-        double[] w = state.w().values();
-        for (int k = 0; k < rows.count; k++) {
-            int a = State.BLOCK * rows.first(k);
-            int b = State.BLOCK * rows.second(k);
-            int discs = pairs[INTS * k + DISCS];
-            measure(k, x, rows.from, a, b);
-            if (normals[PAIR * k + BOUNCE] == 1 || discs != BOTH && (w[a] == 0 || w[b] == 0)) {
-                continue;
-            }
-            double dx = x[b] - x[a];
-            double dy = x[b + 1] - x[a + 1];
-            for (int p = STRIDE * pairs[INTS * k + 3]; p < STRIDE * pairs[INTS * k + 4]; p += STRIDE) {
-                double jx = 0.5 * (normals[PAIR * k] * points[p + STEADY] - normals[PAIR * k + 1] * points[p + RUBBING]);
-                double jy = 0.5 * (normals[PAIR * k + 1] * points[p + STEADY] + normals[PAIR * k] * points[p + RUBBING]);
-                double byA = points[p + AX] * jy - points[p + AY] * jx;
-                double byB = points[p + BX] * jy - points[p + BY] * jx;
-                if (discs == BOTH && normals[PAIR * k + FRICTION] == 0) {
-                    slide(k, p, a, b, dx, dy);
-                    continue;
-                }
-                boolean isFar = discs == BOTH ? turn(k, p, 0, dx, dy) : move(p, discs == 0 ? 0.5 : discs - 1, dx, dy);
-                v[a + 2] -= w[a + 2] * (points[p + AX] * jy - points[p + AY] * jx - byA);
-                v[b + 2] += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx - byB);
-                if (isFar) {
-                    rows.weigh(w, a, b, p, normals[PAIR * k], normals[PAIR * k + 1]);
-                }
-            }
-        }
-    }
-
-    /** Moves the ends of both arms to one point: by a part of the way between them that of the first body, by the rest that of the other; whether that is far. */
-    private boolean move(int p, double part, double dx, double dy) {
-        double wayX = dx - (points[p + AX] - points[p + BX]);
-        double wayY = dy - (points[p + AY] - points[p + BY]);
-        points[p + AX] += part * wayX;
-        points[p + AY] += part * wayY;
-        points[p + BX] -= (1 - part) * wayX;
-        points[p + BY] -= (1 - part) * wayY;
-        double arms = points[p + AX] * points[p + AX] + points[p + AY] * points[p + AY]
-                + points[p + BX] * points[p + BX] + points[p + BY] * points[p + BY];
-        return wayX * wayX + wayY * wayY > FAR * FAR * arms;
-    }
-
-    /**
-     * Turns the normal of two discs without friction, and with it the half of what has pressed them that acts where they are now: along the
-     * normal of before it would turn them, and take from their way about one another what it gives to their spins.
-     */
-    private void slide(int k, int p, int a, int b, double dx, double dy) {
-        double x = normals[PAIR * k];
-        double y = normals[PAIR * k + 1];
-        double half = 0.5 * points[p + STEADY];
-        turn(k, p, half, dx, dy);
-        pushCentres(a, b, half * (normals[PAIR * k] - x), half * (normals[PAIR * k + 1] - y));
-    }
-
-    /** Takes note of what the normal by which sums are told of was more, while they acted, but for a part that goes along with it. */
-    private void turned(int k, int p, double along, double nx, double ny) {
-        double[] turned = rows.turned;
-        int o = ContactRows.TURNED * k;
-        turned[o + 2] = nx * (points[p + NORMAL] - along) - ny * points[p + TANGENT];
-        turned[o + 3] = ny * (points[p + NORMAL] - along) + nx * points[p + TANGENT];
-        turned[o] += turned[o + 2] + nx * points[p + NORMAL_SUM] - ny * points[p + TANGENT_SUM];
-        turned[o + 1] += turned[o + 3] + ny * points[p + NORMAL_SUM] + nx * points[p + TANGENT_SUM];
-    }
-
-    /** Turns normal and arms of two discs to where their centres are now; a part of the impulse goes along. */
-    private boolean turn(int k, int p, double along, double dx, double dy) {
-        double distance = Math.sqrt(dx * dx + dy * dy);
-        double nx = normals[PAIR * k];
-        double ny = normals[PAIR * k + 1];
-        double first = nx * points[p + AX] + ny * points[p + AY];
-        double second = nx * points[p + BX] + ny * points[p + BY];
-        double middle = 0.5 * (first + second + distance); // of the distance, by what the arms were
-        if (!(distance > 0)) {
-            return false;
-        }
-        turned(k, p, along, nx - dx / distance, ny - dy / distance);
-        nx = dx / distance;
-        ny = dy / distance;
-        normals[PAIR * k] = nx;
-        normals[PAIR * k + 1] = ny;
-        points[p + AX] = middle * nx;
-        points[p + AY] = middle * ny;
-        points[p + BX] = (middle - distance) * nx;
-        points[p + BY] = (middle - distance) * ny;
-        return true;
+        measure();
+        arms.follow();
     }
 
     /** Ends a substep of discs: what does not press in the end has done nothing, though its normal has turned. */
     void straighten() {
-        for (int k = 0; k < rows.count; k++) {
-            if (pairs[INTS * k + DISCS] == BOTH && points[STRIDE * pairs[INTS * k + 3] + NORMAL] == 0) {
-                straighten(k);
-            }
-        }
+        arms.straighten();
     }
 
     /** Adds the impulses of a substep to those of the step. */

@@ -313,6 +313,13 @@ final class Touch implements Serializable {
         return (edge * 4096 + corner) * 8 + which;
     }
 
+    /** Whether a point of two polygons is a corner of the first one. */
+    static boolean isCornerOfFirst(int feature) {
+        boolean isOfFirstEdge = feature >= 0;
+        boolean isEndOfEdge = ((isOfFirstEdge ? feature : ~feature) & 1) != 0;
+        return isEndOfEdge == isOfFirstEdge;
+    }
+
     /** A point at a distance along an edge and above it. */
     private void over(Hull on, int edge, double along, double height, double margin, int id) {
         if (height <= margin) {

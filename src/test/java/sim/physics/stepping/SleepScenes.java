@@ -26,7 +26,7 @@ final class SleepScenes {
         switch (name) {
             case "stack" -> Stepped.stack(engine, 10);
             case "pyramid" -> pyramid(engine);
-            case "heap" -> heap(engine);
+            case "heap" -> heap(engine, 1);
             case "ragdoll" -> ragdoll(engine);
             case "bridge" -> bridge(engine);
             default -> throw new IllegalArgumentException(name);
@@ -44,11 +44,18 @@ final class SleepScenes {
         }
     }
 
+    /** One of many heaps. */
+    static PhysicsEngine heap(int seed) {
+        PhysicsEngine engine = Stepped.engine(STEP, 4);
+        heap(engine, seed);
+        return engine;
+    }
+
     /** Forty discs, boxes and polygons that fall into a bin. */
-    private static void heap(PhysicsEngine engine) {
+    private static void heap(PhysicsEngine engine, int seed) {
         engine.add(new Gravity(0, -Stepped.G));
         SteppedHeapTest.bin(engine, 5);
-        SplittableRandom random = new SplittableRandom(1);
+        SplittableRandom random = new SplittableRandom(seed);
         for (int k = 0; k < 40; k++) {
             Shape shape = k % 3 == 0 ? new Circle(0.5) : k % 3 == 1 ? new Rectangle(1, 0.8) : Polygon.regular(3 + k % 5, 0.6);
             Stepped.rough(engine.add(new Body(shape).at(1.4 * (k % 7) - 4.2, 1.4 * (k / 7) - 4, 6 * random.nextDouble())));
