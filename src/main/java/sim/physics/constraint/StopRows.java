@@ -29,6 +29,7 @@ public final class StopRows implements Serializable {
 
     private final State state;
     private final TieEquations equations;
+    private final HeldMotors held;
 
     /** The stops of bodies that are awake: their places among the constraints. */
     private int[] places = {};
@@ -68,9 +69,10 @@ public final class StopRows implements Serializable {
     private boolean[] areAlone = {};
     private int metCount;
 
-    StopRows(State state, TieEquations equations) {
+    StopRows(State state, TieEquations equations, HeldMotors held) {
         this.state = state;
         this.equations = equations;
+        this.held = held;
     }
 
     /**
@@ -183,19 +185,29 @@ public final class StopRows implements Serializable {
         if (gap == Double.POSITIVE_INFINITY) {
             return;
         }
+        double old = impulse[o];
+        double pressed = old > 0 ? held.pressed(k, sign, softness.rate() * gap, impulse) : 0;
         double now = sign * equations.speed(k, 0, state.v());
-        boolean isOpen = gap > 0;
+        boolean isOpen = gap > 0 && pressed <= old; // else a motor holds it there, a little off the bound, as a joint would
         double aim = isOpen ? gap / substep : softness.rate() * equations.limited(k, 0, gap);
         aim += softness.rate() > 0 ? sign * equations.bend[ROWS * k] : 0;
         double mass = isOpen ? 1 : softness.mass();
         double back = isOpen ? 0 : softness.impulse();
-        double old = impulse[o];
-        double given = old - mass * equations.inverse[ROWS * ROWS * k] * (now + aim) - back * old;
+        double given = old - mass * equations.inverse[ROWS * ROWS * k] * (now + aim) - back * (old - pressed);
         given = given > 0 ? given : 0;
+        if (given > 0) {
+            given += held.press(k, sign, aim, impulse, substep);
+        }
         if (given > 0 || old > 0) { // else it is free, as stops mostly are
             impulse[o] = given;
             equations.push(k, 0, sign * (given - old));
         }
+    }
+
+    /** What a bound bears, without what motors press against it. */
+    private double borne(int bound, int sign) {
+        double all = impulse[bound];
+        return all > 0 ? Math.max(0, all - held.pressed(bound / ROWS, sign, 0, impulse)) : 0;
     }
 
     /** Adds the impulses of a substep to those of the step; of what is still free takes note how it moves. */
@@ -203,8 +215,8 @@ public final class StopRows implements Serializable {
         elapsed += h;
         for (int s = 0; s < count; s++) {
             int o = ROWS * places[s];
-            sums[2 * s] += impulse[o];
-            sums[2 * s + 1] += impulse[o + 1];
+            sums[2 * s] += borne(o, 1);
+            sums[2 * s + 1] += borne(o + 1, -1);
             if (areImpacts[s] && sums[2 * s] == 0 && sums[2 * s + 1] == 0) {
                 double now = equations.speed(places[s], 0, state.v());
                 gainBefore[s] = gain[s];
@@ -233,7 +245,8 @@ public final class StopRows implements Serializable {
             }
         }
         for (int m = 0; m < 2 * count; m++) {
-            if (sums[m] > 0 && counts[group(m, groups)] > 0) {
+            boolean presses = sums[m] > 0 || impulse[ROWS * places[m / 2] + (m & 1)] > 0;
+            if (presses && counts[group(m, groups)] > 0) {
                 areAlone[m] = counts[group(m, groups)] == 1;
                 met[metCount++] = m;
             }

@@ -50,8 +50,8 @@ public final class TieRows implements Serializable {
     public TieRows(State state) {
         this.state = state;
         equations = new TieEquations(state);
-        stops = new StopRows(state, equations);
-        held = new HeldMotors(equations);
+        held = new HeldMotors(state, equations);
+        stops = new StopRows(state, equations, held);
         pinImpulses = new PinImpulses(state);
     }
 
