@@ -30,6 +30,7 @@ public final class StopRows implements Serializable {
     private final State state;
     private final TieEquations equations;
     private final HeldMotors held;
+    private final TurningRows turning;
 
     /** The stops of bodies that are awake: their places among the constraints. */
     private int[] places = {};
@@ -69,10 +70,11 @@ public final class StopRows implements Serializable {
     private boolean[] areAlone = {};
     private int metCount;
 
-    StopRows(State state, TieEquations equations, HeldMotors held) {
+    StopRows(State state, TieEquations equations, HeldMotors held, TurningRows turning) {
         this.state = state;
         this.equations = equations;
         this.held = held;
+        this.turning = turning;
     }
 
     /**
@@ -187,7 +189,7 @@ public final class StopRows implements Serializable {
         }
         double old = impulse[o];
         double pressed = old > 0 ? held.pressed(k, sign, softness.rate() * gap, impulse) : 0;
-        double now = sign * equations.speed(k, 0, state.v());
+        double now = sign * turning.speed(k, softness.rate() > 0);
         boolean isOpen = gap > 0 && pressed <= old; // else a motor holds it there, a little off the bound, as a joint would
         double aim = isOpen ? gap / substep : softness.rate() * equations.limited(k, 0, gap);
         aim += softness.rate() > 0 ? sign * equations.bend[ROWS * k] : 0;
@@ -195,12 +197,11 @@ public final class StopRows implements Serializable {
         double back = isOpen ? 0 : softness.impulse();
         double given = old - mass * equations.inverse[ROWS * ROWS * k] * (now + aim) - back * (old - pressed);
         given = given > 0 ? given : 0;
-        if (given > 0) {
-            given += held.press(k, sign, aim, impulse, substep);
-        }
         if (given > 0 || old > 0) { // else it is free, as stops mostly are
-            impulse[o] = given;
-            equations.push(k, 0, sign * (given - old));
+            turning.push(k, sign * (given - old));
+            double more = given > 0 ? held.press(k, sign, aim, impulse, substep) : 0;
+            impulse[o] = given + more;
+            equations.push(k, 0, sign * more);
         }
     }
 
@@ -315,7 +316,7 @@ public final class StopRows implements Serializable {
     /** Solves a bound for what it gives in all; whether that has changed. */
     private boolean solve(int m, double opening, double part) {
         int k = places[m / 2];
-        double missing = opening - sign(m) * equations.speed(k, 0, state.v());
+        double missing = opening - sign(m) * turning.speed(k, false);
         double old = sums[m];
         give(m, Math.max(least[m] - old, part * equations.inverse[ROWS * ROWS * k] * missing));
         return Math.abs(sums[m] - old) > SETTLED * (sums[m] + old);
@@ -323,6 +324,6 @@ public final class StopRows implements Serializable {
 
     private void give(int m, double by) {
         sums[m] += by;
-        equations.push(places[m / 2], 0, sign(m) * by);
+        turning.push(places[m / 2], sign(m) * by);
     }
 }

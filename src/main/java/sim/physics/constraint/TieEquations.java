@@ -106,6 +106,11 @@ final class TieEquations implements Serializable {
         started = new double[ROWS * n];
     }
 
+    /** Whether a constraint is about a turn, whose J does not change. */
+    boolean isTurn(int k) {
+        return gears[k] != null;
+    }
+
     /** How many there are of bodies that are awake. */
     int count() {
         return awake;

@@ -5,6 +5,7 @@ package sim.physics.stepping;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -168,5 +169,65 @@ class SteppedDriveTest {
                 assertThat(slide.getX()).isCloseTo(BOUND, within(1e-9));
             }
         }
+    }
+
+    /**
+     * An arm on a pin has the speed that its motor is told within the step, or what the motor can do meanwhile: I ω̇ = ±T − m g l cos θ about the pin.
+     * Turned about its centre, and then held by its pin, it took six steps of one substep.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 4, 16})
+    void anArmHasTheSpeedOfItsMotorWithinTheStep(int substeps) {
+        double inertia = 2 * (1 + 0.01) / 12 + 2 * 0.25;
+        for (double ratio : new double[] {5, 50, 1000}) {
+            PhysicsEngine engine = heavy(substeps);
+            Body arm = arm(engine, 0.5);
+            engine.add(new PinJoint(arm, 0, 0));
+            Motor motor = engine.add(Motor.turning(arm, null, SPEED, ratio * LOAD));
+            Stepped.run(engine, 60);
+            assertThat(arm.getAngularVelocity()).isCloseTo(SPEED, within(1e-9));
+            double most = (ratio * LOAD + LOAD * Math.cos(arm.getAngle() + 0.5 * SPEED / 60)) / inertia / 60;
+            motor.setSpeed(-SPEED);
+            engine.step();
+            assertThat(arm.getAngularVelocity()).isCloseTo(Math.max(-SPEED, SPEED - most), within(1e-2));
+            Stepped.run(engine, 10);
+            motor.setSpeed(0);
+            engine.step();
+            assertThat(arm.getAngularVelocity()).isCloseTo(ratio == 5 ? arm.getAngularVelocity() : 0, within(1e-6));
+        }
+    }
+
+    /** A walker whose four legs, of two links each, are told other speeds every few steps, against their stops, too; all x, y and θ. */
+    private static double[] walk(double step, int substeps) {
+        PhysicsEngine engine = Stepped.engine(step, substeps);
+        engine.add(new Gravity(0, -Stepped.G));
+        Stepped.ground(engine);
+        Motor[] motors = new Motor[8];
+        Body torso = engine.add(new Body(new Rectangle(2, 0.4)).at(0, 1.4));
+        for (int k = 0; k < 4; k++) {
+            double x = 0.6 * k - 0.9;
+            Body thigh = engine.add(new Body(new Rectangle(0.15, 0.6)).at(x, 1));
+            Body shin = engine.add(new Body(new Rectangle(0.12, 0.6)).at(x, 0.45));
+            engine.add(new PinJoint(thigh, torso, x, 1.3));
+            engine.add(new PinJoint(shin, thigh, x, 0.72));
+            motors[2 * k] = engine.add(Motor.turning(thigh, torso, 0, 30));
+            motors[2 * k + 1] = engine.add(Motor.turning(shin, thigh, 0, 20));
+            engine.add(Limit.angle(thigh, torso, -0.8, 0.8));
+            engine.add(Limit.angle(shin, thigh, -1, 0.5));
+        }
+        engine.bodies().stream().filter(body -> !body.isFixed()).forEach(body -> Stepped.rough(body).setCollisionGroup(1, 0));
+        for (int k = 0; k < Math.round(1 / step); k++) {
+            for (int m = 0; m < 8; m++) {
+                motors[m].setSpeed(3 * Math.cos(0.4 * Math.floor(15 * k * step + 1e-9) + m));
+            }
+            engine.step();
+        }
+        return engine.bodies().stream().filter(body -> !body.isFixed()).flatMapToDouble(body -> DoubleStream.of(body.getX(), body.getY(), body.getAngle())).toArray();
+    }
+
+    /** Its legs did so little of what they were told that a place was off by 0.3 after a second. */
+    @Test
+    void aWalkerGoesWhereItGoesByEvents() {
+        assertThat(walk(1.0 / 60, 4)).containsExactly(walk(1.0 / 480, 0), within(0.05));
     }
 }
