@@ -125,6 +125,11 @@ final class PinImpulses implements Serializable {
         TieEquations.mark(marks, blocks, 0, awake);
     }
 
+    /** Marks the bodies that are pinned to the world, or to what cannot move. */
+    void markFastened(boolean[] marks) {
+        TieEquations.markFastened(blocks, awake, state.w().values(), marks);
+    }
+
     /** Joins the sets of movable bodies that are pinned to one another. */
     void join(int[] parent) {
         TieEquations.join(parent, blocks, awake, state.w().values());

@@ -159,6 +159,17 @@ final class TieEquations implements Serializable {
         mark(marks, blocks, k, k + 1);
     }
 
+    /** Marks the bodies that are tied to the world, or to what cannot move. */
+    static void markFastened(int[] blocks, int count, double[] w, boolean[] marks) {
+        for (int k = 0; k < 2 * count; k += 2) {
+            int a = blocks[k];
+            int b = blocks[k + 1];
+            if (b < 0 || w[a] == 0 || w[b] == 0) {
+                mark(marks, blocks, k / 2, k / 2 + 1);
+            }
+        }
+    }
+
     /** Whether one of the bodies of a constraint is marked. */
     boolean isMarked(int k, boolean[] marks) {
         return isMarked(blocks, k, marks);

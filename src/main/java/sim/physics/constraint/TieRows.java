@@ -233,6 +233,16 @@ public final class TieRows implements Serializable {
     }
 
     /**
+     * Marks the bodies that are tied to the world, or to what cannot move.
+     *
+     * @param marks by body
+     */
+    public void markFastened(boolean[] marks) {
+        pinImpulses.markFastened(marks);
+        TieEquations.markFastened(equations.blocks, equations.count(), state.w().values(), marks);
+    }
+
+    /**
      * Joins the sets of movable bodies that are tied to one another.
      *
      * @param parent sets of bodies
