@@ -97,8 +97,7 @@ final class Balance implements Serializable {
             double then = 0;
             double now = 0;
             if (groups.areFree[g]) {
-                before[g] = product(speeds, speeds, g);
-                after[g] = product(v, v, g);
+                measureFree(v, g);
                 k = groups.begins[g + 1];
                 continue;
             }
@@ -112,6 +111,35 @@ final class Balance implements Serializable {
             before[g] = then;
             after[g] = now;
         }
+    }
+
+    /** The same of a group that is free, at one go. */
+    private void measureFree(double[] v, int g) {
+        double then = 0;
+        double now = 0;
+        double mass = 0;
+        double thenX = 0;
+        double thenY = 0;
+        double nowX = 0;
+        double nowY = 0;
+        for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
+            int b = groups.blocks[k];
+            double m = groups.masses[2 * k];
+            double i = groups.masses[2 * k + 1];
+            double ux = m * speeds[b];
+            double uy = m * speeds[b + 1];
+            double vx = m * v[b];
+            double vy = m * v[b + 1];
+            then += ux * speeds[b] + uy * speeds[b + 1] + i * speeds[b + 2] * speeds[b + 2];
+            now += vx * v[b] + vy * v[b + 1] + i * v[b + 2] * v[b + 2];
+            mass += m;
+            thenX += ux;
+            thenY += uy;
+            nowX += vx;
+            nowY += vy;
+        }
+        before[g] = then - (thenX * thenX + thenY * thenY) / mass;
+        after[g] = now - (nowX * nowX + nowY * nowY) / mass;
     }
 
     /** The product u M v of a group, about the centre of mass of one that is free: twice the energy if the two are the same velocities. */
