@@ -135,6 +135,8 @@ public final class TieRows implements Serializable {
         order.clear();
         equations.gather(List.of(), 0);
         pinImpulses.gather(List.of(), 0);
+        held.gather();
+        turning.gather(List.of(), 0);
         version = -1;
     }
 
