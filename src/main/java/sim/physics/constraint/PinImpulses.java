@@ -125,6 +125,11 @@ final class PinImpulses implements Serializable {
         TieEquations.mark(marks, blocks, 0, awake);
     }
 
+    /** Marks the bodies that are pinned to the world, or to what cannot move. */
+    void markFastened(boolean[] marks) {
+        TieEquations.markFastened(blocks, awake, state.w().values(), marks);
+    }
+
     /** Joins the sets of movable bodies that are pinned to one another. */
     void join(int[] parent) {
         TieEquations.join(parent, blocks, awake, state.w().values());
@@ -336,6 +341,50 @@ final class PinImpulses implements Serializable {
             v[b + 1] -= w[b + 1] * jy;
             v[b + 2] -= w[b + 2] * (d[o + ARM + 2] * jy - d[o + ARM + 3] * jx);
         }
+    }
+
+    /** Whether a body is the first one of a pin. */
+    boolean isFirst(int k, int block) {
+        return blocks[2 * k] == block;
+    }
+
+    /**
+     * Finds with what impulse a pin keeps its velocity where something turns its bodies.
+     *
+     * @param turnA what it turns the first one by
+     * @param turnB and the second one
+     * @param impulse takes the impulse, less its sign, from {@code at} on
+     * @return how much that turns back
+     */
+    double couple(int k, double turnA, double turnB, double[] impulse, int at) {
+        int o = STRIDE * k;
+        double[] d = data;
+        double ux = -turnA * d[o + ARM + 1];
+        double uy = turnA * d[o + ARM];
+        if (blocks[2 * k + 1] >= 0) {
+            ux += turnB * d[o + ARM + 3];
+            uy -= turnB * d[o + ARM + 2];
+        }
+        impulse[at] = d[o + INVERSE] * ux + d[o + INVERSE + 1] * uy;
+        impulse[at + 1] = d[o + INVERSE + 1] * ux + d[o + INVERSE + 2] * uy;
+        return impulse[at] * ux + impulse[at + 1] * uy;
+    }
+
+    /** A pin's velocity along a lever, in the mean of a substep or as it is now. */
+    double speed(int k, double x, double y, boolean bends) {
+        int o = STRIDE * k;
+        double[] v = state.v();
+        double ux = part(v, blocks[2 * k], o + ARM, 0) - part(v, blocks[2 * k + 1], o + ARM + 2, 0);
+        double uy = part(v, blocks[2 * k], o + ARM, 1) - part(v, blocks[2 * k + 1], o + ARM + 2, 1);
+        return x * (ux + (bends ? data[o + BEND] : 0)) + y * (uy + (bends ? data[o + BEND + 1] : 0));
+    }
+
+    /** Gives the bodies of a pin an impulse. */
+    void give(int k, double jx, double jy) {
+        int o = STRIDE * k;
+        data[o + IMPULSE] += jx;
+        data[o + IMPULSE + 1] += jy;
+        push(state.v(), state.w().values(), k, o, jx, jy);
     }
 
     /** Solves all pins once. */

@@ -29,6 +29,8 @@ public final class StopRows implements Serializable {
 
     private final State state;
     private final TieEquations equations;
+    private final HeldMotors held;
+    private final TurningRows turning;
 
     /** The stops of bodies that are awake: their places among the constraints. */
     private int[] places = {};
@@ -68,9 +70,11 @@ public final class StopRows implements Serializable {
     private boolean[] areAlone = {};
     private int metCount;
 
-    StopRows(State state, TieEquations equations) {
+    StopRows(State state, TieEquations equations, HeldMotors held, TurningRows turning) {
         this.state = state;
         this.equations = equations;
+        this.held = held;
+        this.turning = turning;
     }
 
     /**
@@ -183,19 +187,28 @@ public final class StopRows implements Serializable {
         if (gap == Double.POSITIVE_INFINITY) {
             return;
         }
-        double now = sign * equations.speed(k, 0, state.v());
-        boolean isOpen = gap > 0;
+        double old = impulse[o];
+        double pressed = old > 0 ? held.pressed(k, sign, softness.rate() * gap, impulse) : 0;
+        double now = sign * turning.speed(k, softness.rate() > 0);
+        boolean isOpen = gap > 0 && pressed <= old; // else a motor holds it there, a little off the bound, as a joint would
         double aim = isOpen ? gap / substep : softness.rate() * equations.limited(k, 0, gap);
         aim += softness.rate() > 0 ? sign * equations.bend[ROWS * k] : 0;
         double mass = isOpen ? 1 : softness.mass();
         double back = isOpen ? 0 : softness.impulse();
-        double old = impulse[o];
-        double given = old - mass * equations.inverse[ROWS * ROWS * k] * (now + aim) - back * old;
+        double given = old - mass * equations.inverse[ROWS * ROWS * k] * (now + aim) - back * (old - pressed);
         given = given > 0 ? given : 0;
         if (given > 0 || old > 0) { // else it is free, as stops mostly are
-            impulse[o] = given;
-            equations.push(k, 0, sign * (given - old));
+            turning.push(k, sign * (given - old));
+            double more = given > 0 ? held.press(k, sign, aim, impulse, substep) : 0;
+            impulse[o] = given + more;
+            equations.push(k, 0, sign * more);
         }
+    }
+
+    /** What a bound bears, without what motors press against it. */
+    private double borne(int bound, int sign) {
+        double all = impulse[bound];
+        return all > 0 ? Math.max(0, all - held.pressed(bound / ROWS, sign, 0, impulse)) : 0;
     }
 
     /** Adds the impulses of a substep to those of the step; of what is still free takes note how it moves. */
@@ -203,8 +216,8 @@ public final class StopRows implements Serializable {
         elapsed += h;
         for (int s = 0; s < count; s++) {
             int o = ROWS * places[s];
-            sums[2 * s] += impulse[o];
-            sums[2 * s + 1] += impulse[o + 1];
+            sums[2 * s] += borne(o, 1);
+            sums[2 * s + 1] += borne(o + 1, -1);
             if (areImpacts[s] && sums[2 * s] == 0 && sums[2 * s + 1] == 0) {
                 double now = equations.speed(places[s], 0, state.v());
                 gainBefore[s] = gain[s];
@@ -233,7 +246,8 @@ public final class StopRows implements Serializable {
             }
         }
         for (int m = 0; m < 2 * count; m++) {
-            if (sums[m] > 0 && counts[group(m, groups)] > 0) {
+            boolean presses = sums[m] > 0 || impulse[ROWS * places[m / 2] + (m & 1)] > 0;
+            if (presses && counts[group(m, groups)] > 0) {
                 areAlone[m] = counts[group(m, groups)] == 1;
                 met[metCount++] = m;
             }
@@ -302,7 +316,7 @@ public final class StopRows implements Serializable {
     /** Solves a bound for what it gives in all; whether that has changed. */
     private boolean solve(int m, double opening, double part) {
         int k = places[m / 2];
-        double missing = opening - sign(m) * equations.speed(k, 0, state.v());
+        double missing = opening - sign(m) * turning.speed(k, false);
         double old = sums[m];
         give(m, Math.max(least[m] - old, part * equations.inverse[ROWS * ROWS * k] * missing));
         return Math.abs(sums[m] - old) > SETTLED * (sums[m] + old);
@@ -310,6 +324,6 @@ public final class StopRows implements Serializable {
 
     private void give(int m, double by) {
         sums[m] += by;
-        equations.push(places[m / 2], 0, sign(m) * by);
+        turning.push(places[m / 2], sign(m) * by);
     }
 }

@@ -106,6 +106,11 @@ final class TieEquations implements Serializable {
         started = new double[ROWS * n];
     }
 
+    /** Whether a constraint is about a turn, whose J does not change. */
+    boolean isTurn(int k) {
+        return gears[k] != null;
+    }
+
     /** How many there are of bodies that are awake. */
     int count() {
         return awake;
@@ -152,6 +157,17 @@ final class TieEquations implements Serializable {
     /** Marks the bodies of a constraint. */
     void mark(int k, boolean[] marks) {
         mark(marks, blocks, k, k + 1);
+    }
+
+    /** Marks the bodies that are tied to the world, or to what cannot move. */
+    static void markFastened(int[] blocks, int count, double[] w, boolean[] marks) {
+        for (int k = 0; k < 2 * count; k += 2) {
+            int a = blocks[k];
+            int b = blocks[k + 1];
+            if (b < 0 || w[a] == 0 || w[b] == 0) {
+                mark(marks, blocks, k / 2, k / 2 + 1);
+            }
+        }
     }
 
     /** Whether one of the bodies of a constraint is marked. */

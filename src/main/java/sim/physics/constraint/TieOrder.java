@@ -5,10 +5,13 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import sim.physics.motion.Body;
 
-/** The constraints of an engine in the order in which time stepping solves them: pins apart, and those of sleeping bodies last. */
+/** The constraints of an engine in the order in which time stepping solves them: pins apart, stops after the motors of their bodies, and those of sleeping bodies last. */
 final class TieOrder implements Serializable {
     private static final long serialVersionUID = 1L;
 
@@ -61,14 +64,33 @@ final class TieOrder implements Serializable {
         return places.getOrDefault(constraint, NONE);
     }
 
+    /** The bodies of a constraint that can move, in whichever order: a key for those between the same ones. */
+    static long bodies(Constraint tie) {
+        long a = index(tie.getBodyA());
+        long b = index(tie.getBodyB());
+        return Math.min(a, b) << Integer.SIZE | Math.max(a, b) & 0xFFFFFFFFL;
+    }
+
+    private static int index(Body body) {
+        return body == null || body.isFixed() ? -1 : body.index();
+    }
+
     private void sort(List<Constraint> all, boolean[] asleep, boolean areAsleep) {
+        Set<Long> driven = new HashSet<>();
+        for (Constraint tie : all) {
+            if (tie instanceof Motor) {
+                driven.add(bodies(tie));
+            }
+        }
+        List<Constraint> stops = new ArrayList<>();
         for (Constraint tie : all) {
             boolean isAsleep = asleep[tie.getBodyA().index()] || tie.getBodyB() != null && asleep[tie.getBodyB().index()];
             if (isAsleep == areAsleep && tie instanceof PinJoint pin) {
                 pins.add(pin);
             } else if (isAsleep == areAsleep) {
-                others.add(tie);
+                (tie instanceof Limit && driven.contains(bodies(tie)) ? stops : others).add(tie);
             }
         }
+        others.addAll(stops);
     }
 }

@@ -30,6 +30,7 @@ public final class TieRows implements Serializable {
     private final PinImpulses pinImpulses;
     private final StopRows stops;
     private final HeldMotors held;
+    private final TurningRows turning;
     /** Impulses of this substep; of a stop that of its lower and its upper bound. */
     private double[] impulse = {};
     private double h;
@@ -50,9 +51,10 @@ public final class TieRows implements Serializable {
     public TieRows(State state) {
         this.state = state;
         equations = new TieEquations(state);
-        stops = new StopRows(state, equations);
-        held = new HeldMotors(equations);
+        held = new HeldMotors(state, equations);
         pinImpulses = new PinImpulses(state);
+        turning = new TurningRows(state, equations, pinImpulses);
+        stops = new StopRows(state, equations, held, turning);
     }
 
     /**
@@ -97,6 +99,7 @@ public final class TieRows implements Serializable {
         limits = new double[n];
         stops.gather(impulse, jointed());
         held.gather();
+        turning.gather(order.pins, order.awakePins);
         for (int k = 0; k < n; k++) {
             double[] old = before.get(others.get(k));
             if (old != null) {
@@ -132,6 +135,8 @@ public final class TieRows implements Serializable {
         order.clear();
         equations.gather(List.of(), 0);
         pinImpulses.gather(List.of(), 0);
+        held.gather();
+        turning.gather(List.of(), 0);
         version = -1;
     }
 
@@ -193,6 +198,7 @@ public final class TieRows implements Serializable {
             impulse[k] *= growth;
         }
         equations.evaluate(true, h);
+        turning.evaluate();
         held.share(impulse, h);
         System.arraycopy(impulse, 0, kept, 0, ROWS * equations.count());
         Arrays.fill(sum, 0, BLOCK * equations.count(), 0);
@@ -206,12 +212,14 @@ public final class TieRows implements Serializable {
     public void evaluate() {
         pinImpulses.evaluate(0);
         equations.evaluate(false, h);
+        turning.evaluate();
     }
 
     /** The same, when the bodies have moved: half of what they were given at the start of the substep follows them. */
     public void follow() {
         pinImpulses.evaluate(0.5);
         equations.follow(h);
+        turning.evaluate();
     }
 
     /** Gives the bodies the impulses of the substep before. */
@@ -224,6 +232,16 @@ public final class TieRows implements Serializable {
                 equations.start(k, r, isStop ? impulse[o] - impulse[o + 1] : impulse[o + r]);
             }
         }
+    }
+
+    /**
+     * Marks the bodies that are tied to the world, or to what cannot move.
+     *
+     * @param marks by body
+     */
+    public void markFastened(boolean[] marks) {
+        pinImpulses.markFastened(marks);
+        TieEquations.markFastened(equations.blocks, equations.count(), state.w().values(), marks);
     }
 
     /**
@@ -358,9 +376,11 @@ public final class TieRows implements Serializable {
     private void drive(int k, Motor motor, Softness softness, double h) {
         double most = motor.getLimit() * h;
         double old = impulse[ROWS * k];
-        double speed = equations.speed(k, 0, state.v()) + (softness.rate() > 0 ? equations.bend[ROWS * k] : 0);
+        double speed = turning.speed(k, softness.rate() > 0) + (softness.rate() > 0 ? equations.bend[ROWS * k] : 0);
         double asked = old - equations.inverse[ROWS * ROWS * k] * (speed - motor.getSpeed());
-        take(k, 0, (asked > most ? most : asked < -most ? -most : asked) - old); // a branch waits for nothing, Math.min does
+        double now = asked > most ? most : asked < -most ? -most : asked; // a branch waits for nothing, Math.min does
+        impulse[ROWS * k] = now;
+        turning.push(k, now - old);
     }
 
     /** Adds the impulses of a substep to those of the step. */

@@ -283,6 +283,22 @@ public final class SpringRows implements Serializable {
     }
 
     /**
+     * Marks the bodies that such springs tie to the world, or to what cannot move.
+     *
+     * @param marks by body
+     */
+    public void markFastened(boolean[] marks) {
+        for (int k = 0; k < stiff.size(); k++) {
+            Spring spring = (Spring) stiff.get(k).generator;
+            Body b = spring.getBodyB();
+            if (!isIdle[k] && (b == null || b.isFixed() || spring.getBodyA().isFixed())) {
+                marks[spring.getBodyA().index()] = true;
+                marks[b == null ? spring.getBodyA().index() : b.index()] = true;
+            }
+        }
+    }
+
+    /**
      * Joins the sets of movable bodies between which there are such springs.
      *
      * @param parent sets of bodies

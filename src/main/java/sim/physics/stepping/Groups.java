@@ -30,6 +30,9 @@ final class Groups implements Serializable {
     /** Whether there is more in them than contacts that do not bounce. */
     boolean[] areBooked = {};
 
+    /** Whether nothing outside takes or gives momentum but forces: they touch nothing that cannot move, and nothing ties or rubs them there. */
+    boolean[] areFree = {};
+
     /** Where the bodies of a group begin, and where the last one's end. */
     int[] begins = {};
 
@@ -52,6 +55,12 @@ final class Groups implements Serializable {
     /** The movable bodies with joints and springs, in ascending order. */
     private final IntList tied = new IntList();
 
+    /** By body: whether it is tied to what cannot move. */
+    private boolean[] areFastened = {};
+
+    /** Whether friction with the plane acts. */
+    private boolean rubs;
+
     private boolean[] marks = {};
     private final IntList found = new IntList();
 
@@ -68,13 +77,15 @@ final class Groups implements Serializable {
      * Finds them.
      *
      * @param isNew whether joints, springs or bodies are others than the last time
+     * @param areRubbed whether friction with the plane acts on bodies
      */
-    void find(ContactRows rows, TieRows ties, SpringRows springs, boolean isNew) {
+    void find(ContactRows rows, TieRows ties, SpringRows springs, boolean isNew, boolean areRubbed) {
         if (isNew || parents.length < state.size()) {
             tie(ties, springs);
-        } else if (areKnown(rows)) {
+        } else if (areRubbed == rubs && areKnown(rows)) {
             return;
         }
+        rubs = areRubbed;
         note(rows);
         System.arraycopy(tiedParents, 0, parents, 0, state.size());
         for (int k = 0; k < found.size; k++) {
@@ -106,6 +117,20 @@ final class Groups implements Serializable {
             follow(rows.second(k));
         }
         sort();
+        free(rows);
+    }
+
+    private void free(ContactRows rows) {
+        Arrays.fill(areFree, 0, count, !rubs);
+        for (int k = 0; k < tied.size; k++) {
+            areFree[slots[tied.values[k]]] &= !areFastened[tied.values[k]];
+        }
+        for (int k = 0; k < rows.count; k++) {
+            if (!isMovable(rows.first(k)) || !isMovable(rows.second(k))) {
+                int body = isMovable(rows.first(k)) ? rows.first(k) : rows.second(k);
+                areFree[slots[body]] &= !marks[body]; // else it is of no group
+            }
+        }
     }
 
     /** Whether a pair is of a group. */
@@ -175,6 +200,8 @@ final class Groups implements Serializable {
         parents = new int[n];
         firsts = new int[n];
         areBooked = new boolean[n];
+        areFree = new boolean[n];
+        areFastened = new boolean[n];
         blocks = new int[n];
         begins = new int[n + 1];
         ends = new int[n];
@@ -184,6 +211,8 @@ final class Groups implements Serializable {
         Arrays.setAll(tiedParents, k -> k);
         ties.mark(marks);
         springs.mark(marks);
+        ties.markFastened(areFastened);
+        springs.markFastened(areFastened);
         ties.join(tiedParents);
         springs.join(tiedParents);
         tied.clear();

@@ -71,7 +71,7 @@ final class Retake implements Serializable {
     void begin(ContactRows rows, boolean isNew, boolean isNeeded) {
         isStale |= isNew;
         if (isNeeded) {
-            groups.find(rows, ties, springs, isStale);
+            groups.find(rows, ties, springs, isStale, !surface.isEmpty());
             balance.open();
             isStale = false;
         }
