@@ -110,8 +110,8 @@ final class Island implements Serializable {
     final Effort effort;
 
     private final Equations equations = new Equations();
-    final double leastSize;
-    final double mostSize;
+    double leastSize;
+    double mostSize;
     private double spread;
 
     /**
@@ -150,8 +150,7 @@ final class Island implements Serializable {
         c = new double[2 * nodes];
         rate = new double[2 * nodes];
         lambda = new double[2 * nodes];
-        leastSize = those.stream().mapToDouble(Constraint::getSize).min().orElse(Double.POSITIVE_INFINITY);
-        mostSize = those.stream().mapToDouble(Constraint::getSize).max().orElse(0);
+        measure();
         isAngle = angles();
         factor = factor(elimination);
         int[] shared = shared();
@@ -173,6 +172,11 @@ final class Island implements Serializable {
         reactions = new Reactions(this);
         effort = new Effort(nodes, factor.start);
         isOwn = those.stream().allMatch(Joint::isOwn);
+    }
+
+    private void measure() {
+        leastSize = inOrder.stream().mapToDouble(Constraint::getSize).min().orElse(Double.POSITIVE_INFINITY);
+        mostSize = inOrder.stream().mapToDouble(Constraint::getSize).max().orElse(0);
     }
 
     /** Notes the bodies of a constraint's nodes. */
@@ -371,8 +375,11 @@ final class Island implements Serializable {
         pins.writeRows();
     }
 
-    /** Forgets what a body that was written may have changed: masses, and which motors and stops act. */
+    /** Forgets what a body or a constraint that was written may have changed: masses, lengths, and which motors and stops act. */
     void forget() {
+        if (joints.measure()) {
+            measure();
+        }
         switches.forget();
         spread = 0;
         passage.forget();
