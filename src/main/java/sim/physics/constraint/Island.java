@@ -84,6 +84,11 @@ final class Island implements Serializable {
     private final int[] others;
     private final int[] switched;
 
+    /** Wheels, and motors of wheels, which have no part where places are sought; none if there is nothing that has places. */
+    private final int[] rolling;
+
+    private boolean isPlacing;
+
     /** Whether a row is one between angles, 2 per node. */
     final boolean[] isAngle;
 
@@ -160,6 +165,7 @@ final class Island implements Serializable {
         joints = new JointRows(this, turns);
         others = others();
         switched = where(k -> constraints[k] instanceof Switched);
+        rolling = rolling();
         onlyPins = pins.areAll();
         pins.setShared(onlyPins ? shared : NONE);
         tree = onlyPins ? pins.tree() : null;
@@ -258,6 +264,11 @@ final class Island implements Serializable {
         return where(k -> !pins.has(k) && !joints.take(constraints[k], firstNode[k]));
     }
 
+    private int[] rolling() {
+        int[] found = where(k -> Roll.isOf(constraints[k]));
+        return found.length < constraints.length ? found : NONE;
+    }
+
     private int[] where(IntPredicate what) {
         return IntStream.range(0, constraints.length).filter(what).toArray();
     }
@@ -297,6 +308,32 @@ final class Island implements Serializable {
         for (int k : switched) {
             factor.rest(firstNode[k], !((Switched) constraints[k]).isOnNow);
         }
+        for (int k : rolling) {
+            restWhilePlacing(k);
+        }
+    }
+
+    private void restWhilePlacing(int k) {
+        int p = firstNode[k];
+        if (isPlacing) {
+            factor.rest(p, true);
+            rate[2 * p] = 0;
+            Arrays.fill(j, J * p, J * (p + 1), 0);
+        } else if (constraints[k] instanceof Wheel) {
+            factor.rest(p, false);
+        }
+    }
+
+    /** Whether some constraints have no part where places are sought. */
+    boolean rolls() {
+        return rolling.length > 0;
+    }
+
+    /** Says whether places are sought, from the next evaluation on; returns whether they were. */
+    boolean setPlacing(boolean yes) {
+        boolean was = isPlacing;
+        isPlacing = yes;
+        return was;
     }
 
     /** Evaluates again after a move whose square is less than rounding. */

@@ -15,9 +15,10 @@ final class TieEquations implements Serializable {
     static final int ROWS = Equations.ROWS;
     private static final int BLOCK = State.BLOCK;
 
-    /** What a constraint is. */
+    /** What a constraint is: joints keep places, and wheels, as motors do, velocities alone. */
     enum Kind {
         JOINT,
+        WHEEL,
         MOTOR,
         STOP
     }
@@ -91,7 +92,7 @@ final class TieEquations implements Serializable {
         for (int k = 0; k < n; k++) {
             Constraint tie = ties[k];
             Constraint coordinate = tie instanceof Switched s ? s.coordinate() : tie;
-            kinds[k] = tie instanceof Motor ? Kind.MOTOR : tie instanceof Limit ? Kind.STOP : Kind.JOINT;
+            kinds[k] = kind(tie);
             rows[k] = tie.getRows();
             sizes[k] = size(tie);
             gears[k] = coordinate instanceof GearJoint gear ? gear : null;
@@ -104,6 +105,13 @@ final class TieEquations implements Serializable {
         inverse = new double[ROWS * ROWS * n];
         given = new double[BLOCK * n];
         started = new double[ROWS * n];
+    }
+
+    private static Kind kind(Constraint tie) {
+        if (tie instanceof Switched) {
+            return tie instanceof Motor ? Kind.MOTOR : Kind.STOP;
+        }
+        return tie instanceof Wheel ? Kind.WHEEL : Kind.JOINT;
     }
 
     /** How many there are of bodies that are awake. */
@@ -191,7 +199,7 @@ final class TieEquations implements Serializable {
                 continue;
             }
             one.clear();
-            (kinds[k] == Kind.JOINT ? ties[k] : ((Switched) ties[k]).coordinate()).evaluate(one);
+            (ties[k] instanceof Switched s ? s.coordinate() : ties[k]).evaluate(one);
             for (int r = 0; r < rows[k]; r++) {
                 c[ROWS * k + r] = kinds[k] == Kind.JOINT ? limited(k, r, one.c[r]) : one.c[r];
                 bend[ROWS * k + r] = one.rate[r] == 0 ? 0 : traced(k, h) * limited(k, r, 0.5 * h * h * one.rate[r]) / h;

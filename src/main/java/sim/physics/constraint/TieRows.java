@@ -111,7 +111,7 @@ public final class TieRows implements Serializable {
         boolean[] marks = new boolean[state.x().length / BLOCK];
         pinImpulses.mark(marks);
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k] == TieEquations.Kind.JOINT) {
+            if (equations.kinds[k] == TieEquations.Kind.JOINT || equations.kinds[k] == TieEquations.Kind.WHEEL) {
                 equations.mark(k, marks);
             }
         }
@@ -268,7 +268,7 @@ public final class TieRows implements Serializable {
     }
 
     /**
-     * Solves the constraints of some bodies once: places alone, or velocities alone, with motors.
+     * Solves the constraints of some bodies once: places alone, or velocities alone, with wheels and motors.
      *
      * @param marks by body
      * @param softness how places are regained; {@link Softness#RIGID} if they are not
@@ -276,7 +276,8 @@ public final class TieRows implements Serializable {
      */
     public void solve(boolean[] marks, Softness softness, double h) {
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.isMarked(k, marks) && (softness.rate() == 0 || equations.kinds[k] != TieEquations.Kind.MOTOR)) {
+            boolean hasPlace = equations.kinds[k] == TieEquations.Kind.JOINT || equations.kinds[k] == TieEquations.Kind.STOP;
+            if (equations.isMarked(k, marks) && (softness.rate() == 0 || hasPlace)) {
                 solve(k, softness, h);
             }
         }
@@ -319,6 +320,7 @@ public final class TieRows implements Serializable {
     private void solve(int k, Softness softness, double h) {
         switch (equations.kinds[k]) {
             case JOINT -> join(k, softness);
+            case WHEEL -> roll(k, softness);
             case MOTOR -> drive(k, (Motor) equations.ties[k], softness, h);
             case STOP -> stops.solve(k, softness, h);
         }
@@ -352,6 +354,12 @@ public final class TieRows implements Serializable {
     private void take(int k, int row, double by) {
         impulse[ROWS * k + row] += by;
         equations.push(k, row, by);
+    }
+
+    /** A wheel takes all that is across it, as it has no place to go back to. */
+    private void roll(int k, Softness softness) {
+        double speed = equations.speed(k, 0, state.v()) + (softness.rate() > 0 ? equations.bend[ROWS * k] : 0);
+        take(k, 0, -equations.inverse[ROWS * ROWS * k] * speed);
     }
 
     /** A motor has no place to go back to; but where a way is to be gone, it is that of its speed, along a direction that turns meanwhile. */
@@ -425,7 +433,8 @@ public final class TieRows implements Serializable {
     public boolean settle(boolean[] marks) {
         boolean goesOn = false;
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k] == TieEquations.Kind.JOINT && equations.isMarked(k, marks)) {
+            boolean isJoint = equations.kinds[k] == TieEquations.Kind.JOINT || equations.kinds[k] == TieEquations.Kind.WHEEL;
+            if (isJoint && equations.isMarked(k, marks)) {
                 goesOn |= equations.areOff(k);
                 join(k, Softness.EAGER);
             }
