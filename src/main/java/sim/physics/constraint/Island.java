@@ -84,6 +84,11 @@ final class Island implements Serializable {
     private final int[] others;
     private final int[] switched;
 
+    /** Wheels, and motors of wheels, which have no part where places are sought; none if there is nothing that has places. */
+    private final int[] rolling;
+
+    private boolean isPlacing;
+
     /** Whether a row is one between angles, 2 per node. */
     final boolean[] isAngle;
 
@@ -110,8 +115,8 @@ final class Island implements Serializable {
     final Effort effort;
 
     private final Equations equations = new Equations();
-    final double leastSize;
-    final double mostSize;
+    double leastSize;
+    double mostSize;
     private double spread;
 
     /**
@@ -150,8 +155,7 @@ final class Island implements Serializable {
         c = new double[2 * nodes];
         rate = new double[2 * nodes];
         lambda = new double[2 * nodes];
-        leastSize = those.stream().mapToDouble(Constraint::getSize).min().orElse(Double.POSITIVE_INFINITY);
-        mostSize = those.stream().mapToDouble(Constraint::getSize).max().orElse(0);
+        measure();
         isAngle = angles();
         factor = factor(elimination);
         int[] shared = shared();
@@ -161,6 +165,7 @@ final class Island implements Serializable {
         joints = new JointRows(this, turns);
         others = others();
         switched = where(k -> constraints[k] instanceof Switched);
+        rolling = rolling();
         onlyPins = pins.areAll();
         pins.setShared(onlyPins ? shared : NONE);
         tree = onlyPins ? pins.tree() : null;
@@ -173,6 +178,11 @@ final class Island implements Serializable {
         reactions = new Reactions(this);
         effort = new Effort(nodes, factor.start);
         isOwn = those.stream().allMatch(Joint::isOwn);
+    }
+
+    private void measure() {
+        leastSize = inOrder.stream().mapToDouble(Constraint::getSize).min().orElse(Double.POSITIVE_INFINITY);
+        mostSize = inOrder.stream().mapToDouble(Constraint::getSize).max().orElse(0);
     }
 
     /** Notes the bodies of a constraint's nodes. */
@@ -254,6 +264,11 @@ final class Island implements Serializable {
         return where(k -> !pins.has(k) && !joints.take(constraints[k], firstNode[k]));
     }
 
+    private int[] rolling() {
+        int[] found = where(k -> Roll.isOf(constraints[k]));
+        return found.length < constraints.length ? found : NONE;
+    }
+
     private int[] where(IntPredicate what) {
         return IntStream.range(0, constraints.length).filter(what).toArray();
     }
@@ -293,6 +308,32 @@ final class Island implements Serializable {
         for (int k : switched) {
             factor.rest(firstNode[k], !((Switched) constraints[k]).isOnNow);
         }
+        for (int k : rolling) {
+            restWhilePlacing(k);
+        }
+    }
+
+    private void restWhilePlacing(int k) {
+        int p = firstNode[k];
+        if (isPlacing) {
+            factor.rest(p, true);
+            rate[2 * p] = 0;
+            Arrays.fill(j, J * p, J * (p + 1), 0);
+        } else if (constraints[k] instanceof Wheel) {
+            factor.rest(p, false);
+        }
+    }
+
+    /** Whether some constraints have no part where places are sought. */
+    boolean rolls() {
+        return rolling.length > 0;
+    }
+
+    /** Says whether places are sought, from the next evaluation on; returns whether they were. */
+    boolean setPlacing(boolean yes) {
+        boolean was = isPlacing;
+        isPlacing = yes;
+        return was;
     }
 
     /** Evaluates again after a move whose square is less than rounding. */
@@ -371,8 +412,11 @@ final class Island implements Serializable {
         pins.writeRows();
     }
 
-    /** Forgets what a body that was written may have changed: masses, and which motors and stops act. */
+    /** Forgets what a body or a constraint that was written may have changed: masses, lengths, and which motors and stops act. */
     void forget() {
+        if (joints.measure()) {
+            measure();
+        }
         switches.forget();
         spread = 0;
         passage.forget();

@@ -35,6 +35,8 @@ final class JointRows implements Serializable {
 
     private double[] rodValues = {};
 
+    private final List<RodJoint> lengths = new ArrayList<>();
+
     /** Nodes of the sliders; both arms and the normal of each, in the coordinates of its second body. */
     private final IntList slides = new IntList();
 
@@ -70,13 +72,25 @@ final class JointRows implements Serializable {
         return constraint instanceof Joint joint && joint.describe(this, node);
     }
 
-    void addRod(int node, Anchor first, Anchor second, double length) {
+    void addRod(int node, RodJoint rod, Anchor first, Anchor second) {
         rods.add(node);
+        lengths.add(rod);
         rodValues = withRoom(rodValues, ROD * rods.size);
         int at = ROD * (rods.size - 1);
         anchor(rodValues, at, island.a[node], first);
         anchor(rodValues, at + 2, island.b[node], second);
-        rodValues[at + 4] = length;
+        rodValues[at + 4] = rod.getLength();
+    }
+
+    /** Takes the lengths of rods that may have been set; returns whether one was. */
+    boolean measure() {
+        boolean isNew = false;
+        for (int k = 0; k < rods.size; k++) {
+            double length = lengths.get(k).getLength();
+            isNew |= length != rodValues[ROD * k + 4];
+            rodValues[ROD * k + 4] = length;
+        }
+        return isNew;
     }
 
     void addSlide(int node, Anchor first, Anchor second, double normalX, double normalY) {

@@ -19,8 +19,8 @@ public final class Limit extends Switched {
     /** Distance within which a bound is reached, relative to the size of the coordinate. */
     private static final double REACHED = 1e-11;
 
-    private final double lower;
-    private final double upper;
+    private double lower;
+    private double upper;
     private final double restitution;
 
     /** −1 or +1: at the lower or the upper bound; 0: between. */
@@ -38,12 +38,16 @@ public final class Limit extends Switched {
      */
     public Limit(Constraint coordinate, double lower, double upper, double restitution) {
         super(coordinate);
-        if (!(lower < upper)) {
-            throw new IllegalArgumentException("lower is " + lower + ": it must be less than upper, " + upper);
-        }
-        this.lower = lower;
-        this.upper = upper;
+        bound(lower, upper);
         this.restitution = Check.between("restitution", restitution, 0, 1);
+    }
+
+    private void bound(double least, double most) {
+        if (!(least < most)) {
+            throw new IllegalArgumentException("lower is " + least + ": it must be less than upper, " + most);
+        }
+        lower = least;
+        upper = most;
     }
 
     /**
@@ -85,7 +89,8 @@ public final class Limit extends Switched {
     }
 
     /**
-     * Creates a rope: it keeps two points from getting farther apart than its length.
+     * Creates a rope: it keeps two points from getting farther apart than its length. {@link #getCoordinate()} is a
+     * {@link RodJoint} then, whose {@link RodJoint#setLength} sets that of the rope.
      *
      * @param a a body
      * @param ax x of the point of the first body, in its coordinates
@@ -116,6 +121,25 @@ public final class Limit extends Switched {
      */
     public double getUpper() {
         return upper;
+    }
+
+    /**
+     * Sets both bounds. You may call this at any time, between steps or from a listener within one; they hold from that instant on. A
+     * coordinate that is beyond a new bound is as one that was put there: by events it is held where it is until it moves back by
+     * itself, and by time stepping it is brought back at the pace at which gaps of joints are closed. In neither case does it get a
+     * velocity by that. To drive it back with a force, take a {@link Motor}.
+     *
+     * @param lower lower bound, may be −∞
+     * @param upper upper bound, greater than the lower one, may be ∞
+     * @throws IllegalArgumentException if the lower bound is not less than the upper one, or one of the two is not a number; the
+     *     bounds are as before then
+     */
+    public void setBounds(double lower, double upper) {
+        boolean isNew = lower != this.lower || upper != this.upper;
+        bound(lower, upper);
+        if (isNew) {
+            Joint.write(getBodyA(), getBodyB());
+        }
     }
 
     /**

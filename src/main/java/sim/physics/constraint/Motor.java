@@ -67,6 +67,31 @@ public final class Motor extends Switched {
     }
 
     /**
+     * Creates a motor that drives a wheel, or brakes it with speed 0.
+     *
+     * @param wheel a wheel; it need not be in an engine. The motor acts once it is added itself, and is removed separately
+     * @param speed speed with which the wheel is to roll, {@link Wheel#getRollingSpeed()}, length/time
+     * @param force greatest force along the direction in which it rolls, greater than 0
+     * @return a motor
+     */
+    public static Motor rolling(Wheel wheel, double speed, double force) {
+        return new Motor(new Roll(Objects.requireNonNull(wheel, "wheel"), false), speed, force);
+    }
+
+    /**
+     * Creates the grip of a wheel that skids, as by dry friction: what keeps {@link Wheel#getSlip()} at 0 with a bounded force. Add it in the
+     * place of the wheel. It acts beside a motor that drives the wheel, and does not know of it: the force of both may be up to
+     * √2 times as large if their limits are the same.
+     *
+     * @param wheel a wheel that is not added itself, as it would never slip
+     * @param force greatest force across the wheel, such as its friction times its load, greater than 0
+     * @return a motor with speed 0; its limit is the grip
+     */
+    public static Motor gripping(Wheel wheel, double force) {
+        return new Motor(new Roll(Objects.requireNonNull(wheel, "wheel"), true), 0, force);
+    }
+
+    /**
      * Returns the speed that the motor aims at.
      *
      * @return rate of the coordinate

@@ -87,6 +87,7 @@ final class Projection implements Serializable {
         }
         boolean done = false;
         int tried = 0;
+        boolean was = island.setPlacing(island.rolls());
         try {
             done = project(island, state, solver, false);
             tried = corrections;
@@ -96,6 +97,7 @@ final class Projection implements Serializable {
                 tried += assembly.corrections();
             }
         } finally { // an author's constraint may throw
+            island.setPlacing(was);
             for (int k = 0; !done && k < n; k++) {
                 state.x()[slot(island, k)] = before[k];
                 state.v()[slot(island, k)] = before[n + k];
@@ -127,7 +129,8 @@ final class Projection implements Serializable {
         }
         island.isProjected = gentle;
         note(state); // also if it fails half-way
-        boolean done = close(island, state, solver, gentle) && (island.invariants.restore(state, gentle) || !gentle);
+        boolean done = island.rolls() ? closeRolling(island, state, solver, gentle) : close(island, state, solver, gentle);
+        done = done && (island.invariants.restore(state, gentle) || !gentle);
         note(state);
         island.isProjected = false;
         return done && !(gentle && island.passage.endsUnawares());
@@ -169,6 +172,24 @@ final class Projection implements Serializable {
         if (!state.isUnsettled()) {
             state.placedAll();
         }
+    }
+
+    /** Closes what has places as if there were no wheels, which may be pushed to anywhere; then velocities are those of all. */
+    private boolean closeRolling(Island island, State state, ConstraintSolver solver, boolean gentle) {
+        boolean was = island.setPlacing(true);
+        boolean done = false;
+        try {
+            done = close(island, state, solver, gentle);
+        } finally {
+            island.setPlacing(false);
+        }
+        if (done) {
+            island.evaluate(state);
+            solver.prepare(island, state.w().values());
+            settle(island, state, solver);
+        }
+        island.setPlacing(was);
+        return done;
     }
 
     private boolean close(Island island, State state, ConstraintSolver solver, boolean gentle) {

@@ -23,7 +23,7 @@ public final class RodJoint extends Joint implements Link {
 
     private final Anchor first;
     private final Anchor second;
-    private final double length;
+    private double length;
 
     /**
      * Links two points by a rod whose length is their present distance. The points are given where they are in the <i>world</i>,
@@ -128,6 +128,23 @@ public final class RodJoint extends Joint implements Link {
         return length;
     }
 
+    /**
+     * Sets the length of the rod. You may call this at any time, between steps or from a listener within one; it holds from that
+     * instant on. If it is not the distance of the two points, the joint is closed as when you move a body: bodies go to the nearest
+     * places, at once, and get no velocity by that. So what you shorten a little in each step moves bodies, but pushes nothing with
+     * it. For that, take a {@link SliderJoint} with a {@link Motor}. Of a {@link Limit#rope}, this is the length at which it is taut.
+     *
+     * @param length length L, greater than 0
+     * @throws IllegalArgumentException if it is not positive and finite
+     */
+    public void setLength(double length) {
+        boolean isNew = Check.positive("length", length) != this.length;
+        this.length = length;
+        if (isNew) {
+            write(getBodyA(), getBodyB());
+        }
+    }
+
     @Override
     public double getAnchorAX() {
         return first.localX;
@@ -183,7 +200,7 @@ public final class RodJoint extends Joint implements Link {
 
     @Override
     boolean describe(JointRows rows, int node) {
-        rows.addRod(node, first, second, length);
+        rows.addRod(node, this, first, second);
         return true;
     }
 }

@@ -86,7 +86,9 @@ final class Shake implements Serializable {
             startX = new double[State.BLOCK * island.bodies.size];
             startV = new double[startX.length];
         }
+        boolean was = island.setPlacing(island.rolls());
         island.evaluate(state);
+        island.setPlacing(was);
         island.writeRows();
         System.arraycopy(island.j, 0, rows, 0, rows.length);
         double[] w = state.w().values();
@@ -100,6 +102,12 @@ final class Shake implements Serializable {
 
     /** Closes the constraints, as far as rounding lets it. */
     void close(State state, double h) {
+        boolean was = island.setPlacing(island.rolls());
+        closePlaces(state, h);
+        island.setPlacing(was);
+    }
+
+    private void closePlaces(State state, double h) {
         copy(state.x(), startX, true);
         copy(state.v(), startV, true);
         double before = Double.POSITIVE_INFINITY;

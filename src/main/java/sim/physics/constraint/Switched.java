@@ -60,6 +60,9 @@ abstract class Switched implements Constraint {
         if (coordinate instanceof Rail) { // a slot has one row: how far the pin is beside it
             throw new IllegalArgumentException("coordinate is " + coordinate + ": Motor.sliding and Limit.travel take a rail");
         }
+        if (coordinate instanceof Wheel) {
+            throw new IllegalArgumentException("coordinate is " + coordinate + ": Motor.rolling and Motor.gripping take a wheel");
+        }
         if (coordinate.getRows() != 1 || coordinate instanceof Switched) {
             throw new IllegalArgumentException("coordinate is " + coordinate + ": it must have one row");
         }
@@ -81,18 +84,18 @@ abstract class Switched implements Constraint {
 
     /**
      * Returns the coordinate that this acts on: the constraint that it was made with, the rail if it is a motor or an end of a
-     * rail, a {@link RodJoint} for a rope, a {@link GearJoint} for a turn.
+     * rail, the wheel if it is a motor of one, a {@link RodJoint} for a rope, a {@link GearJoint} for a turn.
      *
      * @return never null
      */
     public Constraint getCoordinate() {
-        return coordinate instanceof Travel travel ? travel.rail : coordinate;
+        return coordinate instanceof Travel travel ? travel.rail : coordinate instanceof Roll roll ? roll.wheel : coordinate;
     }
 
     /**
      * Returns the value of the coordinate where the bodies are now, whether the motor or stop acts or not: for a turn, by how much
      * that of the first body against the second one has changed since the coordinate was made, in rad; for a rail, its travel, and for a rope,
-     * the distance less the length, in your unit of length. Asking changes nothing. {@link #evaluate} is for the engine: it gives 0 while
+     * the distance less the length, in your unit of length; for a wheel 0, as it has none. Asking changes nothing. {@link #evaluate} is for the engine: it gives 0 while
      * the motor or stop does not act.
      *
      * @return what the bounds of a {@link Limit} refer to, and the rate of which is the speed of a {@link Motor}

@@ -5,6 +5,7 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.List;
 import sim.physics.internal.DisjointSets;
+import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
 
@@ -15,11 +16,21 @@ final class TieEquations implements Serializable {
     static final int ROWS = Equations.ROWS;
     private static final int BLOCK = State.BLOCK;
 
-    /** What a constraint is. */
+    /** What a constraint is: joints keep places, and wheels, as motors do, velocities alone. */
     enum Kind {
         JOINT,
+        WHEEL,
         MOTOR,
-        STOP
+        STOP;
+
+        /** Whether it takes as much as it needs, either way. */
+        boolean ties() {
+            return this == JOINT || this == WHEEL;
+        }
+
+        boolean hasPlace() {
+            return this == JOINT || this == STOP;
+        }
     }
 
     /** Values of J of a constraint: for its first body, and for its second one. */
@@ -91,7 +102,7 @@ final class TieEquations implements Serializable {
         for (int k = 0; k < n; k++) {
             Constraint tie = ties[k];
             Constraint coordinate = tie instanceof Switched s ? s.coordinate() : tie;
-            kinds[k] = tie instanceof Motor ? Kind.MOTOR : tie instanceof Limit ? Kind.STOP : Kind.JOINT;
+            kinds[k] = kind(tie);
             rows[k] = tie.getRows();
             sizes[k] = size(tie);
             gears[k] = coordinate instanceof GearJoint gear ? gear : null;
@@ -109,6 +120,38 @@ final class TieEquations implements Serializable {
     /** Whether a constraint is about a turn, whose J does not change. */
     boolean isTurn(int k) {
         return gears[k] != null;
+    }
+
+    private static Kind kind(Constraint tie) {
+        if (tie instanceof Switched) {
+            return tie instanceof Motor ? Kind.MOTOR : Kind.STOP;
+        }
+        return tie instanceof Wheel ? Kind.WHEEL : Kind.JOINT;
+    }
+
+    /** Marks the bodies of motors that are set, and of constraints of authors. */
+    void markDriven(double[] limits, boolean[] marks) {
+        for (int k = 0; k < awake; k++) {
+            if (isSet(k, limits[k]) || !Joint.isOwn(ties[k])) {
+                mark(k, marks);
+            }
+        }
+    }
+
+    /** Finds the bodies of sleeping motors that were set, of fixed ones, too. */
+    void findSet(double[] limits, IntList found) {
+        found.clear();
+        for (int k = awake; k < ties.length; k++) {
+            if (isSet(k, limits[k])) {
+                found.add(ties[k].getBodyA().index());
+                found.add(ties[k].getBodyB() == null ? ties[k].getBodyA().index() : ties[k].getBodyB().index());
+            }
+        }
+    }
+
+    /** Whether a constraint is a motor that wants to run, or is of another strength than in its last step. */
+    private boolean isSet(int k, double limit) {
+        return ties[k] instanceof Motor motor && (motor.getSpeed() != 0 || motor.getLimit() != limit);
     }
 
     /** How many there are of bodies that are awake. */
@@ -207,7 +250,7 @@ final class TieEquations implements Serializable {
                 continue;
             }
             one.clear();
-            (kinds[k] == Kind.JOINT ? ties[k] : ((Switched) ties[k]).coordinate()).evaluate(one);
+            (ties[k] instanceof Switched s ? s.coordinate() : ties[k]).evaluate(one);
             for (int r = 0; r < rows[k]; r++) {
                 c[ROWS * k + r] = kinds[k] == Kind.JOINT ? limited(k, r, one.c[r]) : one.c[r];
                 bend[ROWS * k + r] = one.rate[r] == 0 ? 0 : traced(k, h) * limited(k, r, 0.5 * h * h * one.rate[r]) / h;

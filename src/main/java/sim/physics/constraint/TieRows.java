@@ -27,19 +27,26 @@ public final class TieRows implements Serializable {
 
     /** The pins, which have a loop of their own; and all others. */
     private final TieOrder order = new TieOrder();
+
     private final PinImpulses pinImpulses;
     private final StopRows stops;
     private final HeldMotors held;
     private final TurningRows turning;
+
     /** Impulses of this substep; of a stop that of its lower and its upper bound. */
     private double[] impulse = {};
+
     private double h;
+
     /** Impulses with which the step began. */
     private double[] kept = {};
+
     /** What the first bodies got in the step: impulse, and turning impulse about the centre. */
     private double[] sum = {};
+
     /** Bounds of motors at the start of the step. */
     private double[] limits = {};
+
     /** The changes that these rows are for. */
     private long version = -1;
 
@@ -114,7 +121,7 @@ public final class TieRows implements Serializable {
         boolean[] marks = new boolean[state.x().length / BLOCK];
         pinImpulses.mark(marks);
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k] == TieEquations.Kind.JOINT) {
+            if (equations.kinds[k].ties()) {
                 equations.mark(k, marks);
             }
         }
@@ -157,11 +164,7 @@ public final class TieRows implements Serializable {
      * @param marks by body
      */
     public void markDriven(boolean[] marks) {
-        for (int k = 0; k < equations.count(); k++) {
-            if (isSet(k) || !Joint.isOwn(equations.ties[k])) {
-                equations.mark(k, marks);
-            }
-        }
+        equations.markDriven(limits, marks);
     }
 
     /**
@@ -170,19 +173,7 @@ public final class TieRows implements Serializable {
      * @param found takes their indices, of fixed ones, too
      */
     public void findSet(IntList found) {
-        found.clear();
-        for (int k = equations.count(); k < equations.ties.length; k++) {
-            if (isSet(k)) {
-                Constraint tie = equations.ties[k];
-                found.add(tie.getBodyA().index());
-                found.add(tie.getBodyB() == null ? tie.getBodyA().index() : tie.getBodyB().index());
-            }
-        }
-    }
-
-    /** Whether a constraint is a motor that wants to run, or is of another strength than in its last step. */
-    private boolean isSet(int k) {
-        return equations.ties[k] instanceof Motor motor && (motor.getSpeed() != 0 || motor.getLimit() != limits[k]);
+        equations.findSet(limits, found);
     }
 
     /**
@@ -286,7 +277,7 @@ public final class TieRows implements Serializable {
     }
 
     /**
-     * Solves the constraints of some bodies once: places alone, or velocities alone, with motors.
+     * Solves the constraints of some bodies once: places alone, or velocities alone, with wheels and motors.
      *
      * @param marks by body
      * @param softness how places are regained; {@link Softness#RIGID} if they are not
@@ -294,7 +285,7 @@ public final class TieRows implements Serializable {
      */
     public void solve(boolean[] marks, Softness softness, double h) {
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.isMarked(k, marks) && (softness.rate() == 0 || equations.kinds[k] != TieEquations.Kind.MOTOR)) {
+            if (equations.isMarked(k, marks) && (softness.rate() == 0 || equations.kinds[k].hasPlace())) {
                 solve(k, softness, h);
             }
         }
@@ -337,6 +328,7 @@ public final class TieRows implements Serializable {
     private void solve(int k, Softness softness, double h) {
         switch (equations.kinds[k]) {
             case JOINT -> join(k, softness);
+            case WHEEL -> roll(k, softness);
             case MOTOR -> drive(k, (Motor) equations.ties[k], softness, h);
             case STOP -> stops.solve(k, softness, h);
         }
@@ -370,6 +362,12 @@ public final class TieRows implements Serializable {
     private void take(int k, int row, double by) {
         impulse[ROWS * k + row] += by;
         equations.push(k, row, by);
+    }
+
+    /** A wheel takes all that is across it, as it has no place to go back to. */
+    private void roll(int k, Softness softness) {
+        double speed = equations.speed(k, 0, state.v()) + (softness.rate() > 0 ? equations.bend[ROWS * k] : 0);
+        take(k, 0, -equations.inverse[ROWS * ROWS * k] * speed);
     }
 
     /** A motor has no place to go back to; but where a way is to be gone, it is that of its speed, along a direction that turns meanwhile. */
@@ -445,7 +443,7 @@ public final class TieRows implements Serializable {
     public boolean settle(boolean[] marks) {
         boolean goesOn = false;
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k] == TieEquations.Kind.JOINT && equations.isMarked(k, marks)) {
+            if (equations.kinds[k].ties() && equations.isMarked(k, marks)) {
                 goesOn |= equations.areOff(k);
                 join(k, Softness.EAGER);
             }

@@ -12,6 +12,7 @@ import sim.physics.constraint.Rail;
 import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.SliderJoint;
 import sim.physics.constraint.WeldJoint;
+import sim.physics.constraint.Wheel;
 import sim.physics.constraint.WireJoint;
 import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
@@ -53,6 +54,8 @@ final class LinkSymbols {
             rail(rail, b);
         } else if (object instanceof WireJoint wire) {
             wire(wire);
+        } else if (object instanceof Wheel wheel) {
+            tyre(direction(wheel));
         } else if (object instanceof GearJoint gear) {
             gear(gear, a, b);
         } else if (object instanceof Spring spring) {
@@ -116,6 +119,15 @@ final class LinkSymbols {
         return new Double2D(cos * x - sin * y, sin * x + cos * y);
     }
 
+    private static Double2D direction(Wheel wheel) {
+        double angle = wheel.getBodyA().getAngle() + wheel.getSteering();
+        return new Double2D(Trig.cos(angle), Trig.sin(angle));
+    }
+
+    private void tyre(Double2D d) {
+        sketch.box(place.x, place.y, d.x, d.y, 1.2 * s, 0.5 * s, true);
+    }
+
     private void rail(Rail rail, Body b) {
         Double2D start = LinkPlaces.at(b, rail.getAnchorBX(), rail.getAnchorBY());
         Double2D d = direction(rail);
@@ -172,6 +184,13 @@ final class LinkSymbols {
         } else if (motor.getCoordinate() instanceof GearJoint) {
             double from = sign < 0 ? 2.2 : -2.2;
             sketch.arc(place.x, place.y, 1.8 * s, from, -from, sign != 0);
+        } else if (motor.getCoordinate() instanceof Wheel wheel) {
+            Double2D d = direction(wheel);
+            tyre(d);
+            if (sign != 0) {
+                double length = 2.5 * s * sign;
+                sketch.arrow(place.x, place.y, place.x + length * d.x, place.y + length * d.y);
+            }
         } else {
             sketch.disc(place.x, place.y, s);
         }

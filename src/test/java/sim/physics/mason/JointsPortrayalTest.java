@@ -26,6 +26,7 @@ import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.SliderJoint;
 import sim.physics.constraint.SlotJoint;
 import sim.physics.constraint.WeldJoint;
+import sim.physics.constraint.Wheel;
 import sim.physics.constraint.WireJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
@@ -175,6 +176,20 @@ class JointsPortrayalTest {
         assertThat(hitObjects(20 + 2.6 * s, 50)).containsExactly(stops);
         assertThat(hitObjects(20 + 1.8 * s, 50)).containsExactly(motor);
         assertThat(hitObjects(75, 50)).contains(gear);
+    }
+
+    @Test
+    void wheelsAreWhereTheyStand() {
+        Body car = box(20, 20);
+        Wheel ideal = engine.add(new Wheel(car, 5, 0));
+        Wheel other = new Wheel(car, 0, 6, Math.PI / 2);
+        Motor grip = engine.add(Motor.gripping(other, 5));
+        Motor drive = engine.add(Motor.rolling(new Wheel(car, -7, 0), 2, 5));
+        assertThat(hitObjects(25, 20)).containsExactly(ideal);
+        assertThat(hitObjects(20, 26)).containsExactly(grip);
+        assertThat(hitObjects(13, 20)).containsExactly(drive);
+        assertThat(isDrawn(25, 20)).isTrue();
+        assertThat(isDrawn(13, 20)).isTrue();
     }
 
     @Test
