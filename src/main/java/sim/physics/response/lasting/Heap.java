@@ -134,9 +134,8 @@ final class Heap implements Serializable {
         this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
         this.lasting = new LastingPairs(trajectories, detection, scales, ledger);
-        HeapMeeting meeting = new HeapMeeting(state, motion, detection, points, by, lasting);
-        this.closing = new HeapClosing(trajectories, by, system, courses, scales, meeting);
-        this.striking = new HeapStrike(trajectories, system, notes, courses, scales);
+        this.closing = new HeapClosing(trajectories, by, system, courses, scales, new HeapMeeting(state, motion, detection, points, by, lasting));
+        this.striking = new HeapStrike(system, notes, courses, scales);
         this.members = new HeapMembers(state, trajectories, motion, detection, by, lasting, scales);
         this.heap = members.bodies();
         this.ending = new HeapEnd(state, trajectories, motion, detection, points, by, system, members, scales, ledger);
@@ -182,6 +181,7 @@ final class Heap implements Serializable {
         }
         isFresh |= isEven();
         isResumed = !isFresh;
+        courses.begin();
         press(tau, true);
         moderate(tau);
         solve(tau);
@@ -271,10 +271,20 @@ final class Heap implements Serializable {
     /** Takes in the bodies of the heap and their points; the time ends where the first of these strikes. */
     private void gather(double tau) {
         take(tau);
-        if (isResumed || isRough || heap.size > FreeHeap.FEW || by.mostTurns(heap) > MOST) {
+        if (isRough || heap.size > FreeHeap.FEW || by.mostTurns(heap) > MOST) {
             return;
         }
-        double shortest = trajectories.h() / SOLUTIONS;
+        close(tau, trajectories.h() / SOLUTIONS);
+        if (!isEven() && closing.strikes() && striking.actFirst(heap, deep, scale, closing.rebounds())) {
+            take(tau);
+        }
+    }
+
+    private void close(double tau, double shortest) {
+        if (isResumed) {
+            closing.bounce(pulls.most(heap), shortest);
+            return;
+        }
         double first = closing.first(heap, scale, until - tau, shortest);
         if (first < until - tau) {
             until = tau + first;
@@ -284,9 +294,6 @@ final class Heap implements Serializable {
             closing.first(heap, scale, until - tau, shortest);
         }
         closing.hold(heap);
-        if (!isEven() && closing.strikes() && striking.actFirst(heap, deep, scale, closing.rebounds())) {
-            take(tau);
-        }
     }
 
     /** Takes in the bodies of the heap and their points. */
@@ -340,7 +347,6 @@ final class Heap implements Serializable {
         }
         large.meet(manifold.gap, size);
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
-        double bounce = points.restitution(a, b);
         double left = regain.time();
         double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size);
         detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : depth);
@@ -360,7 +366,7 @@ final class Heap implements Serializable {
                     : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven(), isTied);
             boolean isKnown = isResumed && any > 0 && !isRough;
             system.bound(p, isKnown ? HeapGaps.asFound(any, system.normal(p, courses.before()), manifold.gaps[k] + depth, bend, left) : any);
-            closing.set(p, manifold.gaps[k], full, size, bounce,
+            closing.set(p, manifold.gaps[k], full, size, points.restitution(a, b),
                     ledger.presses(pair) && manifold.gaps[k] <= manifold.gap + HeapGaps.fairDepth(size));
             if (isDriven) {
                 double kept = roam > HeapTurn.LONG ? bend : size * regain.sag(sag);
@@ -449,13 +455,11 @@ final class Heap implements Serializable {
         double pull = pulls.most(heap);
         double most = scales.fastest(heap, system.v);
         boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && most <= (isRough ? STANDS : STILL) * pull * (until - tau);
-        if (!still && until < trajectories.h()) {
-            detection.plan(heap.values[0], until);
-        }
         if (still) {
             free.bear(heap, motion, scale, until - tau, STILL * pull * (until - tau), isHalf);
+        } else if (until < trajectories.h()) {
+            detection.plan(heap.values[0], until);
         }
-        double[] d = trajectories.data();
         if (isDriven && !(system.contacts() == 0 && isFresh)) {
             driving.publish(heap, until - tau);
         }
@@ -485,7 +489,6 @@ final class Heap implements Serializable {
                 changed.add(body);
                 continue;
             }
-            int o = body * Trajectories.STRIDE + Trajectories.VX;
             if (!(isResumed && !members.areTurned() && courses.isKept(k, body, tau, system.v, SAME * scale))) {
                 by.paidUntil[body] = still ? 0 : until;
                 courses.set(k, body, tau, system.v, isHalf && !still);
