@@ -341,7 +341,7 @@ final class Heap implements Serializable {
         detection.narrowPhase().contact(pair, tau, manifold, FLAT * size / (scales.radius(a) + scales.radius(b)));
         if (manifold.gap > PARTED * size && !(isRough && large.foresees(pair))) {
             if (isFresh) {
-                lasting.end(pair);
+                members.part(pair);
             }
             return;
         }
@@ -458,7 +458,7 @@ final class Heap implements Serializable {
         if (still) {
             free.bear(heap, motion, scale, until - tau, STILL * pull * (until - tau), isHalf);
         } else if (until < trajectories.h()) {
-            detection.plan(heap.values[0], until);
+            members.plan(until);
         }
         if (isDriven && !(system.contacts() == 0 && isFresh)) {
             driving.publish(heap, until - tau);

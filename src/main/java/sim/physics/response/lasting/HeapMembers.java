@@ -29,6 +29,7 @@ final class HeapMembers implements Serializable {
     private boolean coupled;
     private boolean struck;
     private boolean turned;
+    private boolean parted;
     private double bending;
     private double paidUntil;
     private final double[] fall = new double[State.BLOCK];
@@ -75,6 +76,7 @@ final class HeapMembers implements Serializable {
         coupled = false;
         struck = false;
         turned = false;
+        parted = false;
         bending = 0;
         paidUntil = trajectories.h();
         include(seed);
@@ -157,6 +159,19 @@ final class HeapMembers implements Serializable {
             }
         }
         return pairs;
+    }
+
+    /** Ends the lasting of a pair of these that has parted. */
+    void part(int pair) {
+        lasting.end(pair);
+        parted = true;
+    }
+
+    /** Lets the heap be looked at again then. If a pair has parted, one of its bodies may not be found from another one any more: so all are. */
+    void plan(double until) {
+        for (int k = 0; k < (parted ? heap.size : 1); k++) {
+            detection.plan(heap.values[k], until);
+        }
     }
 
     /** Whether authors' forces or ties drive a body of the heap. */
