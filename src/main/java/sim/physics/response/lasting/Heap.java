@@ -165,13 +165,15 @@ final class Heap implements Serializable {
         members.setTies(those);
     }
 
-    /** Solves the heap of a body; notes those whose courses change. */
-    void settle(int seed, double tau, IntList changed) {
+    /** Solves the heap of a body; notes those whose courses change, and those that have parted from it. */
+    void settle(int seed, double tau, IntList changed, IntList parted) {
         complete(seed, tau, changed);
         find(seed, tau);
-        if (!isEven() && large.isAnyDone(heap)) {
-            large.leave(heap);
+        if (!isEven() && large.leaves(heap)) {
             return;
+        }
+        if (isFresh && !isEven() && heap.size <= FreeHeap.FEW && members.split(tau, PARTED, parted)) {
+            find(seed, tau);
         }
         flush.spread(heap, tau, lasting);
         if (isDriven) {
@@ -179,7 +181,6 @@ final class Heap implements Serializable {
         } else if (isRubbed) {
             rubbing.unpay(heap, tau);
         }
-        isFresh |= isEven();
         isResumed = !isFresh;
         courses.begin();
         press(tau, true);
@@ -253,7 +254,7 @@ final class Heap implements Serializable {
         isRubbed = isAlone && (members.isRubbed() || isDriven && by.mostTurns(heap) > MOST);
         isDriven &= !isRubbed;
         isRough = !isEven() && !isTied && large.isRough(heap);
-        isFresh = !members.isStruck();
+        isFresh = !members.isStruck() || isEven();
         isHalf = isFresh && !isEven() && !isTied && !isRough && !LargeHeaps.isLarge(heap.size) && !large.wasRough(heap);
         double h = trajectories.h();
         double length = members.bending() * h > TURN && !isRough ? TURN / members.bending() : h;
@@ -271,29 +272,28 @@ final class Heap implements Serializable {
     /** Takes in the bodies of the heap and their points; the time ends where the first of these strikes. */
     private void gather(double tau) {
         take(tau);
-        if (isRough || heap.size > FreeHeap.FEW || by.mostTurns(heap) > MOST) {
-            return;
-        }
-        close(tau, trajectories.h() / SOLUTIONS);
-        if (!isEven() && closing.strikes() && striking.actFirst(heap, deep, scale, closing.rebounds())) {
+        boolean isFollowed = !isRough && heap.size <= FreeHeap.FEW && by.mostTurns(heap) <= MOST;
+        if (isFollowed && strikes(tau, trajectories.h() / SOLUTIONS)) {
             take(tau);
         }
     }
 
-    private void close(double tau, double shortest) {
+    /** Lets points strike that do so now, or else the time end where the first of them does; whether there were any. */
+    private boolean strikes(double tau, double shortest) {
         if (isResumed) {
             closing.bounce(pulls.most(heap), shortest);
-            return;
+        } else {
+            double first = closing.first(heap, scale, until - tau, shortest);
+            if (first < until - tau) {
+                until = tau + first;
+                take(tau);
+            } else if (closing.gathers(heap, members.ties(), tau)) {
+                take(tau);
+                closing.first(heap, scale, until - tau, shortest);
+            }
+            closing.hold(heap);
         }
-        double first = closing.first(heap, scale, until - tau, shortest);
-        if (first < until - tau) {
-            until = tau + first;
-            take(tau);
-        } else if (closing.gathers(heap, members.ties(), tau)) {
-            take(tau);
-            closing.first(heap, scale, until - tau, shortest);
-        }
-        closing.hold(heap);
+        return !isEven() && closing.strikes() && striking.actFirst(heap, deep, scale, closing.rebounds());
     }
 
     /** Takes in the bodies of the heap and their points. */
