@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
+import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
 /** What nothing opposes is kept, however bodies land on one another: on a smooth floor that is the momentum along it. */
@@ -36,6 +37,36 @@ class LandedMomentumTest {
                 assertThat(momentum(engine)).as("seed %d, step %d", seed, k).isCloseTo(before, within(1e-12 * Math.abs(before)));
             }
         }
+    }
+
+    /** A disc falls on a box that lies on a cart, and leaves it as fast if all of that moves, but for what gravity gives in a step. */
+    @ParameterizedTest
+    @CsvSource({"60, 0.8, 2.8", "240, 0.8, 2.8", "960, 0.8, 2.8", "60, 0.5, 0.88", "960, 0.5, 0.97"})
+    void whatMovesIsStruckAsWhatStands(double stepsInASecond, double restitution, double least) {
+        double still = rebound(0, stepsInASecond, restitution);
+        double slow = rebound(1e-5, stepsInASecond, restitution);
+        assertThat(still).isGreaterThan(least);
+        assertThat(slow).isCloseTo(still, within(G / stepsInASecond));
+        for (double speed : new double[] {1e-4, 1e-2, 1}) {
+            assertThat(rebound(speed, stepsInASecond, restitution)).as("speed %s", speed).isCloseTo(slow, within(1e-6));
+        }
+    }
+
+    private static double rebound(double speed, double stepsInASecond, double restitution) {
+        PhysicsEngine engine = overFloor(1 / stepsInASecond, restitution);
+        Body cart = put(engine, new Body(new Rectangle(4, 0.5)).at(0, 0.25), restitution).moving(speed, 0);
+        cart.setMass(30);
+        Body box = put(engine, new Body(new Rectangle(1, 1)).at(0, 1), restitution).moving(speed, 0);
+        box.setMass(1);
+        Body disc = put(engine, new Body(new Circle(0.2)).at(0.05, 2.7), restitution).moving(speed, -1);
+        disc.setMass(1);
+        double before = 0;
+        while (disc.getVelocityY() < before + 0.5 && engine.getTime() < 1) {
+            before = disc.getVelocityY();
+            engine.step();
+        }
+        assertThat(engine.getDeepestPenetration()).isLessThan(1e-9);
+        return disc.getVelocityY();
     }
 
     private static double momentum(PhysicsEngine engine) {

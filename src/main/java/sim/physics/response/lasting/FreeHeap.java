@@ -112,6 +112,9 @@ final class FreeHeap implements Serializable {
 
     /** Solves a heap whose points have been taken in, for half of a time or all of it; false if the impulses are not nearly right. */
     boolean solve(IntList heap, double scale, double time, boolean isHalf) {
+        if (system.solveSqueezed()) {
+            return true;
+        }
         int relents = 0;
         for (int k = 0; k < heap.size; k++) {
             relents = Math.max(relents, by.relents[heap.values[k]] - 1);

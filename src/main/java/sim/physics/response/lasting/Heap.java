@@ -131,9 +131,8 @@ final class Heap implements Serializable {
         this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
         this.lasting = new LastingPairs(trajectories, detection, scales, ledger);
-        HeapMeeting meeting = new HeapMeeting(state, motion, detection, points, by, lasting);
-        this.closing = new HeapClosing(trajectories, by, system, courses, scales, meeting);
-        this.striking = new HeapStrike(trajectories, system, notes, courses, scales);
+        this.closing = new HeapClosing(trajectories, by, system, courses, scales, new HeapMeeting(state, motion, detection, points, by, lasting));
+        this.striking = new HeapStrike(system, notes, courses, scales);
         this.members = new HeapMembers(state, trajectories, motion, detection, by, lasting, scales);
         this.heap = members.bodies();
         this.ending = new HeapEnd(state, trajectories, motion, detection, points, by, system, members, scales, ledger);
@@ -163,13 +162,15 @@ final class Heap implements Serializable {
         members.setTies(those);
     }
 
-    /** Solves the heap of a body; notes those whose courses change. */
-    void settle(int seed, double tau, IntList changed) {
+    /** Solves the heap of a body; notes those whose courses change, and those that have parted from it. */
+    void settle(int seed, double tau, IntList changed, IntList parted) {
         complete(seed, tau, changed);
         find(seed, tau);
-        if (!isEven() && large.isAnyDone(heap)) {
-            large.leave(heap);
+        if (!isEven() && large.leaves(heap)) {
             return;
+        }
+        if (isFresh && !isEven() && heap.size <= FreeHeap.FEW && members.split(tau, PARTED, parted)) {
+            find(seed, tau);
         }
         flush.spread(heap, tau, lasting);
         if (isDriven) {
@@ -177,8 +178,8 @@ final class Heap implements Serializable {
         } else if (isRubbed) {
             rubbing.unpay(heap, tau);
         }
-        isFresh |= isEven();
         isResumed = !isFresh;
+        courses.begin();
         press(tau, true);
         moderate(tau);
         solve(tau);
@@ -250,7 +251,7 @@ final class Heap implements Serializable {
         isRubbed = isAlone && (members.isRubbed() || members.isDriven() && isOver);
         isDriven = !isRubbed && (members.isDriven() || isAlone && !isOver && isFollowed());
         isRough = !isEven() && !isTied && large.isRough(heap);
-        isFresh = !members.isStruck();
+        isFresh = !members.isStruck() || isEven();
         isHalf = isFresh && !isEven() && !isTied && !isRough && !LargeHeaps.isLarge(heap.size) && !large.wasRough(heap);
         double h = trajectories.h();
         double length = members.bending() * h > TURN && !isRough ? TURN / members.bending() : h;
@@ -276,22 +277,28 @@ final class Heap implements Serializable {
     /** Takes in the bodies of the heap and their points; the time ends where the first of these strikes. */
     private void gather(double tau) {
         take(tau);
-        if (isResumed || isRough || heap.size > FreeHeap.FEW || by.mostTurns(heap) > MOST) {
-            return;
-        }
-        double shortest = trajectories.h() / SOLUTIONS;
-        double first = closing.first(heap, scale, until - tau, shortest);
-        if (first < until - tau) {
-            until = tau + first;
-            take(tau);
-        } else if (closing.gathers(heap, members.ties(), tau)) {
-            take(tau);
-            closing.first(heap, scale, until - tau, shortest);
-        }
-        closing.hold(heap);
-        if (!isEven() && closing.strikes() && striking.actFirst(heap, deep, scale, closing.rebounds())) {
+        boolean isFollowed = !isRough && heap.size <= FreeHeap.FEW && by.mostTurns(heap) <= MOST;
+        if (isFollowed && strikes(tau, trajectories.h() / SOLUTIONS)) {
             take(tau);
         }
+    }
+
+    /** Lets points strike that do so now, or else the time end where the first of them does; whether there were any. */
+    private boolean strikes(double tau, double shortest) {
+        if (isResumed) {
+            closing.bounce(pulls.most(heap), shortest);
+        } else {
+            double first = closing.first(heap, scale, until - tau, shortest);
+            if (first < until - tau) {
+                until = tau + first;
+                take(tau);
+            } else if (closing.gathers(heap, members.ties(), tau)) {
+                take(tau);
+                closing.first(heap, scale, until - tau, shortest);
+            }
+            closing.hold(heap);
+        }
+        return !isEven() && closing.strikes() && striking.actFirst(heap, deep, scale, closing.rebounds());
     }
 
     /** Takes in the bodies of the heap and their points. */
@@ -339,13 +346,12 @@ final class Heap implements Serializable {
         detection.narrowPhase().contact(pair, tau, manifold, FLAT * size / (scales.radius(a) + scales.radius(b)));
         if (manifold.gap > PARTED * size && !(isRough && large.foresees(pair))) {
             if (isFresh) {
-                lasting.end(pair);
+                members.part(pair);
             }
             return;
         }
         large.meet(manifold.gap, size);
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
-        double bounce = points.restitution(a, b);
         double left = regain.time();
         double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size);
         detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : depth);
@@ -365,7 +371,7 @@ final class Heap implements Serializable {
                     : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven(), isTied);
             boolean isKnown = isResumed && any > 0 && !isRough;
             system.bound(p, isKnown ? HeapGaps.asFound(any, system.normal(p, courses.before()), manifold.gaps[k] + depth, bend, left) : any);
-            closing.set(p, manifold.gaps[k], full, size, bounce,
+            closing.set(p, manifold.gaps[k], full, size, points.restitution(a, b),
                     ledger.presses(pair) && manifold.gaps[k] <= manifold.gap + HeapGaps.fairDepth(size));
             if (isDriven) {
                 double kept = roam > HeapTurn.LONG ? bend : size * regain.sag(sag);
@@ -454,11 +460,10 @@ final class Heap implements Serializable {
         double pull = pulls.most(heap);
         double most = scales.fastest(heap, system.v);
         boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && free.isStill(most, pull * (until - tau), isRough);
-        if (!still && until < trajectories.h()) {
-            detection.plan(heap.values[0], until);
-        }
         if (still) {
             free.bear(heap, motion, scale, until - tau, pull, isHalf);
+        } else if (until < trajectories.h()) {
+            members.plan(until);
         }
         if (isDriven && !(system.contacts() == 0 && isFresh)) {
             driving.publish(heap, until - tau);

@@ -120,6 +120,25 @@ final class HeapClosing implements Serializable {
     }
 
     /**
+     * Finds the points that bounce now in a heap that has been struck within the step: as those do which strike at the start of one, or what stands
+     * would bounce, and what moves would not.
+     *
+     * @param pull acceleration that forces give
+     * @param shortest time in which a gap is closed that counts as none
+     */
+    void bounce(double pull, double shortest) {
+        double h = trajectories.h();
+        span = 0;
+        for (int p = 0; p < system.contacts(); p++) {
+            double speed = restitution[p] > 0 ? -system.normal(p, courses.without()) : 0;
+            if (speed > FAST * pull * h && speed * h > least[p] && gaps[p] <= speed * shortest) {
+                span = shortest;
+                rebounds[p] = restitution[p] * speed;
+            }
+        }
+    }
+
+    /**
      * Lets what has pressed close its gap no faster than in a whole step, where solutions end early in this one: in a short time it would fall
      * freely into the gap that is kept for the bends of a long one.
      */

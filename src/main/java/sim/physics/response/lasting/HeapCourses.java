@@ -4,6 +4,7 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
@@ -24,9 +25,26 @@ final class HeapCourses implements Serializable {
 
     private double[] without = {};
 
+    /** Whether bodies have got others at once, so that all that is known of their courses is out of date. */
+    private boolean haveStruck;
+
     HeapCourses(Trajectories trajectories, HeapBodies by) {
         this.trajectories = trajectories;
         this.by = by;
+    }
+
+    /** Begins with a heap. */
+    void begin() {
+        haveStruck = false;
+    }
+
+    /** Gives the bodies of a heap the velocities with which they part from an impact, as those that they had. */
+    void strike(IntList heap, double[] v) {
+        haveStruck = true;
+        for (int k = 0; k < heap.size; k++) {
+            System.arraycopy(v, 3 * k, trajectories.data(), heap.values[k] * Trajectories.STRIDE + Trajectories.VX, State.BLOCK);
+            System.arraycopy(v, 3 * k, before, 3 * k, State.BLOCK);
+        }
     }
 
     /** Takes in a body's velocity, and gives it to a system; where some is for the time that is left, without that. */
@@ -49,9 +67,15 @@ final class HeapCourses implements Serializable {
         return before;
     }
 
+    /** {@return the same without what they have been given for the time that is left} */
+    double[] without() {
+        return without;
+    }
+
     /** Whether a body that has got what forces give it goes on as it did, but for some rounding. */
     boolean isKept(int k, int body, double tau, double[] v, double none) {
-        return by.paidUntil[body] > tau
+        return !haveStruck
+                && by.paidUntil[body] > tau
                 && Math.abs(v[3 * k] - before[3 * k]) <= none
                 && Math.abs(v[3 * k + 1] - before[3 * k + 1]) <= none
                 && Math.abs(v[3 * k + 2] - before[3 * k + 2]) * trajectories.radius(body) <= none;

@@ -82,7 +82,9 @@ final class HeapEnd implements Serializable {
         if (heap.size <= FreeHeap.FEW) {
             HeapStart.temper(system);
         }
-        system.solve(Math.max(scale, scales.fastest(heap, system.v)), true);
+        if (!system.solveSqueezed()) {
+            system.solve(Math.max(scale, scales.fastest(heap, system.v)), true);
+        }
         if (HeapEnergy.isWedged(system, system.free())) {
             system.unwedge(false);
             system.solve(scale, false);

@@ -30,6 +30,7 @@ final class HeapMembers implements Serializable {
     private boolean struck;
     private boolean turned;
     private boolean onFixed;
+    private boolean parted;
     private double bending;
     private double paidUntil;
     private final double[] fall = new double[State.BLOCK];
@@ -77,6 +78,7 @@ final class HeapMembers implements Serializable {
         struck = false;
         turned = false;
         onFixed = false;
+        parted = false;
         bending = 0;
         paidUntil = trajectories.h();
         include(seed);
@@ -160,6 +162,43 @@ final class HeapMembers implements Serializable {
             }
         }
         return pairs;
+    }
+
+    /**
+     * Ends the lasting of pairs that have pressed no more and have parted, so that what has left the heap flies freely.
+     *
+     * @param part gap as of which they have, relative to the smaller body
+     * @param left takes the bodies, which are to be found again, if there is such a pair
+     * @return whether there is
+     */
+    boolean split(double tau, double part, IntList left) {
+        IntList all = pairs(tau);
+        boolean yes = false;
+        for (int k = 0; k < all.size; k++) {
+            if (lasting.hasParted(all.values[k], tau, part)) {
+                lasting.end(all.values[k]);
+                yes = true;
+            }
+        }
+        for (int k = 0; k < heap.size && yes; k++) {
+            by.place[heap.values[k]] = 0;
+            by.isDirty[heap.values[k]] = true; // until it is found
+            left.add(heap.values[k]);
+        }
+        return yes;
+    }
+
+    /** Ends the lasting of a pair of these that has parted. */
+    void part(int pair) {
+        lasting.end(pair);
+        parted = true;
+    }
+
+    /** Lets the heap be looked at again then. If a pair has parted, one of its bodies may not be found from another one any more: so all are. */
+    void plan(double until) {
+        for (int k = 0; k < (parted ? heap.size : 1); k++) {
+            detection.plan(heap.values[k], until);
+        }
     }
 
     /** Whether authors' forces or ties drive a body of the heap. */

@@ -16,7 +16,7 @@ final class HeapShare implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Points of heaps in which loads are shared. */
-    private static final int MOST = 20;
+    static final int MOST = 20;
 
     /** Points that may change between open and closed, stuck and sliding, before the search is given up. */
     private static final int TRIES = 60;

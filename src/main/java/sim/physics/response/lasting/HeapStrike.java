@@ -4,8 +4,6 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import sim.physics.internal.IntList;
-import sim.physics.motion.State;
-import sim.physics.motion.Trajectories;
 
 /** What happens at once in a {@link HeapSystem}, before forces act: the approach of points that close too fast ends. */
 final class HeapStrike implements Serializable {
@@ -27,14 +25,12 @@ final class HeapStrike implements Serializable {
 
     private boolean isStuck;
 
-    private final Trajectories trajectories;
     private final HeapSystem system;
     private final HeapNotes notes;
     private final HeapCourses courses;
     private final BodyScale scales;
 
-    HeapStrike(Trajectories trajectories, HeapSystem system, HeapNotes notes, HeapCourses courses, BodyScale scales) {
-        this.trajectories = trajectories;
+    HeapStrike(HeapSystem system, HeapNotes notes, HeapCourses courses, BodyScale scales) {
         this.system = system;
         this.notes = notes;
         this.courses = courses;
@@ -57,11 +53,7 @@ final class HeapStrike implements Serializable {
         }
         strike(Math.max(speed, scale), bounces, rebounds);
         notes.strike(1);
-        for (int k = 0; k < heap.size; k++) {
-            int o = heap.values[k] * Trajectories.STRIDE + Trajectories.VX;
-            System.arraycopy(system.v, 3 * k, trajectories.data(), o, State.BLOCK);
-            System.arraycopy(system.v, 3 * k, courses.before(), 3 * k, State.BLOCK);
-        }
+        courses.strike(heap, system.v);
         return true;
     }
 

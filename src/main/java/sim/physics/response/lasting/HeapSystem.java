@@ -37,6 +37,7 @@ final class HeapSystem extends HeapPoints {
 
     private boolean tied;
     private final HeapSolver solver = new HeapSolver();
+    private final Squeezed squeezed = new Squeezed();
 
     /** Inverse masses of 1. */
     private double[] units = {};
@@ -387,6 +388,16 @@ final class HeapSystem extends HeapPoints {
         startFromNothing();
         begin(false);
         return solver.solveSoftly(this, scale, tolerance.enough());
+    }
+
+    /** The same where a body fills all the room between two walls; false if none does, or nothing is found. No gap is to be regained there. */
+    boolean solveSqueezed() {
+        if (!Squeezed.yields(this)) {
+            return false;
+        }
+        begin(true);
+        startFromNothing();
+        return squeezed.solve(this);
     }
 
     /** The same with little work. */

@@ -412,7 +412,7 @@ public final class Heaps implements Serializable {
                 giveUp(body);
                 changed.add(body);
             } else if (by.isDirty[body] && state.body(body) != null && by.lies[body]) {
-                heap.settle(body, tau, changed);
+                heap.settle(body, tau, changed, dirty);
             }
             by.isDirty[body] = false;
         }

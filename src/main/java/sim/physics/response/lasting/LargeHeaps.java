@@ -119,7 +119,7 @@ final class LargeHeaps implements Serializable {
     }
 
     /** Whether one of some bodies is. */
-    boolean isAnyDone(IntList bodies) {
+    private boolean isAnyDone(IntList bodies) {
         boolean yes = false;
         for (int k = 0; k < bodies.size; k++) {
             yes |= isDone(bodies.values[k]);
@@ -153,12 +153,14 @@ final class LargeHeaps implements Serializable {
         by.isDirty[body] = false;
     }
 
-    /** Lets the bodies of a heap do so, since some of them are of one that has been solved for the step. */
-    void leave(IntList heap) {
-        for (int k = 0; k < heap.size; k++) {
+    /** Lets the bodies of a heap do so if some of them are of one that has been solved for the step. */
+    boolean leaves(IntList heap) {
+        boolean yes = isAnyDone(heap);
+        for (int k = 0; k < heap.size && yes; k++) {
             leave(heap.values[k]);
             by.place[heap.values[k]] = 0;
         }
+        return yes;
     }
 
     /** Lets a body that has just come to lie on a large heap go on with what forces have given it so far: from now on it is borne. */

@@ -43,6 +43,17 @@ final class LastingPairs implements Serializable {
         detection.pairs().setCode(pair, code);
     }
 
+    /** Whether a pair that lasts has not pressed in the last solution, and is open by that much, relative to the smaller body. */
+    boolean hasParted(int pair, double tau, double part) {
+        if (ledger.presses(pair)) {
+            return false;
+        }
+        int code = detection.pairs().code(pair);
+        double gap = detection.narrowPhase().gap(pair, tau);
+        detection.pairs().setCode(pair, code);
+        return gap > part * scales.size(detection.pairs().first(pair), detection.pairs().second(pair));
+    }
+
     /** How deep a pair may be when it begins to last. */
     double depth(int pair) {
         int a = detection.pairs().first(pair);
