@@ -249,7 +249,7 @@ final class Heap implements Serializable {
         boolean isAlone = !isTied && !members.isCoupled(); // only what moves by itself can be stopped
         boolean isOver = by.mostTurns(heap) > MOST;
         isRubbed = isAlone && (members.isRubbed() || members.isDriven() && isOver);
-        isDriven = !isRubbed && (members.isDriven() || isAlone && !isOver && isFollowed());
+        isDriven = !isRubbed && (members.isDriven() || isAlone && !isOver && members.areFollowed(pulls));
         isRough = !isEven() && !isTied && large.isRough(heap);
         isFresh = !members.isStruck() || isEven();
         isHalf = isFresh && !isEven() && !isTied && !isRough && !LargeHeaps.isLarge(heap.size) && !large.wasRough(heap);
@@ -259,14 +259,6 @@ final class Heap implements Serializable {
         sag = isDriven ? by.sag[seed] : 0;
         until = Math.min(isEven() ? h : members.paidUntil(), tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
-    }
-
-    /**
-     * Whether free bodies get what contacts give them evenly over a time, as those do that the integrator drives: normals turn with them, which
-     * impulses at an instant can only follow by making them part, and without a force to give that back it would be energy.
-     */
-    private boolean isFollowed() {
-        return members.bending() > 0 && (!members.isOnFixed() || !pulls.isOnAny(heap));
     }
 
     /** For how much of a time bodies are given what forces and contacts give them when it begins. */

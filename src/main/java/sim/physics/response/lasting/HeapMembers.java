@@ -231,9 +231,12 @@ final class HeapMembers implements Serializable {
         return turned;
     }
 
-    /** Whether one lies on a fixed body: the momentum of others is theirs alone. */
-    boolean isOnFixed() {
-        return onFixed;
+    /**
+     * Whether those that nothing drives get what contacts give them evenly over a time, as driven ones do: normals turn with them. Impulses at an
+     * instant follow that only by making them part, and where no force takes it back that is energy. Of what flies under forces, momenta are kept.
+     */
+    boolean areFollowed(HeapPull pulls) {
+        return bending > 0 && (!onFixed || !pulls.isOnAny(heap));
     }
 
     /** Until when all of these were to hold, at most to the end of the step. */
