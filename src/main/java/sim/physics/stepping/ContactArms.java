@@ -141,19 +141,27 @@ final class ContactArms implements Serializable {
         double startY = arm * ny - lever * nx;
         double endX = cos * startX - sin * startY + (isOfFirst ? 0 : dx);
         double endY = cos * startY + sin * startX + (isOfFirst ? 0 : dy);
-        double wayX = endX - points[p + AX];
-        double wayY = endY - points[p + AY];
-        double otherX = isOfFirst ? endX - dx - points[p + BX] : wayX;
-        double otherY = isOfFirst ? endY - dy - points[p + BY] : wayY;
         double square = arm * arm + lever * lever;
-        if (otherX * otherX + otherY * otherY > SLID * SLID * square) {
+        double wayA = square(endX - points[p + AX], endY - points[p + AY]);
+        double wayB = square(endX - dx - points[p + BX], endY - dy - points[p + BY]);
+        boolean areBoth = isMovable(rows.first(k)) && isMovable(rows.second(k));
+        if (areBoth && (isOfFirst ? wayB : wayA) > SLID * SLID * square) {
             return move(p, 0.5, dx, dy);
         }
         points[p + AX] = endX;
         points[p + AY] = endY;
         points[p + BX] = endX - dx;
         points[p + BY] = endY - dy;
-        return wayX * wayX + wayY * wayY > FAR * FAR * square;
+        double way = Math.max(isMovable(rows.first(k)) ? wayA : 0, isMovable(rows.second(k)) ? wayB : 0); // on a floor none counts, nor on a belt
+        return way > FAR * FAR * square;
+    }
+
+    private static double square(double x, double y) {
+        return x * x + y * y;
+    }
+
+    private boolean isMovable(int body) {
+        return state.w().values()[State.BLOCK * body] > 0;
     }
 
     /**
