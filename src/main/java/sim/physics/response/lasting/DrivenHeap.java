@@ -39,6 +39,7 @@ final class DrivenHeap implements Serializable {
     private final HeapSwitches switches;
     private final Probes probes;
     private final HeapTurn turning;
+    private final HeapHalt halting;
 
     DrivenHeap(
             State state,
@@ -59,6 +60,7 @@ final class DrivenHeap implements Serializable {
         this.switches = search.switches;
         this.probes = search.probes;
         this.turning = search.turning;
+        this.halting = new HeapHalt(system, trajectories);
     }
 
     /** Takes note of the impulses that have been found, and lets pairs be as deep as they are if they had to be. */
@@ -120,6 +122,21 @@ final class DrivenHeap implements Serializable {
         return switches.rebounds();
     }
 
+    /**
+     * Gives bodies on which no force acts what their contacts have been found to give, but no energy.
+     *
+     * @param before velocities at the start of the time
+     */
+    void settle(IntList heap, double[] before, double time) {
+        turning.settle(system.v, heap.size);
+        halting.gainNothing(heap, before, time);
+    }
+
+    /** Takes all motion relative to one another from them. */
+    void halt(IntList heap) {
+        halting.halt(heap);
+    }
+
     /** The search for the forces of driven bodies. */
     ForceSearch search() {
         return search;
@@ -128,9 +145,11 @@ final class DrivenHeap implements Serializable {
     /**
      * Lets bodies be pushed evenly over a time as was found, also those that nothing drives: if these moved at once as they do
      * at its end, they would run into those that do not yet. Integrations under the same forces go for the bodies' motion.
+     *
+     * @param areDriven whether a body is driven; else what they get is known from their velocities
      */
-    void publish(IntList heap, double time) {
-        double[] pushes = turning.pushes(heap.size);
+    void publish(IntList heap, double time, boolean areDriven) {
+        double[] pushes = areDriven ? turning.pushes(heap.size) : turning.changes(system.v, heap.size);
         search.support(heap, time, pushes);
         turning.keep(heap, system.v, time);
         if (time >= Heap.SLIVER * trajectories.h()) {

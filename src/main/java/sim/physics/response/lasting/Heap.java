@@ -412,6 +412,9 @@ final class Heap implements Serializable {
             done = regainNothing(); // that must not add energy
             by.afford(heap, HeapEnergy.gained(system, from()), 0);
         }
+        if (isDriven && !members.isDriven()) {
+            driving.settle(heap, courses.before(), until - tau);
+        }
         notes.press(given(until - tau));
         if (isDriven) {
             driving.note(detection);
@@ -423,7 +426,7 @@ final class Heap implements Serializable {
             rubbing.end();
         }
         if (halts && !isPressed) {
-            HeapHalt.halt(system, heap, trajectories);
+            driving.halt(heap);
         }
     }
 
@@ -458,7 +461,7 @@ final class Heap implements Serializable {
             members.plan(until);
         }
         if (isDriven && !(system.contacts() == 0 && isFresh)) {
-            driving.publish(heap, until - tau);
+            driving.publish(heap, until - tau, members.isDriven());
         }
         boolean stands = isRubbed && !halts && rubbing.isStill(heap);
         stands |= isDriven && isFresh && system.contacts() > 0 && driving.rest(heap, until - tau, RESTING * pull * (until - tau));

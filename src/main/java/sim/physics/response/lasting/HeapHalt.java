@@ -2,37 +2,80 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.response.lasting;
 
-import java.util.Arrays;
+import java.io.Serializable;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Trajectories;
 
-/** Takes all motion relative to one another from the bodies of a {@link HeapSystem}. */
-final class HeapHalt {
-    private HeapHalt() {}
+/**
+ * Takes motion relative to one another from the bodies of a heap on which no force acts. What is left is theirs together: of bodies that lie on
+ * nothing fixed the motion as one, with their momenta; of those on a wall the momentum along it; and nothing on several walls.
+ */
+final class HeapHalt implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Energy that is but rounding, relative to what there is. */
+    private static final double ROUNDING = 1e-14;
+
+    /** Sine of the angle between normals up to which walls are one. */
+    private static final double PARALLEL = 1e-9;
+
+    private final HeapSystem s;
+    private final Trajectories trajectories;
+
+    /** Where bodies are when they have their velocities, 2 each. */
+    private double[] places = {};
+
+    /** The motion together: of a place, and about it. */
+    private double x;
+
+    private double y;
+    private double vx;
+    private double vy;
+    private double spin;
+
+    HeapHalt(HeapSystem system, Trajectories trajectories) {
+        s = system;
+        this.trajectories = trajectories;
+    }
 
     /**
-     * Lets the bodies stand if some lie on what cannot move, and else go on as one body, with the momenta that they have together. On the
-     * straight ways on which they go then they part, by a second order of the time, as none of their normals turns against the line of centres.
+     * Takes all of it. On the straight ways on which bodies go then as one they part, by a second order of the time, as none of their normals turns
+     * against the line of centres.
      */
-    static void halt(HeapSystem s, IntList heap, Trajectories trajectories) {
-        for (int p = 0; p < s.size(); p++) {
-            if (s.rows().isOnFixed(p)) {
-                Arrays.fill(s.v, 0, 3 * s.bodyCount(), 0);
-                return;
-            }
+    void halt(IntList heap) {
+        find(heap, s.v, 0);
+        keep(0);
+    }
+
+    /**
+     * Takes as much of it as makes up for energy that contacts have given. They follow one another to the second order of the time, and what is left
+     * of that would add up. The speeds with which points part are smaller by that, but none approaches.
+     *
+     * @param from velocities before
+     * @param time in which they change evenly
+     */
+    void gainNothing(IntList heap, double[] from, double time) {
+        double gain = HeapEnergy.gained(s, from) - ROUNDING * HeapEnergy.of(s, from);
+        if (gain > 0) {
+            find(heap, from, time);
+            double there = energyWithin();
+            keep(there > gain ? Math.sqrt(1 - gain / there) : 0);
         }
-        double[] d = trajectories.data();
+    }
+
+    private void find(IntList heap, double[] from, double time) {
+        place(heap, from, time);
         double mass = 0;
-        double x = 0;
-        double y = 0;
-        double vx = 0;
-        double vy = 0;
+        x = 0;
+        y = 0;
+        vx = 0;
+        vy = 0;
+        spin = 0;
         for (int k = 0; k < s.bodyCount(); k++) {
             double m = 1 / s.w[2 * k];
-            int o = heap.values[k] * Trajectories.STRIDE;
             mass += m;
-            x += m * d[o + Trajectories.X0];
-            y += m * d[o + Trajectories.Y0];
+            x += m * places[2 * k];
+            y += m * places[2 * k + 1];
             vx += m * s.v[3 * k];
             vy += m * s.v[3 * k + 1];
         }
@@ -40,21 +83,77 @@ final class HeapHalt {
         y /= mass;
         vx /= mass;
         vy /= mass;
+        if (!slideAlongWalls()) {
+            turn();
+        }
+    }
+
+    private void place(IntList heap, double[] from, double time) {
+        places = places.length < 2 * heap.size ? new double[4 * heap.size] : places;
+        double[] d = trajectories.data();
+        for (int k = 0; k < heap.size; k++) {
+            int o = heap.values[k] * Trajectories.STRIDE;
+            places[2 * k] = d[o + Trajectories.X0] + 0.5 * time * (from[3 * k] + s.v[3 * k]);
+            places[2 * k + 1] = d[o + Trajectories.Y0] + 0.5 * time * (from[3 * k + 1] + s.v[3 * k + 1]);
+        }
+    }
+
+    /** Leaves what walls do not oppose; false if there are none. */
+    private boolean slideAlongWalls() {
+        int wall = -1;
+        for (int p = 0; p < s.contacts(); p++) {
+            if (!s.rows().isOnFixed(p)) {
+                continue;
+            }
+            boolean isFirst = wall < 0;
+            wall = isFirst ? p : wall;
+            double nx = s.rows().nx(p);
+            double ny = s.rows().ny(p);
+            boolean isOther = Math.abs(nx * s.rows().ny(wall) - ny * s.rows().nx(wall)) > PARALLEL;
+            double away = isOther ? 0 : vy * nx - vx * ny;
+            vx = -away * ny;
+            vy = away * nx;
+        }
+        return wall >= 0;
+    }
+
+    private void turn() {
         double inertia = 0;
-        double spin = 0;
+        double momentum = 0;
         for (int k = 0; k < s.bodyCount(); k++) {
-            int o = heap.values[k] * Trajectories.STRIDE;
-            double dx = d[o + Trajectories.X0] - x;
-            double dy = d[o + Trajectories.Y0] - y;
+            double dx = places[2 * k] - x;
+            double dy = places[2 * k + 1] - y;
             inertia += (dx * dx + dy * dy) / s.w[2 * k] + 1 / s.w[2 * k + 1];
-            spin += (dx * (s.v[3 * k + 1] - vy) - dy * (s.v[3 * k] - vx)) / s.w[2 * k] + s.v[3 * k + 2] / s.w[2 * k + 1];
+            momentum += (dx * (s.v[3 * k + 1] - vy) - dy * (s.v[3 * k] - vx)) / s.w[2 * k] + s.v[3 * k + 2] / s.w[2 * k + 1];
         }
-        spin /= inertia;
+        spin = momentum / inertia;
+    }
+
+    /** Twice the energy of motions relative to that together. */
+    private double energyWithin() {
+        double sum = 0;
         for (int k = 0; k < s.bodyCount(); k++) {
-            int o = heap.values[k] * Trajectories.STRIDE;
-            s.v[3 * k] = vx - spin * (d[o + Trajectories.Y0] - y);
-            s.v[3 * k + 1] = vy + spin * (d[o + Trajectories.X0] - x);
-            s.v[3 * k + 2] = spin;
+            double ux = s.v[3 * k] - speedX(k);
+            double uy = s.v[3 * k + 1] - speedY(k);
+            double turn = s.v[3 * k + 2] - spin;
+            sum += (ux * ux + uy * uy) / s.w[2 * k] + turn * turn / s.w[2 * k + 1];
         }
+        return sum;
+    }
+
+    private void keep(double part) {
+        for (int k = 0; k < s.bodyCount(); k++) {
+            s.v[3 * k] = speedX(k) + part * (s.v[3 * k] - speedX(k));
+            s.v[3 * k + 1] = speedY(k) + part * (s.v[3 * k + 1] - speedY(k));
+            s.v[3 * k + 2] = spin + part * (s.v[3 * k + 2] - spin);
+        }
+    }
+
+    private double speedX(int k) {
+        return vx - spin * (places[2 * k + 1] - y);
+    }
+
+    private double speedY(int k) {
+        return vy + spin * (places[2 * k] - x);
     }
 }

@@ -29,7 +29,6 @@ final class HeapMembers implements Serializable {
     private boolean coupled;
     private boolean struck;
     private boolean turned;
-    private boolean onFixed;
     private boolean parted;
     private double bending;
     private double paidUntil;
@@ -77,7 +76,6 @@ final class HeapMembers implements Serializable {
         coupled = false;
         struck = false;
         turned = false;
-        onFixed = false;
         parted = false;
         bending = 0;
         paidUntil = trajectories.h();
@@ -98,7 +96,6 @@ final class HeapMembers implements Serializable {
                 int other = detection.pairs().other(pair, body);
                 if (lasting.has(pair)) {
                     bending = Math.max(bending, scales.bending(body, other));
-                    onFixed |= state.body(other).isFixed();
                     if (!state.body(other).isFixed() && by.place[other] == 0) {
                         include(other);
                     }
@@ -233,10 +230,10 @@ final class HeapMembers implements Serializable {
 
     /**
      * Whether those that nothing drives get what contacts give them evenly over a time, as driven ones do: normals turn with them. Impulses at an
-     * instant follow that only by making them part, and where no force takes it back that is energy. Of what flies under forces, momenta are kept.
+     * instant follow that only by making them part, and where no force takes it back that is energy.
      */
     boolean areFollowed(HeapPull pulls) {
-        return bending > 0 && (!onFixed || !pulls.isOnAny(heap));
+        return bending > 0 && !pulls.isOnAny(heap);
     }
 
     /** Until when all of these were to hold, at most to the end of the step. */

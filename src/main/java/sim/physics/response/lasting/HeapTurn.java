@@ -140,6 +140,22 @@ final class HeapTurn implements Serializable {
         return pushes;
     }
 
+    /** Gives bodies the velocities that their pushes give them, when these are all. */
+    void settle(double[] v, int bodies) {
+        double[] all = pushes(bodies);
+        for (int k = 0; k < 3 * bodies; k++) {
+            v[k] = before[k] + all[k];
+        }
+    }
+
+    /** By how much velocities are others than at the start. 3 per body. */
+    double[] changes(double[] v, int bodies) {
+        for (int k = 0; k < 3 * bodies; k++) {
+            pushes[k] = v[k] - before[k];
+        }
+        return pushes;
+    }
+
     /**
      * Makes up for points that were not where the last pushes had them, in the system's velocities: at once for what nothing ties, else by
      * the next integration.
