@@ -95,8 +95,8 @@ abstract class Switched implements Constraint {
     /**
      * Returns the value of the coordinate where the bodies are now, whether the motor or stop acts or not: for a turn, by how much
      * that of the first body against the second one has changed since the coordinate was made, in rad; for a rail, its travel, and for a rope,
-     * the distance less the length, in your unit of length; for a wheel 0, as it has none. Asking changes nothing. {@link #evaluate} is for the engine: it gives 0 while
-     * the motor or stop does not act.
+     * the distance less the length, in your unit of length; for a wheel 0, as it has none. Asking changes nothing. {@link #evaluate} is for
+     * the engine: it gives 0 while the motor or stop does not act.
      *
      * @return what the bounds of a {@link Limit} refer to, and the rate of which is the speed of a {@link Motor}
      */

@@ -11,7 +11,10 @@ import java.util.Map;
 import java.util.Set;
 import sim.physics.motion.Body;
 
-/** The constraints of an engine in the order in which time stepping solves them: pins apart, stops after the motors of their bodies, and those of sleeping bodies last. */
+/**
+ * The constraints of an engine in the order in which time stepping solves them: pins apart, stops after the motors of their bodies, and those of
+ * sleeping bodies last.
+ */
 final class TieOrder implements Serializable {
     private static final long serialVersionUID = 1L;
 

@@ -144,15 +144,16 @@ final class ContactArms implements Serializable {
         double square = arm * arm + lever * lever;
         double wayA = square(endX - points[p + AX], endY - points[p + AY]);
         double wayB = square(endX - dx - points[p + BX], endY - dy - points[p + BY]);
-        boolean areBoth = isMovable(rows.first(k)) && isMovable(rows.second(k));
-        if (areBoth && (isOfFirst ? wayB : wayA) > SLID * SLID * square) {
+        boolean movesA = isMovable(rows.first(k));
+        boolean movesB = isMovable(rows.second(k));
+        if (movesA && movesB && (isOfFirst ? wayB : wayA) > SLID * SLID * square) {
             return move(p, 0.5, dx, dy);
         }
         points[p + AX] = endX;
         points[p + AY] = endY;
         points[p + BX] = endX - dx;
         points[p + BY] = endY - dy;
-        double way = Math.max(isMovable(rows.first(k)) ? wayA : 0, isMovable(rows.second(k)) ? wayB : 0); // on a floor none counts, nor on a belt
+        double way = Math.max(movesA ? wayA : 0, movesB ? wayB : 0); // on a floor none counts, nor on a belt
         return way > FAR * FAR * square;
     }
 

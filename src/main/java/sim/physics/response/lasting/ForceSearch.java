@@ -338,15 +338,15 @@ final class ForceSearch implements Serializable {
             if (isFirst(body)) {
                 share = Math.min(MOST_SHARE, length / probes.probe(body, length)); // it may end early, at a stop
             }
+            boolean isDriven = trajectories.isDriven(body);
             motion.fall(body, fall, 0);
             for (int c = 0; c < State.BLOCK; c++) {
-                double gained = trajectories.isDriven(body)
+                double gained = isDriven
                         ? share * (state.v()[State.BLOCK * body + c] - d[o + c])
                         : fall[c] * length + pushes[3 * k + c];
                 system.v[3 * k + c] = d[o + c] + gained;
             }
-            boolean isFollowed = trajectories.isDriven(body);
-            most = Math.max(most, scales.speed(body, isFollowed ? state.v() : system.v, isFollowed ? State.BLOCK * body : 3 * k));
+            most = Math.max(most, scales.speed(body, isDriven ? state.v() : system.v, isDriven ? State.BLOCK * body : 3 * k));
         }
         turning.turn(system.v, length, !isReleased);
         turned = scales.fastest(heap, turning.makeUp(heap.size));

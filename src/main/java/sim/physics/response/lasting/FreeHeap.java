@@ -86,8 +86,8 @@ final class FreeHeap implements Serializable {
     }
 
     /** Whether a heap whose bodies have a speed at most stands still, against what forces give in the time. */
-    boolean isStill(double fastest, double given, boolean isRough) {
-        return fastest <= (isRough ? STANDS : STILL) * given;
+    boolean isStill(double fastest, double given) {
+        return fastest <= (system.tolerance().isRough() ? STANDS : STILL) * given;
     }
 
     /** Stops a heap that stands still from now on, and finds what holds it against a pull; nothing else depends on that. */

@@ -454,7 +454,7 @@ final class Heap implements Serializable {
     private void publish(double tau, IntList changed) {
         double pull = pulls.most(heap);
         double most = scales.fastest(heap, system.v);
-        boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && free.isStill(most, pull * (until - tau), isRough);
+        boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && free.isStill(most, pull * (until - tau));
         if (still) {
             free.bear(heap, motion, scale, until - tau, pull, isHalf);
         } else if (until < trajectories.h()) {

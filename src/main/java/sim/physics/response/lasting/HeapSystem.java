@@ -37,7 +37,7 @@ final class HeapSystem extends HeapPoints {
 
     private boolean tied;
     private final HeapSolver solver = new HeapSolver();
-    private final Squeezed squeezed = new Squeezed();
+    private final HeapShare share = new HeapShare();
 
     /** Inverse masses of 1. */
     private double[] units = {};
@@ -397,7 +397,7 @@ final class HeapSystem extends HeapPoints {
         }
         begin(true);
         startFromNothing();
-        return squeezed.solve(this);
+        return share.solve(this);
     }
 
     /** The same with little work. */

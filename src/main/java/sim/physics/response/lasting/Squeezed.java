@@ -2,29 +2,16 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.response.lasting;
 
-import java.io.Serializable;
-
 /**
  * Heaps in which a body fills all the room between two walls. Whatever presses it against one of them may press it against the other as well: what its
  * points bear is not unique, and with friction its motion is not either. Nor is there room for gaps, and impulses that regain them grow without
  * bounds. So no gap is regained, and points bear what they would if they were a little soft, which is the least.
  */
-final class Squeezed implements Serializable {
-    private static final long serialVersionUID = 1L;
-
+final class Squeezed {
     /** By how much walls that face one another may miss being parallel: half of the square of an angle. */
     private static final double PARALLEL = 1e-12;
 
-    private final HeapShare share = new HeapShare();
-
-    Squeezed() {
-        // grows with the heaps
-    }
-
-    /** Finds the impulses of a system without any, whose velocities are those without impulses; false if nothing is found, and nothing changed. */
-    boolean solve(HeapSystem s) {
-        return share.solve(s);
-    }
+    private Squeezed() {}
 
     /** Lets points regain no gap at which a body fills all the room between two walls; false if there are none, or too many to look at. */
     static boolean yields(HeapSystem s) {
