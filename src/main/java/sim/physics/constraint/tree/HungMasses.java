@@ -21,9 +21,9 @@ final class HungMasses {
 
     private HungMasses() {}
 
-    /** Whether a tree is a chain that hangs, of links that are as good as points at their pins and moments of inertia. */
+    /** Whether a tree is a chain that hangs, of links of like masses that are as good as points at their pins and moments of inertia. */
     static boolean areSuited(PinTree tree) {
-        boolean yes = !tree.isFree && tree.runCount == 1;
+        boolean yes = !tree.isFree && tree.runCount == 1 && !tree.isSpread;
         double built = yes ? BUILT * reach(tree) : 0;
         for (int k = 0; yes && k < tree.links; k++) {
             int o = PinTree.STRIDE * k;

@@ -135,6 +135,9 @@ final class PinTree implements Serializable {
     /** By link: whether more than what is right behind it takes part in its elimination. */
     final boolean[] isOdd;
 
+    /** Whether some links are much heavier than others: forces between links, as {@link HungChain} finds them, lose digits then. */
+    boolean isSpread;
+
     private final double[] sum = new double[9];
 
     /** By block: accelerations x″, y″, θ″ as if each link were alone; null but while they are used. */

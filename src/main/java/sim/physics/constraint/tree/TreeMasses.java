@@ -11,14 +11,21 @@ final class TreeMasses {
 
     private static final double ROUNDING = 0x1p-49;
 
+    /** Ratio of masses up to which they are alike. */
+    private static final double ALIKE = 100;
+
     private TreeMasses() {}
 
     /** Takes the masses over. */
     static void weigh(PinTree tree, double[] w) {
+        double least = Double.POSITIVE_INFINITY;
+        double most = 0;
         for (int k = tree.links - 1; k >= 0; k--) {
             double[] l = tree.link;
             int o = PinTree.STRIDE * k;
             double m = 1 / w[tree.block[k]];
+            least = Math.min(least, m);
+            most = Math.max(most, m);
             double ex = l[o + PinTree.EX];
             double ey = l[o + PinTree.EY];
             double dx = l[o + PinTree.DX];
@@ -39,5 +46,6 @@ final class TreeMasses {
             l[o + PinTree.KNOT] = l[o + PinTree.FAR] + (goesOn ? l[next + PinTree.MASS] - l[next + PinTree.FAR] : 0);
             tree.isOdd[k] = !isAlong || tree.child[k] >= 0;
         }
+        tree.isSpread = most > ALIKE * least;
     }
 }

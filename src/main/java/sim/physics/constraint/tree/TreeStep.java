@@ -26,6 +26,14 @@ public final class TreeStep implements Serializable {
     /** From here on it is looked at: below, the error of the energy is that of the method, and a small one. */
     private static final double WATCHED = 0.001;
 
+    /** The same where light links swing heavy ones: what those miss of an angle is much of the energy of these. */
+    private static final double WATCHED_IF_SPREAD = 1e-9;
+
+    /** The same of the finest parts of steps for which even ones would be too many, and by how much finer they are if the energy is wrong. */
+    private static final double FINEST = 1e-5;
+
+    private static final double FINER = 16;
+
     /** Gap, relative to the largest coordinate, and slip, to the speeds, that a projection leaves behind. */
     private static final double CLOSED = 0x1p-45;
 
@@ -51,6 +59,9 @@ public final class TreeStep implements Serializable {
     private double worst;
 
     private final TreeEnergy energy;
+
+    /** Null until a step takes parts of different lengths. */
+    private FineStep fine;
 
     /** Null until a method asks for them that chooses its steps. */
     private TreeCoordinates coordinates;
@@ -96,8 +107,10 @@ public final class TreeStep implements Serializable {
         }
         boolean isUnforced = gx == 0 && gy == 0;
         double most = tree.isFree && !isUnforced ? ROUGH : ROUGH_IF_KNOWN;
-        while (!isDone(gx, gy, h, most) || !isUnforced && !keepsEnergy(state, gx, gy)) {
-            if (!divide(state, hung, most)) {
+        boolean isFine = false;
+        while (!isFine && (!isDone(gx, gy, h, most) || !isUnforced && !keepsEnergy(state, gx, gy))) {
+            isFine = !divide(state, hung, most);
+            if (isFine && !goFinely(state, gx, gy, h)) {
                 return false;
             }
         }
@@ -105,7 +118,7 @@ public final class TreeStep implements Serializable {
         if (isUnforced) {
             island.keepInvariants(state);
         }
-        if (hung == null) {
+        if (hung == null || isFine) {
             tree.places.scatter(state, PinTree.ANGLE, PinTree.OMEGA);
         } else {
             hung.ends.scatter(state);
@@ -236,6 +249,30 @@ public final class TreeStep implements Serializable {
         }
     }
 
+    /** Makes a step for which even parts would be too many; false if it cannot be followed, or its energy is wrong however fine the parts are. */
+    private boolean goFinely(State state, double gx, double gy, double h) {
+        fine = fine == null ? new FineStep(tree) : fine;
+        worst = Double.POSITIVE_INFINITY;
+        for (double most = ROUGH; most >= FINEST; most /= FINER) {
+            if (!follow(state)) {
+                return false;
+            }
+            if (tree.isFree) {
+                tree.places.locate();
+            }
+            boolean isThere = fine.advance(gx, gy, h, h / MOST_PARTS, most);
+            tree.places.place();
+            if (tree.isFree) {
+                tree.places.shift(gx, gy, h);
+            }
+            if (isThere && (tree.isFree || energy.restore(state, gx, gy))) {
+                return true;
+            }
+            tree.forget();
+        }
+        return false;
+    }
+
     /** Lets the next step be made in one part less, if this one would hardly have been too rough then. */
     private void unite(double most) {
         double longer = parts / (parts - 1.0);
@@ -245,9 +282,8 @@ public final class TreeStep implements Serializable {
     /** Gives a held tree that falls the energy back that it had at the start; false if the step was wrong. */
     private boolean keepsEnergy(State state, double gx, double gy) {
         return tree.isFree
-                || worst < WATCHED
-                || (hung == null ? energy.restore(state, gx, gy) : hung.ends.restoreEnergy(state, gx, gy))
-                || parts == MOST_PARTS;
+                || worst < (tree.isSpread ? WATCHED_IF_SPREAD : WATCHED)
+                || (hung == null ? energy.restore(state, gx, gy) : hung.ends.restoreEnergy(state, gx, gy));
     }
 
     /** Makes the step in its parts; false if they are too long to follow the links. */
@@ -276,6 +312,11 @@ public final class TreeStep implements Serializable {
         if (hung != null) {
             return hung.step(gx, gy, h, isLast);
         }
+        return step(tree, gx, gy, h);
+    }
+
+    /** The same of a tree of any kind, whose places are not asked for. */
+    static double step(PinTree tree, double gx, double gy, double h) {
         tree.eliminate(gx, gy);
         tree.accelerate(0, 0.5 * h);
         tree.eliminate(gx, gy);
