@@ -3,7 +3,6 @@
 package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Gravity;
 import sim.physics.shape.Rectangle;
 
@@ -25,18 +25,32 @@ class TautChainTest {
     @ParameterizedTest
     @CsvSource({"3, 1e3, 60", "3, 1e3, 240", "3, 1e6, 60", "3, 1e6, 240", "3, 1e6, 1024", "3, 1e6, 4096", "6, 1e4, 60", "6, 1e4, 240", "6, 1e4, 1024"})
     void aHeavyBodyThatPullsLightLinksTautKeepsItsEnergy(int links, double mass, double stepsInASecond) {
+        assertThat(largestChange(links, mass, stepsInASecond, new Gravity(0, -G))).isLessThan(1e-7);
+    }
+
+    /** Of forces that an author gives nobody knows the energy. */
+    @ParameterizedTest
+    @CsvSource({"3, 1e3, 60", "3, 1e3, 240", "3, 1e6, 60", "3, 1e6, 240", "3, 1e6, 1024", "6, 1e4, 60", "6, 1e4, 240", "6, 1e4, 1024"})
+    void soItDoesUnderAnAuthorsForce(int links, double mass, double stepsInASecond) {
+        assertThat(largestChange(links, mass, stepsInASecond, (body, time, forces) -> forces.add(body, 0, -G * body.getMass()))).isLessThan(1e-3);
+    }
+
+    /** Of the energy, in units of the heavy body's weight and a link. */
+    private static double largestChange(int links, double mass, double stepsInASecond, ForceGenerator weight) {
         PhysicsEngine engine = new PhysicsEngine();
         engine.setTimeStep(1 / stepsInASecond);
-        engine.add(new Gravity(0, -G));
+        engine.add(weight);
         List<Body> chain = folded(engine, links, mass);
         double before = energy(chain);
         double fastest = 0;
+        double most = 0;
         for (int k = 0; k < 2 * stepsInASecond; k++) {
             engine.step();
-            assertThat((energy(chain) - before) / (mass * G)).as("step %d", k).isCloseTo(0, within(1e-7));
+            most = Math.max(most, Math.abs(energy(chain) - before) / (mass * G));
             fastest = Math.max(fastest, Math.abs(chain.get(0).getAngularVelocity()));
         }
         assertThat(fastest).as("it was pulled taut").isGreaterThan(10);
+        return most;
     }
 
     private static List<Body> folded(PhysicsEngine engine, int links, double mass) {

@@ -5,8 +5,8 @@ package sim.physics.constraint.tree;
 import java.io.Serializable;
 
 /**
- * A step of a {@link PinTree} under a uniform field in parts each of which is as short as it must be. Where a heavy link pulls light ones taut, these
- * turn round in next to no time, and even parts would all have to be as short as that.
+ * A step of a {@link PinTree} in parts each of which is as short as it must be. Where a heavy link pulls light ones taut, these turn round in next
+ * to no time, and even parts would all have to be as short as that.
  */
 final class FineStep implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -23,6 +23,18 @@ final class FineStep implements Serializable {
     /** From one link's place, angle and velocities to those of the next; what lies between is found from these. */
     private static final int VALUES = PinTree.OMEGA - PinTree.X + 1;
 
+    /** A way to make parts. */
+    interface Part {
+        /**
+         * Goes on from where the links are.
+         *
+         * @param done what of the step is over
+         * @param length of the part
+         * @return {@link PinTree#roughness}
+         */
+        double go(double done, double length);
+    }
+
     private final PinTree tree;
     private final double[] start;
 
@@ -32,23 +44,22 @@ final class FineStep implements Serializable {
     }
 
     /**
-     * Makes a step from where the tree is. Where it hangs must be known.
+     * Makes a step from where the tree is.
      *
-     * @param gx the field
-     * @param gy the field
+     * @param parts how parts are made
      * @param h step
      * @param first length of the part that is tried first
      * @param most how rough a part may be, see {@link PinTree#roughness}
      * @return false if it takes too many parts
      */
-    boolean advance(double gx, double gy, double h, double first, double most) {
+    boolean advance(Part parts, double h, double first, double most) {
         double part = first;
         double done = 0;
         for (int tries = 0; tries < MOST; tries++) {
             boolean isLast = Math.abs(part) >= Math.abs(h - done);
             part = isLast ? h - done : part;
             keep();
-            double rough = part * part * TreeStep.step(tree, gx, gy, part);
+            double rough = part * part * parts.go(done, part);
             double scale = SAFE * Math.sqrt(Math.sqrt(most / rough)); // what is rough is of fourth order
             if (!(rough <= most)) {
                 putBack();

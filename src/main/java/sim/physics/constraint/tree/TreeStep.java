@@ -23,6 +23,9 @@ public final class TreeStep implements Serializable {
     /** The same where the energy is known, and kept. */
     private static final double ROUGH_IF_KNOWN = 0.2;
 
+    /** The same under loads where light links swing heavy ones: nobody knows the energy there. */
+    private static final double ROUGH_IF_SPREAD = 1e-6;
+
     /** From here on it is looked at: below, the error of the energy is that of the method, and a small one. */
     private static final double WATCHED = 0.001;
 
@@ -162,13 +165,17 @@ public final class TreeStep implements Serializable {
             loaded = isHub ? new HubLoads(tree) : new TreeLoads(tree);
         }
         loaded.keep(state);
-        while (!isDone(state, loads, a, t, h)) {
+        double most = tree.isSpread && !isHub ? ROUGH_IF_SPREAD : ROUGH;
+        boolean isFine = false;
+        while (!isFine && !isDone(state, loads, a, t, h, most)) {
             loaded.restore(state);
-            if (!divide(state, null, ROUGH)) {
+            isFine = !divide(state, null, most);
+            if (isFine && !goFinely(state, loads, a, t, h, most)) {
+                loaded.restore(state);
                 return false;
             }
         }
-        unite(ROUGH);
+        unite(most);
         loaded.tellFirst(a);
         island.step();
         return true;
@@ -249,6 +256,18 @@ public final class TreeStep implements Serializable {
         }
     }
 
+    /** Makes a step under loads for which even parts would be too many; false if it cannot be followed. */
+    private boolean goFinely(State state, Loads loads, double[] a, double t, double h, double most) {
+        fine = fine == null ? new FineStep(tree) : fine;
+        worst = Double.POSITIVE_INFINITY;
+        FineStep.Part parts = (done, part) -> {
+            tree.places.scatter(state, PinTree.ANGLE, PinTree.OMEGA); // of a part that was too long there are others
+            loaded.step(state, island.bodies(), loads, a, t + done, part, done == 0);
+            return tree.roughness();
+        };
+        return follow(state) && fine.advance(parts, h, h / MOST_PARTS, most);
+    }
+
     /** Makes a step for which even parts would be too many; false if it cannot be followed, or its energy is wrong however fine the parts are. */
     private boolean goFinely(State state, double gx, double gy, double h) {
         fine = fine == null ? new FineStep(tree) : fine;
@@ -260,7 +279,7 @@ public final class TreeStep implements Serializable {
             if (tree.isFree) {
                 tree.places.locate();
             }
-            boolean isThere = fine.advance(gx, gy, h, h / MOST_PARTS, most);
+            boolean isThere = fine.advance((done, part) -> step(tree, gx, gy, part), h, h / MOST_PARTS, most);
             tree.places.place();
             if (tree.isFree) {
                 tree.places.shift(gx, gy, h);
@@ -328,12 +347,12 @@ public final class TreeStep implements Serializable {
         return tree.roughness();
     }
 
-    private boolean isDone(State state, Loads loads, double[] a, double t, double h) {
+    private boolean isDone(State state, Loads loads, double[] a, double t, double h, double most) {
         double part = h / parts;
         worst = 0;
         for (int k = 0; k < parts; k++) {
             loaded.step(state, island.bodies(), loads, a, t + k * part, part, k == 0);
-            if (!isSmooth(part, tree.roughness(), ROUGH)) {
+            if (!isSmooth(part, tree.roughness(), most)) {
                 return false;
             }
         }
