@@ -30,6 +30,9 @@ final class Bounces implements Serializable {
     /** Bounces of a rattling pair after which they may be faster, the more there are: or a method beyond its stability made them endless. */
     private static final double PATIENCE = 256;
 
+    /** Bounces of a rattling pair after which what presses it may be more than the forces on its bodies, the more there are. */
+    private static final double FEW = 4;
+
     /** How many times faster these may hop in the end that only forces press, which then are known: up to a sixteenth of their size. */
     private static final double MOST_PATIENCE = 4;
 
@@ -114,6 +117,7 @@ final class Bounces implements Serializable {
         if (count > 0 && approach > 0) {
             double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * Tolerances.REST * h);
             double acceleration = (approach + Math.max(0, lastSpeed[pair])) / since; // they may have met as they parted
+            acceleration = Math.min(acceleration, mostPressing(a, b, Math.max(1, count / FEW)));
             double size = Math.min(trajectories.radius(a), trajectories.radius(b));
             double longest = Math.sqrt(2 * Tolerances.RATTLE_SIZE * size / acceleration);
             double length = Math.min(Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h, longest);
@@ -163,6 +167,16 @@ final class Bounces implements Serializable {
     private double mostByPressing(int a, int b) {
         double size = Math.min(trajectories.radius(a), trajectories.radius(b));
         return motion.isTied(a) || motion.isTied(b) ? Tolerances.RATTLE_SIZE * size / h : Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * The greatest acceleration of a rattling pair that is believed to be that of forces, and not of what its bodies did at other points: of what
+     * nothing ties forces are known.
+     *
+     * @param patience how often that much: more where they rattle on and on, as what lies on them presses, too
+     */
+    private double mostPressing(int a, int b, double patience) {
+        return motion.isTied(a) || motion.isTied(b) ? Double.POSITIVE_INFINITY : patience * (drive(a) + drive(b));
     }
 
     /** The acceleration of a body by all forces. */
@@ -290,6 +304,11 @@ final class Bounces implements Serializable {
         return 2 * Tolerances.ELASTIC_AFTER * Tolerances.GAP * extent;
     }
 
+    /** The gap at which two bodies are found to touch, as of rounding none is known better. */
+    double rounding(int a, int b) {
+        return noise(a, b) / (2 * Tolerances.ELASTIC_AFTER);
+    }
+
     /** The speed at which a pair would part with all the energy that it has lost in the step. */
     private double regained(int pair, double approach, Impact c) {
         return Math.max(approach, Math.sqrt(approach * approach + 2 * lost[pair] * c.normalMobility()));
@@ -301,7 +320,7 @@ final class Bounces implements Serializable {
             return true; // it does not bounce at all
         }
         int count = counts[pair] * (c.restitution == 0 && c.friction > 0 && (motion.isTied(a) || motion.isTied(b)) ? TURNS : 1);
-        if (count > Tolerances.LIE_AFTER && isTiny(a, b, c)) {
+        if (count > Tolerances.LIE_AFTER && isTiny(a, b, c) || isNoise(pair, a, b, c)) {
             return true;
         }
         int least = inHeap ? Tolerances.JOIN_AFTER : Tolerances.LIE_AFTER;
@@ -315,14 +334,24 @@ final class Bounces implements Serializable {
         return 2 * c.restitution * approach <= closing * Tolerances.SHORT * h;
     }
 
-    /** Whether bounces of free bodies are counted: where they lose nothing, only those that a force makes next to nothing. */
-    boolean areCounted(int a, int b, Impact c) {
-        return c.restitution < 1 || c.friction > 0 || isTiny(a, b, c);
+    /** Whether bounces of bodies are counted: where they lose nothing, only those that a force or rounding makes next to nothing. */
+    boolean areCounted(int pair, int a, int b, Impact c) {
+        return c.restitution < 1 || c.friction > 0 || isTiny(a, b, c) || isNoise(pair, a, b, c);
     }
 
     /** Whether forces on two bodies give them in next to no time the speed at which they bounce, if they do at all. */
     private boolean isTiny(int a, int b, Impact c) {
         return 2 * c.restitution * Math.max(0, -c.normalVelocity()) < TINY * h * (pull(a) + pull(b));
+    }
+
+    /** Whether driven bodies that nothing ties bounce as rounding alone makes what is put flush bounce: they are to lie, however elastic they are. */
+    private boolean isNoise(int pair, int a, int b, Impact c) {
+        boolean isDriven = trajectories.isDriven(a) || trajectories.isDriven(b);
+        if (!isDriven || rattles[pair] <= Tolerances.JOIN_AFTER || motion.isTied(a) || motion.isTied(b)) {
+            return false;
+        }
+        double speed = c.normalVelocity();
+        return speed * speed < 2 * (drive(a) + drive(b)) * noise(a, b);
     }
 
     private double pull(int body) {

@@ -189,7 +189,7 @@ public final class CollisionResponse implements Serializable {
         boolean canRest = canRest(pair, a, b, tau, true);
         if (bounces.dampRattle(pair, a, b, impact)) {
             bounces.spend(pair, impact);
-        } else if (canRest || heaps.has(a) || heaps.has(b) || bounces.areCounted(a, b, impact)) {
+        } else if (canRest || heaps.has(a) || heaps.has(b) || bounces.areCounted(pair, a, b, impact)) {
             bounces.count(pair);
             if (!canRest && startsToLie(pair, a, b)) {
                 impact.restitution = 0;
@@ -332,7 +332,7 @@ public final class CollisionResponse implements Serializable {
             }
             t = next;
         }
-        boolean touch = impact.normalVelocity() < 0 && manifold.gap <= -impact.normalVelocity() * Tolerances.REST * h;
+        boolean touch = impact.normalVelocity() < 0 && manifold.gap <= Math.max(-impact.normalVelocity() * Tolerances.REST * h, bounces.rounding(a, b));
         return touch || bounces.misses(pair);
     }
 

@@ -48,24 +48,76 @@ class ForceFreeHeapTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0, 0, 60", "0, 0.3, 40", "9.81, 0, 60", "9.81, 0.3, 40"})
-    void bodiesThatFlyTogetherKeepTheirMomenta(double gravity, double restitution, int seeds) {
-        double step = 1.0 / 240;
+    @CsvSource({
+        "0, 0, 240, 60", "0, 0.3, 240, 40", "0, 0, 60, 100", "9.81, 0, 240, 60", "9.81, 0.3, 240, 40", "9.81, 0, 60, 100", "9.81, 0.3, 60, 60"
+    })
+    void bodiesThatFlyTogetherKeepTheirMomenta(double gravity, double restitution, double stepsInASecond, int seeds) {
         for (int seed = 0; seed < seeds; seed++) {
             PhysicsEngine engine = thrownTogether(new Random(seed), gravity, restitution);
-            engine.setTimeStep(step);
+            engine.setTimeStep(1 / stepsInASecond);
             double[] before = books(engine, 0, 0);
             double energy = before[3];
-            for (int k = 0; k < 480; k++) {
+            for (int k = 0; k < 2 * stepsInASecond; k++) {
                 engine.step();
                 double[] now = books(engine, gravity, engine.getTime());
                 assertThat(now[0]).as("seed %d, step %d", seed, k).isCloseTo(before[0], within(1e-11));
                 assertThat(now[1]).as("seed %d, step %d", seed, k).isCloseTo(before[1], within(1e-11));
                 assertThat(now[2]).as("seed %d, step %d", seed, k).isCloseTo(before[2], within(1e-3));
-                assertThat(now[3]).as("seed %d, step %d", seed, k).isLessThanOrEqualTo(energy + (gravity == 0 ? 1e-12 : 1e-3) * before[3]);
+                assertThat(now[3]).as("seed %d, step %d", seed, k).isLessThanOrEqualTo(energy + (gravity == 0 ? 1e-12 : 1e-10) * before[3]);
                 energy = now[3];
             }
         }
+    }
+
+    /** What tumbles makes much of rounding, so not all of them: a fifth did. */
+    @ParameterizedTest
+    @CsvSource({"60, 1e-4", "240, 1e-5"})
+    void whoFallsAlongSeesNoGravity(double stepsInASecond, double error) {
+        int same = 0;
+        int scenes = 40;
+        for (int seed = 0; seed < scenes; seed++) {
+            PhysicsEngine falling = thrownTogether(new Random(seed), 9.81, 0);
+            PhysicsEngine floating = thrownTogether(new Random(seed), 0, 0);
+            falling.setTimeStep(1 / stepsInASecond);
+            floating.setTimeStep(1 / stepsInASecond);
+            for (int k = 0; k < 2 * stepsInASecond; k++) {
+                falling.step();
+                floating.step();
+            }
+            double way = 0.5 * 9.81 * falling.getTime() * falling.getTime();
+            double most = 0;
+            for (int k = 0; k < falling.bodies().size(); k++) {
+                Body one = falling.bodies().get(k);
+                Body other = floating.bodies().get(k);
+                most = Math.max(most, Math.hypot(one.getX() - other.getX(), one.getY() + way - other.getY()));
+            }
+            same += most <= error ? 1 : 0;
+        }
+        assertThat(same).isGreaterThanOrEqualTo(scenes * 4 / 5);
+    }
+
+    /** What was pushed evenly in flight is borne as any pile when it has landed. */
+    @Test
+    void whatFliesTogetherLandsAndLies() {
+        for (int seed = 0; seed < 12; seed++) {
+            PhysicsEngine engine = thrownTogether(new Random(seed), 9.81, 0);
+            engine.setTimeStep(1.0 / 240);
+            put(engine, Body.fixed(new Rectangle(200, 2)).at(0, -9), 0.5, 0);
+            double first = energy(engine);
+            for (int k = 0; k < 960; k++) {
+                engine.step();
+                assertThat(energy(engine)).as("seed %d, step %d", seed, k).isLessThanOrEqualTo(first + 1e-9);
+            }
+            assertThat(engine.overlaps()).as("seed %d", seed).allSatisfy(overlap -> assertThat(overlap.depth()).isLessThan(1e-9));
+        }
+    }
+
+    private static double energy(PhysicsEngine engine) {
+        double sum = engine.kineticEnergy();
+        for (Body body : engine.bodies()) {
+            sum += body.isFixed() ? 0 : 9.81 * body.getMass() * body.getY();
+        }
+        return sum;
     }
 
     @Test

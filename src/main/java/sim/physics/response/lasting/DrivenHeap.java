@@ -30,6 +30,7 @@ final class DrivenHeap implements Serializable {
     private final HeapSystem system;
     private final HeapNotes notes;
     private final BodyScale scales;
+    private final HeapPull pulls;
     private final double[] fall = new double[State.BLOCK];
 
     /** Null while nothing ties bodies of the heap together. */
@@ -48,7 +49,8 @@ final class DrivenHeap implements Serializable {
             HeapBodies by,
             HeapSystem system,
             HeapNotes notes,
-            BodyScale scales) {
+            BodyScale scales,
+            HeapPull pulls) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
@@ -56,7 +58,8 @@ final class DrivenHeap implements Serializable {
         this.system = system;
         this.notes = notes;
         this.scales = scales;
-        this.search = new ForceSearch(state, trajectories, motion, by, system, notes, scales);
+        this.pulls = pulls;
+        this.search = new ForceSearch(state, trajectories, motion, by, system, notes, scales, pulls);
         this.switches = search.switches;
         this.probes = search.probes;
         this.turning = search.turning;
@@ -176,7 +179,7 @@ final class DrivenHeap implements Serializable {
      */
     boolean rest(IntList heap, double time, double none) {
         double[] d = trajectories.data();
-        boolean yes = search.isProbed() && !search.isReleased() && time == trajectories.h();
+        boolean yes = search.isProbed() && !search.isReleased() && time == trajectories.h() && !pulls.isFalling();
         for (int k = 0; yes && k < heap.size; k++) {
             int body = heap.values[k];
             int o = body * Trajectories.STRIDE + Trajectories.VX;

@@ -55,6 +55,7 @@ final class ForceSearch implements Serializable {
     private final HeapSystem system;
     private final HeapNotes notes;
     private final BodyScale scales;
+    private final HeapPull pulls;
     private final KeptImpulses kept;
     private final HeapShare share = new HeapShare();
     private final double[] fall = new double[State.BLOCK];
@@ -93,13 +94,15 @@ final class ForceSearch implements Serializable {
             HeapBodies by,
             HeapSystem system,
             HeapNotes notes,
-            BodyScale scales) {
+            BodyScale scales,
+            HeapPull pulls) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
         this.system = system;
         this.notes = notes;
         this.scales = scales;
+        this.pulls = pulls;
         switches = new HeapSwitches(by, system);
         probes = new Probes(state, motion, trajectories);
         turning = new HeapTurn(trajectories, system);
@@ -339,7 +342,7 @@ final class ForceSearch implements Serializable {
                 share = Math.min(MOST_SHARE, length / probes.probe(body, length)); // it may end early, at a stop
             }
             boolean isDriven = trajectories.isDriven(body);
-            motion.fall(body, fall, 0);
+            pulls.give(body, fall);
             for (int c = 0; c < State.BLOCK; c++) {
                 double gained = isDriven
                         ? share * (state.v()[State.BLOCK * body + c] - d[o + c])

@@ -127,13 +127,13 @@ final class Heap implements Serializable {
         this.scales = new BodyScale(state, trajectories);
         this.pulls = new HeapPull(state, motion);
         this.effort = new HeapEffort(scales);
-        this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales);
+        this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales, pulls);
         this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
         this.lasting = new LastingPairs(trajectories, detection, scales, ledger);
         this.closing = new HeapClosing(trajectories, by, system, courses, scales, new HeapMeeting(state, motion, detection, points, by, lasting));
         this.striking = new HeapStrike(system, notes, courses, scales);
-        this.members = new HeapMembers(state, trajectories, motion, detection, by, lasting, scales);
+        this.members = new HeapMembers(state, trajectories, motion, detection, by, lasting, scales, pulls);
         this.heap = members.bodies();
         this.ending = new HeapEnd(state, trajectories, motion, detection, points, by, system, members, scales, ledger);
         this.large = new LargeHeaps(trajectories, by, new Foresight(state, trajectories, pulls, detection, points, scales));
@@ -249,10 +249,10 @@ final class Heap implements Serializable {
         boolean isAlone = !isTied && !members.isCoupled(); // only what moves by itself can be stopped
         boolean isOver = by.mostTurns(heap) > MOST;
         isRubbed = isAlone && (members.isRubbed() || members.isDriven() && isOver);
-        isDriven = !isRubbed && (members.isDriven() || isAlone && !isOver && members.areFollowed(pulls));
+        isDriven = !isRubbed && (members.isDriven() || isAlone && members.areFollowed() && !isOver);
         isRough = !isEven() && !isTied && large.isRough(heap);
         isFresh = !members.isStruck() || isEven();
-        isHalf = isFresh && !isEven() && !isTied && !isRough && !LargeHeaps.isLarge(heap.size) && !large.wasRough(heap);
+        isHalf = isFresh && !isEven() && !pulls.isFalling() && !isTied && !isRough && !LargeHeaps.isLarge(heap.size) && !large.wasRough(heap);
         double h = trajectories.h();
         double length = members.bending() * h > TURN && !isRough ? TURN / members.bending() : h;
         length = Math.max(isDriven ? Math.min(length, by.pace(heap, h, h / SOLUTIONS)) : length, h / SOLUTIONS);
@@ -306,7 +306,7 @@ final class Heap implements Serializable {
         if (!isEven()) {
             free.begin(heap);
         }
-        boolean isPaid = isResumed && pulls.isOnAny(heap); // else what contacts give is given at once
+        boolean isPaid = isResumed && (pulls.isOnAny(heap) || pulls.isFalling()); // else what contacts give is given at once
         for (int k = 0; k < heap.size; k++) {
             enter(k, tau, isPaid);
         }
@@ -321,7 +321,7 @@ final class Heap implements Serializable {
         int body = heap.values[k];
         double[] w = state.w().values();
         system.enter(k, w[State.BLOCK * body], w[State.BLOCK * body + State.THETA]);
-        motion.fall(body, fall, 0);
+        pulls.give(body, fall);
         double pull = Math.sqrt(fall[0] * fall[0] + fall[1] * fall[1]) + scales.radius(body) * Math.abs(fall[2]);
         scale = Math.max(scale, pull * (until - tau));
         courses.enter(k, body, tau, system.v, isPaid);
@@ -345,7 +345,7 @@ final class Heap implements Serializable {
         large.meet(manifold.gap, size);
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
         double left = regain.time();
-        double depth = isEven() ? HeapGaps.depth(true, size) : HeapGaps.depth(manifold.gap, size);
+        double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size) : HeapGaps.depth(manifold.gap, size);
         detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : depth);
         system.tolerance().allow(HeapGaps.littleSpeed(depth, left));
         for (int k = 0; k < manifold.count; k++) {
@@ -490,9 +490,9 @@ final class Heap implements Serializable {
                 continue;
             }
             if (!(isResumed && !members.areTurned() && courses.isKept(k, body, tau, system.v, SAME * scale))) {
-                by.paidUntil[body] = still ? 0 : until;
+                by.paidUntil[body] = still || pulls.isFalling() ? 0 : until;
                 courses.set(k, body, tau, system.v, isHalf && !still);
-                coast(body);
+                pulls.endSeen(body);
                 changed.add(body);
             }
         }

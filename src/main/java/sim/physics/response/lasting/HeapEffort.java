@@ -52,7 +52,7 @@ final class HeapEffort implements Serializable {
         }
         double most = 0.5 * MOST * HeapEnergy.of(s, before) * time / step;
         for (int k = 0; k < heap.size; k++) {
-            double pull = Math.max(pulls.of(heap.values[k]), gained(s.free(), before, 3 * k) / time);
+            double pull = Math.max(pulls.seen(heap.values[k]), gained(s.free(), before, 3 * k) / time);
             most += s.w[2 * k] == 0 ? 0 : LIFT * scales.radius(heap.values[k]) * pull / s.w[2 * k];
         }
         shorter = time * Math.max(LEAST, Math.min(GREATEST, most / work));
@@ -68,7 +68,7 @@ final class HeapEffort implements Serializable {
         double fastest = s.fastestBelt();
         double most = 0;
         for (int k = 0; k < heap.size && fastest > 0; k++) {
-            double pull = Math.max(pulls.of(heap.values[k]), gained(s.free(), before, 3 * k) / time);
+            double pull = Math.max(pulls.seen(heap.values[k]), gained(s.free(), before, 3 * k) / time);
             most += s.w[2 * k] == 0 ? 0 : fastest * time * (fastest / step + pull) / s.w[2 * k];
         }
         return fastest == 0 ? 0 : Math.min(most, HeapEnergy.given(s));

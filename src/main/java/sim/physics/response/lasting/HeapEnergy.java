@@ -74,24 +74,34 @@ final class HeapEnergy {
     static double of(HeapSystem s, double[] v) {
         double sum = 0;
         for (int k = 0; k < s.bodyCount(); k++) {
-            double way = v[3 * k] * v[3 * k] + v[3 * k + 1] * v[3 * k + 1];
-            sum += s.w[2 * k] == 0 ? 0 : way / s.w[2 * k] + v[3 * k + 2] * v[3 * k + 2] / s.w[2 * k + 1];
+            sum += of(s, v, k);
         }
         return sum;
+    }
+
+    /** The same, of one body. */
+    static double of(HeapSystem s, double[] v, int k) {
+        double way = v[3 * k] * v[3 * k] + v[3 * k + 1] * v[3 * k + 1];
+        return s.w[2 * k] == 0 ? 0 : way / s.w[2 * k] + v[3 * k + 2] * v[3 * k + 2] / s.w[2 * k + 1];
     }
 
     private static double gainedAlone(HeapSystem s, double[] from) {
         double sum = 0;
         for (int k = 0; k < s.bodyCount(); k++) {
-            if (s.w[2 * k] == 0) {
-                continue; // held
-            }
-            double x = s.v[3 * k] - from[3 * k];
-            double y = s.v[3 * k + 1] - from[3 * k + 1];
-            double turn = s.v[3 * k + 2] - from[3 * k + 2];
-            sum += (x * (s.v[3 * k] + from[3 * k]) + y * (s.v[3 * k + 1] + from[3 * k + 1])) / s.w[2 * k];
-            sum += turn * (s.v[3 * k + 2] + from[3 * k + 2]) / s.w[2 * k + 1];
+            sum += gainedBy(s, from, k);
         }
         return sum;
+    }
+
+    /** What one body has gained that nothing ties, twice as much. */
+    static double gainedBy(HeapSystem s, double[] from, int k) {
+        if (s.w[2 * k] == 0) {
+            return 0; // held
+        }
+        double x = s.v[3 * k] - from[3 * k];
+        double y = s.v[3 * k + 1] - from[3 * k + 1];
+        double turn = s.v[3 * k + 2] - from[3 * k + 2];
+        return (x * (s.v[3 * k] + from[3 * k]) + y * (s.v[3 * k + 1] + from[3 * k + 1])) / s.w[2 * k]
+                + turn * (s.v[3 * k + 2] + from[3 * k + 2]) / s.w[2 * k + 1];
     }
 }

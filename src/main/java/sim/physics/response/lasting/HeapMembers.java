@@ -21,6 +21,7 @@ final class HeapMembers implements Serializable {
     private final HeapBodies by;
     private final LastingPairs lasting;
     private final BodyScale scales;
+    private final HeapPull pulls;
     private final IntList heap = new IntList();
     private final IntList pairs = new IntList();
     private boolean driven;
@@ -30,6 +31,7 @@ final class HeapMembers implements Serializable {
     private boolean struck;
     private boolean turned;
     private boolean parted;
+    private boolean borne;
     private double bending;
     private double paidUntil;
     private final double[] fall = new double[State.BLOCK];
@@ -43,7 +45,8 @@ final class HeapMembers implements Serializable {
             CollisionDetection detection,
             HeapBodies by,
             LastingPairs lasting,
-            BodyScale scales) {
+            BodyScale scales,
+            HeapPull pulls) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
@@ -51,6 +54,7 @@ final class HeapMembers implements Serializable {
         this.by = by;
         this.lasting = lasting;
         this.scales = scales;
+        this.pulls = pulls;
     }
 
     void setTies(Ties those) {
@@ -77,7 +81,9 @@ final class HeapMembers implements Serializable {
         struck = false;
         turned = false;
         parted = false;
+        borne = false;
         bending = 0;
+        pulls.stand();
         paidUntil = trajectories.h();
         include(seed);
         for (int k = 0; k < heap.size; k++) {
@@ -95,6 +101,7 @@ final class HeapMembers implements Serializable {
                 int pair = detection.pairs().of(body, m);
                 int other = detection.pairs().other(pair, body);
                 if (lasting.has(pair)) {
+                    borne |= state.body(other).isFixed();
                     bending = Math.max(bending, scales.bending(body, other));
                     if (!state.body(other).isFixed() && by.place[other] == 0) {
                         include(other);
@@ -230,10 +237,10 @@ final class HeapMembers implements Serializable {
 
     /**
      * Whether those that nothing drives get what contacts give them evenly over a time, as driven ones do: normals turn with them. Impulses at an
-     * instant follow that only by making them part, and where no force takes it back that is energy.
+     * instant follow that only by making them part, and where no force takes it back that is energy. Nor does a field that all of them fall in.
      */
-    boolean areFollowed(HeapPull pulls) {
-        return bending > 0 && !pulls.isOnAny(heap);
+    boolean areFollowed() {
+        return bending > 0 && (!pulls.isOnAny(heap) || !borne && !LargeHeaps.isLarge(heap.size) && pulls.fallWith(heap));
     }
 
     /** Until when all of these were to hold, at most to the end of the step. */
