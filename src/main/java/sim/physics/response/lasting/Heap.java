@@ -30,10 +30,11 @@ final class Heap implements Serializable {
     /** Speed that is none, relative to what forces give, at the start and at the end of a step of bodies that the integrator drives. */
     private static final double RESTING = 1e-9;
 
-    /** Turn of a body, rad, for which a solution holds; and how many there are in a step at most. */
+    /** Turn of a body, rad, for which a solution holds; how many there are in a step at most; how many shortest times rounding may take for longer. */
     private static final double TURN = 0.1;
 
     private static final int SOLUTIONS = 1000;
+    private static final double SHORTEST = 1.5;
 
     /** Part of a step in which forces are but the rounding of impulses: none are to start from those. */
     static final double SLIVER = 5e-5;
@@ -385,7 +386,7 @@ final class Heap implements Serializable {
         boolean isPressed = pulls.isOnAny(heap); // else it would hop deeper and deeper, and is halted
         boolean isDear = isDear(tau, isPressed);
         boolean mayShorten = isDear && !halts && !isDriven && !isRough && (isRubbed ? isPressed : free.isShort(heap, pulls));
-        while (isDear && mayShorten && until - tau > trajectories.h() / SOLUTIONS) {
+        while (isDear && mayShorten && until - tau > SHORTEST * trajectories.h() / SOLUTIONS) {
             double shorter = Math.max(effort.shorter(), trajectories.h() / SOLUTIONS);
             until = tau + (isRubbed ? rubbing.hold(heap, shorter) : FreeHeap.SHORTER * (until - tau)); // what lifting takes falls with it
             gather(tau);
