@@ -64,6 +64,13 @@ class RandomSceneTest {
         }
     }
 
+    /** What slides and turns on something on a plane: it closed hundreds of times in a step, and was let in by 10⁻⁵ to 10⁻³. */
+    @ParameterizedTest
+    @ValueSource(longs = {205, 300, 305, 380})
+    void whatSlidesAndTurnsOnAPlaneIsNotLetIn(long seed) {
+        run(new RandomScene(seed, true, true), seed, 1e-6, 1e-4);
+    }
+
     private static void run(long seed, boolean mayDrive) {
         run(new RandomScene(seed, mayDrive), seed, 1e-5, mayDrive ? 1e-6 : 1e-9);
     }

@@ -40,6 +40,12 @@ public final class Manifold {
     /** Whether B is a circle. */
     public boolean roundB;
 
+    /** Radius of the disc by which A touches, length; 0 if it is none. It may be a part of A, and about another centre. */
+    public double radiusA;
+
+    /** The same of B. */
+    public double radiusB;
+
     /** The body whose edge gives the normal: 0 for A, 1 for B, −1 where corners or circles meet. */
     public int owner;
 
@@ -65,6 +71,8 @@ public final class Manifold {
         near = 0;
         roundA = pose.a.isRound();
         roundB = pose.b.isRound();
+        radiusA = pose.a.rounding();
+        radiusB = pose.b.rounding();
         nx = features.nx;
         ny = features.ny;
         gap = features.gap;
@@ -77,7 +85,7 @@ public final class Manifold {
     }
 
     /** Where two circles touch: each one's lever is its radius along the normal, exactly. */
-    void touch(double normalX, double normalY, double distance, double radiusA, double radiusB) {
+    void touch(double normalX, double normalY, double distance, double firstRadius, double secondRadius) {
         count = 1;
         near = 0;
         roundA = true;
@@ -90,6 +98,8 @@ public final class Manifold {
         room = 0;
         gaps[0] = distance;
         gaps[1] = distance;
+        radiusA = firstRadius;
+        radiusB = secondRadius;
         rAx[0] = radiusA * normalX;
         rAy[0] = radiusA * normalY;
         rBx[0] = -radiusB * normalX;

@@ -118,7 +118,7 @@ final class Collapse implements Serializable {
                 drive.find(body);
                 most = Math.max(most, drive.acceleration() / heap.scales.radius(body) + drive.turning());
             } else {
-                most = Math.max(most, heap.pull(body) / heap.scales.radius(body));
+                most = Math.max(most, heap.pulls.of(body) / heap.scales.radius(body));
             }
         }
         return most;

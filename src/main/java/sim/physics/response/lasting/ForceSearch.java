@@ -193,7 +193,7 @@ final class ForceSearch implements Serializable {
         forecast(heap, length);
         isReleased = !regains;
         isSoft = false;
-        turning.begin(heap, length, regains);
+        turning.begin(heap, length, regains, false);
         history.extrapolation(heap.values[0]).begin(heap, length);
         return history.extrapolation(heap.values[0]);
     }

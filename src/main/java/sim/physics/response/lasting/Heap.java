@@ -30,10 +30,11 @@ final class Heap implements Serializable {
     /** Speed that is none, relative to what forces give, at the start and at the end of a step of bodies that the integrator drives. */
     private static final double RESTING = 1e-9;
 
-    /** Turn of a body, rad, for which a solution holds; and how many there are in a step at most. */
+    /** Turn of a body, rad, for which a solution holds; how many there are in a step at most; how many shortest times rounding may take for longer. */
     private static final double TURN = 0.1;
 
     private static final int SOLUTIONS = 1000;
+    private static final double SHORTEST = 1.5;
 
     /** Part of a step in which forces are but the rounding of impulses: none are to start from those. */
     static final double SLIVER = 5e-5;
@@ -55,14 +56,14 @@ final class Heap implements Serializable {
     final HeapSystem system = new HeapSystem();
     private final HeapStrike striking;
     private final HeapClosing closing;
-    private final HeapPull pulls;
+    final HeapPull pulls;
     private final HeapEffort effort;
     private final FlushGround flush;
     private final HeapMembers members;
     private final IntList heap;
     private final Regain regain = new Regain();
     private final HeapNotes notes;
-    private final DrivenHeap driving;
+    final DrivenHeap driving;
     private final RubbedHeap rubbing;
     private final FreeHeap free;
     private final HeapCourses courses;
@@ -137,17 +138,12 @@ final class Heap implements Serializable {
         this.heap = members.bodies();
         this.ending = new HeapEnd(state, trajectories, motion, detection, points, by, system, members, scales, ledger);
         this.large = new LargeHeaps(trajectories, by, new Foresight(state, trajectories, pulls, detection, points, scales));
-        this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales);
+        this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales, driving.search().turning);
     }
 
     /** Lets a body go on without acceleration: it has got already what the forces give it. */
     void coast(int body) {
         pulls.endFor(body);
-    }
-
-    /** Whether forces may be what they are until their time is over, where the path of a driven body has ended before. */
-    boolean goesOn(int body, double tau) {
-        return driving.goesOn(body, tau);
     }
 
     /** Lets the motors and stops of a body that lies on nothing any more decide by themselves. */
@@ -255,7 +251,7 @@ final class Heap implements Serializable {
         isHalf = isFresh && !isEven() && !pulls.isFalling() && !isTied && !isRough && !LargeHeaps.isLarge(heap.size) && !large.wasRough(heap);
         double h = trajectories.h();
         double length = members.bending() * h > TURN && !isRough ? TURN / members.bending() : h;
-        length = Math.max(isDriven ? Math.min(length, by.pace(heap, h, h / SOLUTIONS)) : length, h / SOLUTIONS);
+        length = Math.max(isEven() ? Math.min(length, by.pace(heap, h, h / SOLUTIONS)) : length, h / SOLUTIONS);
         sag = isDriven ? by.sag[seed] : 0;
         until = Math.min(isEven() ? h : members.paidUntil(), tau + length);
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
@@ -346,31 +342,28 @@ final class Heap implements Serializable {
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
         double left = regain.time();
         double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size) : HeapGaps.depth(manifold.gap, size);
-        detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : depth);
+        detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth) : depth);
         system.tolerance().allow(HeapGaps.littleSpeed(depth, left));
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
             int p = system.size();
             system.add(number(a), number(b), point);
             notes.add(pair, k, manifold.gaps[k]);
-            if (isTied && manifold.gaps[k] < -depth) {
+            if (isTied && manifold.gaps[k] < -depth || isRubbed && HeapGaps.isNearly(manifold.gaps[k], depth)) {
                 deep.add(p);
             }
             double roam = isDriven ? scales.roam(a, b, scale / left) : 0;
             double full = scales.bend(manifold, point, a, b, left);
-            double bend = isDriven ? scales.bendOfTurned(point, full, roam) + size * regain.sag(sag) : full;
+            double bend = isDriven ? scales.bendOfTurned(point, full, roam) + size * regain.sag(sag) : isRubbed ? 0 : full;
             double any = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, left)
                     : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven(), isTied);
             boolean isKnown = isResumed && any > 0 && !isRough;
             system.bound(p, isKnown ? HeapGaps.asFound(any, system.normal(p, courses.before()), manifold.gaps[k] + depth, bend, left) : any);
             closing.set(p, manifold.gaps[k], full, size, points.restitution(a, b),
                     ledger.presses(pair) && manifold.gaps[k] <= manifold.gap + HeapGaps.fairDepth(size));
-            if (isDriven) {
-                double kept = roam > HeapTurn.LONG ? bend : size * regain.sag(sag);
+            if (isEven()) {
+                double kept = isRubbed ? HeapGaps.room(depth) : roam > HeapTurn.LONG ? bend : size * regain.sag(sag);
                 driving.turn(p, manifold, k, Math.min(-depth, manifold.gaps[k]) + kept, roam);
-            }
-            if (isRubbed) {
-                rubbing.bends().set(p, number(a), number(b), manifold, k, point, scales, a, b, depth);
             }
             system.drift(p, isHalf ? 0.5 * left * point.drifting() : 0);
             if (!isEven()) {
@@ -383,11 +376,6 @@ final class Heap implements Serializable {
         return state.body(body).isFixed() ? -1 : by.place[body] - 1;
     }
 
-    /** The acceleration that all but the heap gives to a body. */
-    double pull(int body) {
-        return pulls.of(body);
-    }
-
     private void solve(double tau) {
         boolean done = findImpulses(tau);
         if (!isEven() && !isRough && !large.judge(heap, system, done, scales.fastest(heap, system.v))) {
@@ -395,15 +383,16 @@ final class Heap implements Serializable {
             done = free.solveRoughly(regain.time());
         }
         halts = by.mostTurns(heap) > MOST && !isDriven;
-        boolean isDear = isDriven ? effort.isOver() : !free.affords(heap, pulls, from(), isHalf);
-        boolean mayShorten = isDear && !halts && !isEven() && !isRough && free.isShort(heap, pulls);
-        while (isDear && mayShorten && until - tau > trajectories.h() / SOLUTIONS) {
-            until = tau + FreeHeap.SHORTER * (until - tau); // what it takes to lift bodies falls with the time
+        boolean isPressed = pulls.isOnAny(heap); // else it would hop deeper and deeper, and is halted
+        boolean isDear = isDear(tau, isPressed);
+        boolean mayShorten = isDear && !halts && !isDriven && !isRough && (isRubbed ? isPressed : free.isShort(heap, pulls));
+        while (isDear && mayShorten && until - tau > SHORTEST * trajectories.h() / SOLUTIONS) {
+            double shorter = Math.max(effort.shorter(), trajectories.h() / SOLUTIONS);
+            until = tau + (isRubbed ? rubbing.hold(heap, shorter) : FreeHeap.SHORTER * (until - tau)); // what lifting takes falls with it
             gather(tau);
             done = findImpulses(tau);
-            isDear = !free.affords(heap, pulls, from(), isHalf);
+            isDear = isDear(tau, isPressed);
         }
-        boolean isPressed = pulls.isOnAny(heap); // else it would hop deeper and deeper, and is halted
         if (halts && isPressed) {
             done = isRubbed ? regainNothing() : free.hop(heap, courses.before(), from(), scale, regain.time());
             notes.deepen(detection, scales);
@@ -430,6 +419,14 @@ final class Heap implements Serializable {
         }
     }
 
+    /** Whether contacts give more than they may. */
+    private boolean isDear(double tau, boolean isPressed) {
+        if (isRubbed && isPressed) {
+            effort.isTooMuch(system, courses.before(), pulls, heap, until - tau, trajectories.h());
+        }
+        return isDriven || isRubbed && isPressed ? effort.isOver() : !free.affords(heap, pulls, from(), isHalf);
+    }
+
     /** Solves for the impulses of the points that have been taken in; false if they are not right. */
     private boolean findImpulses(double tau) {
         scale = isDriven ? scale : Math.max(scale, scales.fastest(heap, system.v));
@@ -439,11 +436,13 @@ final class Heap implements Serializable {
 
     /** The velocities from which on energy is counted. */
     private double[] from() {
-        return isResumed && system.fastestBelt() == 0 ? courses.before() : system.free();
+        return isRubbed ? rubbing.alone() : isResumed && system.fastestBelt() == 0 ? courses.before() : system.free();
     }
 
     private boolean regainNothing() {
-        return isDriven ? driving.search().regainNothing(scale) : isRubbed ? system.solve(scale, false) : free.regainNothing(scale, regain.time());
+        double time = regain.time();
+        return isDriven ? driving.search().regainNothing(scale)
+                : isRubbed ? rubbing.regainNothing(heap, time, scale, halts) : free.regainNothing(scale, time);
     }
 
     /** Whether something has happened to a body of a heap that stands still. */

@@ -44,6 +44,17 @@ final class HeapGaps {
     /** Part of the depth that a solution may be wrong by, if it has to be. */
     private static final double LITTLE = 1e-2;
 
+    /** Part of the depth from which on a point is as deep as it may be, but for rounding. */
+    private static final double NEARLY = 0.99;
+
+    /** How much deeper a pair may be then, in units of that depth, where its way is known and leads out; and how deep at most. */
+    private static final double SLACK = 0.25;
+
+    private static final double MOST_SLACK = 2;
+
+    /** Part of the depth by which a way that is known leads out. */
+    private static final double OUT = 0.5;
+
     private HeapGaps() {}
 
     /** How deep a pair of free bodies may be that moves at most. */
@@ -54,6 +65,21 @@ final class HeapGaps {
     /** How deep a pair may be. */
     static double depth(boolean isDriven, double size) {
         return (isDriven ? DRIVEN_CUSHION : CUSHION) * size;
+    }
+
+    /** How deep a pair may be whose way is known, and leads out of where it is too deep: rounding alone is not to stop it there. */
+    static double slack(double gap, double depth) {
+        return Math.max(depth, Math.min(MOST_SLACK * depth, SLACK * depth - gap));
+    }
+
+    /** Whether a point is as deep as it may be. */
+    static boolean isNearly(double gap, double depth) {
+        return gap < -NEARLY * depth;
+    }
+
+    /** How far a way that is known leads out of that. */
+    static double room(double depth) {
+        return OUT * depth;
     }
 
     /** How deep a pair of free bodies may be that is as deep as it is: less and less where it could be deeper before. */

@@ -240,6 +240,14 @@ final class HeapSystem extends HeapPoints {
         return middle;
     }
 
+    /** Lets impulses act where points are now, from now on. */
+    void straighten() {
+        isTurned = false;
+        for (int p = 0; p < contacts; p++) {
+            turn(p, 0, 0);
+        }
+    }
+
     /** The rows of contacts along which their impulses act. */
     ContactRows pressing() {
         return isTurned ? middle : rows;

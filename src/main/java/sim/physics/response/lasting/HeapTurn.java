@@ -26,6 +26,12 @@ final class HeapTurn implements Serializable {
     /** Turn that is none in steps in which forces take bodies out of their places, and the less the shorter these are. */
     private static final double NOISE = 1e-5;
 
+    /** Parts of the time at which gaps are looked at, too, where bodies surely move evenly: a force that holds at the end may come too late. */
+    private static final double[] SOONER = {0.5, 0.25, 1.0 / 16, 1.0 / 64};
+
+    /** Gap up to which a point is closed, and may not sink at once, in units of the depth that it may have. */
+    private static final double CLOSED = 4;
+
     private final Trajectories trajectories;
     private final HeapSystem system;
     private final TurnedPoint point = new TurnedPoint();
@@ -35,8 +41,14 @@ final class HeapTurn implements Serializable {
     private double[] least = {};
     private double[] floor = {};
 
+    /** By point: its gap at the start. */
+    private double[] start = {};
+
     /** By point: turn of its bodies, rad, that is an error of their search for forces. */
     private double[] noise = {};
+
+    /** Whether no force but those of the solution changes how bodies move. */
+    private boolean isExact;
 
     /** Velocities at the start, and ways from there; 3 per body. */
     private double[] before = {};
@@ -66,14 +78,17 @@ final class HeapTurn implements Serializable {
         if (floor.length <= p) {
             floor = Arrays.copyOf(floor, 2 * p + 2);
             noise = Arrays.copyOf(noise, 2 * p + 2);
+            start = Arrays.copyOf(start, 2 * p + 2);
         }
         floor[p] = deepest;
+        start[p] = m.gaps[k];
         noise[p] = roam > LONG ? Double.POSITIVE_INFINITY : NOISE * Math.min(1, roam);
         point.set(p, m, k);
     }
 
     /** Begins with the bodies' velocities at the start of the time, and goes on from there as they have done, until better is known. */
-    void begin(IntList heap, double time, boolean regains) {
+    void begin(IntList heap, double time, boolean regains, boolean isForeseen) {
+        isExact = isForeseen;
         int n = system.contacts();
         least = least.length < n ? new double[2 * n] : least;
         for (int p = 0; p < n; p++) {
@@ -125,7 +140,18 @@ final class HeapTurn implements Serializable {
             system.turn(p, normal - system.rows().normal(p, v), end.tangent(p, v) - system.rows().tangent(p, v));
             if (regains && isFollowed) { // else the gap that is looked at is that of the start, and the bound is, too
                 system.bound(p, Math.max(least[p], normal - 2 * (point.gap - floor[p]) / time));
+                holdSooner(p, v, time, normal);
             }
+        }
+    }
+
+    private void holdSooner(int p, double[] v, double time, double normal) {
+        boolean isClosed = start[p] <= -CLOSED * floor[p];
+        for (int k = 0; k < SOONER.length && isExact; k++) {
+            double part = SOONER[k];
+            look(p, v, part * (1 - 0.5 * part) * time, 0.5 * part * part * time);
+            double deepest = isClosed ? start[p] + part * part * (floor[p] - start[p]) : floor[p];
+            system.bound(p, Math.max(system.bound(p), normal - 2 * (point.gap - deepest) / (part * part * time)));
         }
     }
 

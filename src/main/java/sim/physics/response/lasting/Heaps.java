@@ -197,7 +197,7 @@ public final class Heaps implements Serializable {
      * @return an acceleration
      */
     public double pull(int a, int b) {
-        return heap.pull(a) + heap.pull(b);
+        return heap.pulls.of(a) + heap.pulls.of(b);
     }
 
     /**
@@ -331,7 +331,7 @@ public final class Heaps implements Serializable {
         } else if (isTooOften(body)) {
             giveUp(body);
             changed.add(body);
-        } else if (!by.isDirty[body] && tau < by.paidUntil[body] && trajectories.isDriven(body) && heap.goesOn(body, tau)) {
+        } else if (!by.isDirty[body] && tau < by.paidUntil[body] && trajectories.isDriven(body) && heap.driving.goesOn(body, tau)) {
             changed.add(body);
         } else {
             joining.mark(body);

@@ -30,8 +30,8 @@ final class RubbedHeap implements Serializable {
     /** Change of the friction of the plane, relative to itself, at which they are right. */
     private static final double SAME = 3e-3;
 
-    /** Times that what turning and sliding take of gaps is looked at. */
-    private static final int RAISES = 2;
+    /** Change of a velocity, relative to the largest one, at which points are where they were taken to be. */
+    private static final double SETTLED = 1e-8;
 
     /** Speed of a body that is none, relative to that which the plane takes from it in the time. */
     private static final double NONE = 1e-9;
@@ -43,26 +43,36 @@ final class RubbedHeap implements Serializable {
     private final HeapNotes notes;
     private final BodyScale scales;
     private final HeapGround ground;
-    private final HeapBends bends = new HeapBends();
+    private final HeapTurn turning;
 
-    /** Velocities at the start, without the heap at the end, and momenta that the contacts give; 3 per body. */
+    /** Velocities at the start, without the heap at the end, the same with the plane alone, and momenta that the contacts give; 3 per body. */
     private double[] before = {};
 
     private double[] free = {};
+    private double[] alone = {};
+    private double[] there = {};
     private double[] momenta = {};
 
-    RubbedHeap(Trajectories trajectories, Motion motion, HeapBodies by, HeapSystem system, HeapNotes notes, BodyScale scales) {
+    RubbedHeap(Trajectories trajectories, Motion motion, HeapBodies by, HeapSystem system, HeapNotes notes, BodyScale scales, HeapTurn turning) {
         this.trajectories = trajectories;
         this.motion = motion;
         this.by = by;
         this.system = system;
         this.notes = notes;
         this.scales = scales;
+        this.turning = turning;
         this.ground = new HeapGround(motion.ground());
     }
 
-    HeapBends bends() {
-        return bends;
+    /** Velocities at the end of the time that the plane gives, without contacts. */
+    double[] alone() {
+        return alone;
+    }
+
+    /** Lets solutions hold for no longer than a time, at first. */
+    double hold(IntList heap, double time) {
+        by.hold(heap, time);
+        return time;
     }
 
     /** Takes from bodies what forces have given them for the time that is left. */
@@ -74,30 +84,80 @@ final class RubbedHeap implements Serializable {
         }
     }
 
-    /** Solves for the velocities at the end of a time; those of the start are in the system. */
+    /** Solves for the velocities at the end of a time; those of the start are in the system. Points are followed as their bodies turn. */
     boolean solve(IntList heap, double tau, double length, double scale) {
         begin(heap, tau, length);
         for (int p = 0; p < system.size(); p++) {
             notes.start(p, length);
         }
         boolean right = true;
-        boolean raised = false;
+        double missed = 0;
+        turning.begin(heap, length, true, true);
         System.arraycopy(free, 0, system.v, 0, 3 * heap.size); // a first guess of how they move
         for (int turn = 0, turns = TURNS; turn < turns; turn++) {
             system.momenta(momenta);
             double change = ground.find(system, free, momenta);
-            if (turn > 0 && change <= SAME && !raised) {
+            if (turn > 0 && change <= SAME && missed <= SETTLED * scale) {
                 break;
             }
             turns = ground.isNew() ? Math.max(turns, turn + 1 + MORE) : turns;
-            ground.apply(system, free);
-            right = system.solveInTurn(scale);
-            raised = turn < RAISES && bends.raise(system, before, length);
+            right = push(heap, scale);
+            turning.turn(system.v, length, true);
+            missed = missed(heap);
         }
         if (ground.stop(system)) {
-            ground.apply(system, free);
-            right = system.solveInTurn(scale);
+            right = push(heap, scale);
         }
+        settle(heap);
+        return right;
+    }
+
+    /** Solves for the impulses of the contacts, beside what the plane gives; as far as turning changes what these do, with those of before. */
+    private boolean push(IntList heap, double scale) {
+        ground.apply(system, free);
+        System.arraycopy(system.v, 0, alone, 0, 3 * heap.size);
+        system.pushAlone(system.v);
+        system.unpush();
+        return system.solveInTurn(scale);
+    }
+
+    /** Gives the bodies what the impulses do where points are in the middle of the time. */
+    private void settle(IntList heap) {
+        System.arraycopy(alone, 0, system.v, 0, 3 * heap.size);
+        system.pushAlone(system.v);
+    }
+
+    /** By how much velocities are others than they are found to be, as points were not where the impulses had them. */
+    private double missed(IntList heap) {
+        System.arraycopy(alone, 0, there, 0, 3 * heap.size);
+        system.pushAlone(there);
+        double most = 0;
+        for (int k = 0; k < heap.size; k++) {
+            most = Math.max(most, scales.change(heap.values[k], system.v, there, 3 * k));
+        }
+        return most;
+    }
+
+    /** Solves without regaining gaps: at once along the normals of now, or evenly. */
+    boolean regainNothing(IntList heap, double length, double scale, boolean atOnce) {
+        if (atOnce) {
+            system.straighten();
+        }
+        boolean right = true;
+        double missed = Double.POSITIVE_INFINITY;
+        for (int turn = 0; turn < TURNS && missed > SETTLED * scale; turn++) {
+            System.arraycopy(alone, 0, system.v, 0, 3 * heap.size);
+            system.pushAlone(system.v);
+            system.unpush();
+            system.regainNothing();
+            right = system.solve(scale, true);
+            if (atOnce) {
+                break;
+            }
+            turning.turn(system.v, length, false);
+            missed = missed(heap);
+        }
+        settle(heap);
         return right;
     }
 
@@ -106,6 +166,8 @@ final class RubbedHeap implements Serializable {
         if (before.length < n) {
             before = new double[2 * n];
             free = new double[2 * n];
+            alone = new double[2 * n];
+            there = new double[2 * n];
             momenta = new double[2 * n];
         }
         System.arraycopy(system.v, 0, before, 0, n);

@@ -14,15 +14,16 @@ import sim.physics.internal.Trig;
 final class TurnedPoint implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Values per point: normal, places relative to both bodies, from centre to centre, gap. */
-    private static final int STRIDE = 9;
+    /**
+     * Values per point: normal, places relative to both bodies, from centre to centre, gap, radii. The places are those of corners, or of the
+     * centres of discs, which may be parts of their bodies: what touches of a disc is another point each time.
+     */
+    private static final int STRIDE = 11;
 
     private static final int EDGE_A = 0;
     private static final int EDGE_B = 1;
-    private static final int CORNER_A = 2;
-    private static final int CORNER_B = 3;
-    private static final int CIRCLES = 4;
-    private static final int CORNERS = 5;
+    private static final int CIRCLES = 2;
+    private static final int CORNERS = 3;
 
     /** How deep a circle may be in something, relative to its radius, for its normal to be the line to its centre. */
     private static final double DEEP = 0.1;
@@ -57,25 +58,26 @@ final class TurnedPoint implements Serializable {
         int owner = m.count == 2 && m.isEnd[k] ? 1 - m.owner : m.owner;
         kinds[p] = owner == 0 ? EDGE_A
                 : owner == 1 ? EDGE_B
-                : isDeep(m, k) ? CORNERS
-                : m.roundA && m.roundB ? CIRCLES : m.roundB ? CORNER_A : m.roundA ? CORNER_B : CORNERS;
+                : m.radiusA + m.radiusB > 0 && !isDeep(m, k) ? CIRCLES : CORNERS;
         double apart = owner < 0 ? m.gaps[k] : 0; // else both places are those of a corner, or of a circle's surface
         int o = STRIDE * p;
         data[o] = m.nx;
         data[o + 1] = m.ny;
-        data[o + 2] = m.rAx[k];
-        data[o + 3] = m.rAy[k];
-        data[o + 4] = m.rBx[k];
-        data[o + 5] = m.rBy[k];
+        data[o + 2] = m.roundA ? 0 : m.rAx[k] - m.radiusA * m.nx;
+        data[o + 3] = m.roundA ? 0 : m.rAy[k] - m.radiusA * m.ny;
+        data[o + 4] = m.roundB ? 0 : m.rBx[k] + m.radiusB * m.nx;
+        data[o + 5] = m.roundB ? 0 : m.rBy[k] + m.radiusB * m.ny;
         data[o + 6] = m.rAx[k] - m.rBx[k] + apart * m.nx;
         data[o + 7] = m.rAy[k] - m.rBy[k] + apart * m.ny;
         data[o + 8] = m.gaps[k];
+        data[o + 9] = m.roundA ? length(m.rAx[k], m.rAy[k]) : m.radiusA;
+        data[o + 10] = m.roundB ? length(m.rBx[k], m.rBy[k]) : m.radiusB;
         kinds[p] += (m.roundA ? 8 : 0) + (m.roundB ? 16 : 0);
     }
 
     private static boolean isDeep(Manifold m, int k) {
-        double radiusA = m.roundA ? length(m.rAx[k], m.rAy[k]) : Double.MAX_VALUE;
-        double radiusB = m.roundB ? length(m.rBx[k], m.rBy[k]) : Double.MAX_VALUE;
+        double radiusA = m.radiusA > 0 ? m.radiusA : Double.MAX_VALUE;
+        double radiusB = m.radiusB > 0 ? m.radiusB : Double.MAX_VALUE;
         return -m.gaps[k] > DEEP * Math.min(radiusA, radiusB);
     }
 
@@ -115,19 +117,13 @@ final class TurnedPoint implements Serializable {
         ay = sinA * data[o + 2] + cosA * data[o + 3];
         bx = cosB * data[o + 4] - sinB * data[o + 5];
         by = sinB * data[o + 4] + cosB * data[o + 5];
-        if (kind >= CORNER_A && kind <= CIRCLES) {
+        if (kind == CIRCLES) {
             aim(o, px, py);
         }
-        if (isRoundA) {
-            double radius = length(data[o + 2], data[o + 3]);
-            ax = radius * nx;
-            ay = radius * ny;
-        }
-        if (isRoundB) {
-            double radius = length(data[o + 4], data[o + 5]);
-            bx = -radius * nx;
-            by = -radius * ny;
-        }
+        ax += data[o + 9] * nx;
+        ay += data[o + 9] * ny;
+        bx -= data[o + 10] * nx;
+        by -= data[o + 10] * ny;
         measure(o, kind, px, py);
         if (kind == EDGE_A) {
             ax = px + bx;
@@ -146,8 +142,8 @@ final class TurnedPoint implements Serializable {
 
     /** The normal from a corner or centre to a centre. */
     private void aim(int o, double px, double py) {
-        double x = px - (isRoundA ? 0 : ax) + (isRoundB ? 0 : bx);
-        double y = py - (isRoundA ? 0 : ay) + (isRoundB ? 0 : by);
+        double x = px - ax + bx;
+        double y = py - ay + by;
         double distance = length(x, y);
         double before = between(o);
         gap = data[o + 8] + (distance - before);
@@ -157,13 +153,13 @@ final class TurnedPoint implements Serializable {
 
     /** How far the corner or centre was from the centre. */
     private double between(int o) {
-        double x = data[o + 6] - (isRoundA ? 0 : data[o + 2]) + (isRoundB ? 0 : data[o + 4]);
-        double y = data[o + 7] - (isRoundA ? 0 : data[o + 3]) + (isRoundB ? 0 : data[o + 5]);
+        double x = data[o + 6] - data[o + 2] + data[o + 4];
+        double y = data[o + 7] - data[o + 3] + data[o + 5];
         return length(x, y);
     }
 
     private void measure(int o, int kind, double px, double py) {
-        if (kind >= CORNER_A && kind <= CIRCLES) {
+        if (kind == CIRCLES) {
             return;
         }
         double x = px;
@@ -173,14 +169,14 @@ final class TurnedPoint implements Serializable {
         if (kind != EDGE_B) {
             x += bx;
             y += by;
-            x0 += data[o + 4];
-            y0 += data[o + 5];
+            x0 += data[o + 4] - data[o + 10] * data[o];
+            y0 += data[o + 5] - data[o + 10] * data[o + 1];
         }
         if (kind != EDGE_A) {
             x -= ax;
             y -= ay;
-            x0 -= data[o + 2];
-            y0 -= data[o + 3];
+            x0 -= data[o + 2] + data[o + 9] * data[o];
+            y0 -= data[o + 3] + data[o + 9] * data[o + 1];
         }
         gap = data[o + 8] + (nx * x + ny * y) - (data[o] * x0 + data[o + 1] * y0);
     }
