@@ -48,7 +48,8 @@ final class DrivenHeap implements Serializable {
             HeapBodies by,
             HeapSystem system,
             HeapNotes notes,
-            BodyScale scales) {
+            BodyScale scales,
+            Regain regain) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
@@ -56,7 +57,7 @@ final class DrivenHeap implements Serializable {
         this.system = system;
         this.notes = notes;
         this.scales = scales;
-        this.search = new ForceSearch(state, trajectories, motion, by, system, notes, scales);
+        this.search = new ForceSearch(state, trajectories, motion, by, system, notes, scales, regain);
         this.switches = search.switches;
         this.probes = search.probes;
         this.turning = search.turning;

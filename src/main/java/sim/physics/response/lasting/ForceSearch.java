@@ -93,7 +93,8 @@ final class ForceSearch implements Serializable {
             HeapBodies by,
             HeapSystem system,
             HeapNotes notes,
-            BodyScale scales) {
+            BodyScale scales,
+            Regain regain) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
@@ -102,7 +103,7 @@ final class ForceSearch implements Serializable {
         this.scales = scales;
         switches = new HeapSwitches(by, system);
         probes = new Probes(state, motion, trajectories);
-        turning = new HeapTurn(trajectories, system);
+        turning = new HeapTurn(trajectories, system, regain);
         this.kept = new KeptImpulses(system);
     }
 
