@@ -17,13 +17,10 @@ import static sim.physics.stepping.ContactRows.INTS;
 import static sim.physics.stepping.ContactRows.LEVER_A;
 import static sim.physics.stepping.ContactRows.LEVER_B;
 import static sim.physics.stepping.ContactRows.NORMAL;
-import static sim.physics.stepping.ContactRows.NORMAL_SUM;
 import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.RUBBING;
 import static sim.physics.stepping.ContactRows.STEADY;
 import static sim.physics.stepping.ContactRows.STRIDE;
-import static sim.physics.stepping.ContactRows.TANGENT;
-import static sim.physics.stepping.ContactRows.TANGENT_SUM;
 
 import java.io.Serializable;
 import sim.physics.motion.State;
@@ -44,6 +41,7 @@ final class ContactArms implements Serializable {
 
     private final State state;
     private final ContactRows rows;
+    private final ContactTurns turns;
 
     /** Those of the rows, which grow when a step begins. */
     private transient int[] pairs;
@@ -54,6 +52,7 @@ final class ContactArms implements Serializable {
     ContactArms(State state, ContactRows rows) {
         this.state = state;
         this.rows = rows;
+        turns = rows.turns;
     }
 
     /** Begins a step: all of its rows are there. */
@@ -71,7 +70,7 @@ final class ContactArms implements Serializable {
             int b = State.BLOCK * rows.second(k);
             boolean isOnFixed = w[a] == 0 || w[b] == 0;
             int discs = pairs[INTS * k + DISCS];
-            if (normals[PAIR * k + BOUNCE] < 1 && !(isOnFixed && (discs == 1 || discs == 2))) {
+            if (normals[PAIR * k + BOUNCE] < 1 && !(isOnFixed && (discs == 1 || discs == 2) && turns.mode(k) == ContactTurns.STILL)) {
                 follow(k, a, b, isOnFixed, discs);
             }
         }
@@ -83,23 +82,43 @@ final class ContactArms implements Serializable {
         double dy = x[b + 1] - x[a + 1];
         double nx = normals[PAIR * k];
         double ny = normals[PAIR * k + 1];
+        turns.find(k);
+        turns.note(k, 0.5);
         boolean isOne = rows.pointCount(k) == 1;
+        boolean isRound = turns.mode(k) >= ContactTurns.BETWEEN;
         for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
-            if (discs == BOTH && normals[PAIR * k + FRICTION] == 0) {
-                slide(k, p, a, b, dx, dy);
-                continue;
-            }
             double jx = 0.5 * (nx * points[p + STEADY] - ny * points[p + RUBBING]);
             double jy = 0.5 * (ny * points[p + STEADY] + nx * points[p + RUBBING]);
             double byA = points[p + AX] * jy - points[p + AY] * jx;
             double byB = points[p + BX] * jy - points[p + BY] * jx;
-            boolean isFar = discs == BOTH ? turn(k, p, 0, dx, dy)
-                    : discs == 0 && (isOnFixed || isOne) ? swing(k, p, x[a + 2] - rows.from[a + 2], x[b + 2] - rows.from[b + 2], dx, dy)
-                    : move(p, discs == 0 ? 0.5 : discs - 1, dx, dy);
-            twist(a, b, p, jx, jy, byA, byB);
-            if (isFar) {
-                rows.weigh(state.w().values(), a, b, p, normals[PAIR * k], normals[PAIR * k + 1]);
+            boolean isFar = isRound;
+            if (isRound) {
+                turns.place(k, p, dx, dy);
+            } else if (discs == 1 || discs == 2) {
+                isFar = move(p, discs - 1, dx, dy);
+            } else {
+                isFar = isOnFixed || isOne
+                        ? swing(k, p, x[a + 2] - rows.from[a + 2], x[b + 2] - rows.from[b + 2], dx, dy)
+                        : move(p, 0.5, dx, dy);
             }
+            if (jx != 0 || jy != 0) {
+                redirect(k, p, a, b, jx, jy, byA, byB, discs);
+            }
+            if (isFar) {
+                rows.weigh(state.w().values(), a, b, p, turns.nx, turns.ny);
+            }
+        }
+    }
+
+    /** Lets the half of an impulse that acts where the bodies are now act along the present normal, and at the present levers. */
+    private void redirect(int k, int p, int a, int b, double jx, double jy, double byA, double byB, int discs) {
+        double endX = 0.5 * (turns.nx * points[p + STEADY] - turns.ny * points[p + RUBBING]);
+        double endY = 0.5 * (turns.ny * points[p + STEADY] + turns.nx * points[p + RUBBING]);
+        if (endX != jx || endY != jy) {
+            pushCentres(a, b, endX - jx, endY - jy);
+        }
+        if (discs != BOTH || normals[PAIR * k + FRICTION] > 0) { // else it acts at their centres
+            twist(a, b, p, endX, endY, byA, byB);
         }
     }
 
@@ -130,8 +149,8 @@ final class ContactArms implements Serializable {
      */
     private boolean swing(int k, int p, double turnA, double turnB, double dx, double dy) {
         boolean isOfFirst = Touch.isCornerOfFirst((int) points[p + FEATURE]);
-        double nx = normals[PAIR * k];
-        double ny = normals[PAIR * k + 1];
+        double nx = turns.startX(k);
+        double ny = turns.startY(k);
         double lever = points[p + (isOfFirst ? LEVER_A : LEVER_B)];
         double arm = points[p + (isOfFirst ? ARM_A : ARM_B)];
         double half = 0.5 * (isOfFirst ? turnA : turnB);
@@ -165,51 +184,6 @@ final class ContactArms implements Serializable {
         return state.w().values()[State.BLOCK * body] > 0;
     }
 
-    /**
-     * Turns the normal of two discs without friction, and with it the half of what has pressed them that acts where they are now: along the
-     * normal of before it would turn them, and take from their way about one another what it gives to their spins.
-     */
-    private void slide(int k, int p, int a, int b, double dx, double dy) {
-        double x = normals[PAIR * k];
-        double y = normals[PAIR * k + 1];
-        double half = 0.5 * points[p + STEADY];
-        turn(k, p, half, dx, dy);
-        pushCentres(a, b, half * (normals[PAIR * k] - x), half * (normals[PAIR * k + 1] - y));
-    }
-
-    /** Takes note of what the normal by which sums are told of was more, while they acted, but for a part that goes along with it. */
-    private void turned(int k, int p, double along, double nx, double ny) {
-        double[] turned = rows.turned;
-        int o = ContactRows.TURNED * k;
-        turned[o + 2] = nx * (points[p + NORMAL] - along) - ny * points[p + TANGENT];
-        turned[o + 3] = ny * (points[p + NORMAL] - along) + nx * points[p + TANGENT];
-        turned[o] += turned[o + 2] + nx * points[p + NORMAL_SUM] - ny * points[p + TANGENT_SUM];
-        turned[o + 1] += turned[o + 3] + ny * points[p + NORMAL_SUM] + nx * points[p + TANGENT_SUM];
-    }
-
-    /** Turns normal and arms of two discs to where their centres are now; a part of the impulse goes along. */
-    private boolean turn(int k, int p, double along, double dx, double dy) {
-        double distance = Math.sqrt(dx * dx + dy * dy);
-        double nx = normals[PAIR * k];
-        double ny = normals[PAIR * k + 1];
-        double first = nx * points[p + AX] + ny * points[p + AY];
-        double second = nx * points[p + BX] + ny * points[p + BY];
-        double middle = 0.5 * (first + second + distance); // of the distance, by what the arms were
-        if (!(distance > 0)) {
-            return false;
-        }
-        turned(k, p, along, nx - dx / distance, ny - dy / distance);
-        nx = dx / distance;
-        ny = dy / distance;
-        normals[PAIR * k] = nx;
-        normals[PAIR * k + 1] = ny;
-        points[p + AX] = middle * nx;
-        points[p + AY] = middle * ny;
-        points[p + BX] = (middle - distance) * nx;
-        points[p + BY] = (middle - distance) * ny;
-        return true;
-    }
-
     /** What was given before the normal turned and taken back along another one has left something beside it: two that do not press do nothing. */
     private void straighten(int k) {
         int p = STRIDE * pairs[INTS * k + 3];
@@ -220,7 +194,7 @@ final class ContactArms implements Serializable {
         }
         int a = State.BLOCK * rows.first(k);
         int b = State.BLOCK * rows.second(k);
-        if (normals[PAIR * k + FRICTION] == 0) {
+        if (pairs[INTS * k + DISCS] == BOTH && normals[PAIR * k + FRICTION] == 0) {
             pushCentres(a, b, -x, -y);
         } else {
             rows.push(state.v(), state.w().values(), a, b, p, -x, -y);
@@ -228,7 +202,7 @@ final class ContactArms implements Serializable {
         forget(k, 1);
     }
 
-    /** What discs without friction do to one another acts at their centres. */
+    /** Gives the bodies an impulse at their centres, which is where that of discs without friction acts. */
     private void pushCentres(int a, int b, double jx, double jy) {
         double[] v = state.v();
         double[] w = state.w().values();
@@ -247,10 +221,10 @@ final class ContactArms implements Serializable {
         }
     }
 
-    /** Ends a substep of discs: what does not press in the end has done nothing, though its normal has turned. */
+    /** Ends a substep: what does not press in the end has done nothing, though its normal has turned. */
     void straighten() {
         for (int k = 0; k < rows.count; k++) {
-            if (pairs[INTS * k + DISCS] == BOTH && points[STRIDE * pairs[INTS * k + 3] + NORMAL] == 0) {
+            if (turns.mode(k) != ContactTurns.STILL && rows.sum(k, NORMAL) == 0) {
                 straighten(k);
             }
         }

@@ -12,7 +12,7 @@ final class ContactRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values of a point. */
-    static final int STRIDE = 24;
+    static final int STRIDE = 25;
 
     static final int AX = 0;
     static final int AY = 1;
@@ -55,6 +55,9 @@ final class ContactRows implements Serializable {
     /** The gap where the bodies are now. */
     static final int NOW = 23;
 
+    /** Twice what turns of the bodies will add to the gap in a substep, by its square. */
+    static final int BEND = 24;
+
     /**
      * Values of a pair: normal, friction, restitution, largest speed at which depth is regained, velocity of surfaces on one another, and
      * the friction that was asked for, and by how much forces accelerate the two along the normal, and at all.
@@ -71,8 +74,10 @@ final class ContactRows implements Serializable {
 
     private final State state;
 
-    /** The rows of each body. */
+    /** The rows of each body, and what turns their normals. */
     final BodyRows byBody = new BodyRows(this);
+
+    final ContactTurns turns;
 
     int count;
     /** Per pair: its number, its bodies, its first point and the one after its last. */
@@ -120,6 +125,7 @@ final class ContactRows implements Serializable {
 
     ContactRows(State state) {
         this.state = state;
+        turns = new ContactTurns(state, this);
     }
 
     /** Begins a step, with where the bodies are. */
@@ -196,6 +202,7 @@ final class ContactRows implements Serializable {
         pairs[o + 4] = used;
         pairs[o + FAST] = closes(count - 1, h) ? 1 : 0;
         fast += pairs[o + FAST];
+        turns.add(count - 1, touch, h, restitution > ContactTurns.ELASTIC || restitution > 0 && isStruck(count - 1));
     }
 
     /** Makes room for one more. */
@@ -246,6 +253,7 @@ final class ContactRows implements Serializable {
         points[p + TANGENT_SUM] = 0;
         points[p + LAST] = 0;
         points[p + RESTORED] = 0;
+        points[p + BEND] = 0;
     }
 
     /**
@@ -331,24 +339,9 @@ final class ContactRows implements Serializable {
         return normals[PAIR * k + 1];
     }
 
-    private double of(int k, int point, int what) {
+    /** One of the values of a point. */
+    double of(int k, int point, int what) {
         return points[STRIDE * (pairs[INTS * k + 3] + point) + what];
-    }
-
-    double normal(int k, int point) {
-        return of(k, point, NORMAL);
-    }
-
-    double last(int k, int point) {
-        return of(k, point, LAST);
-    }
-
-    double tangent(int k, int point) {
-        return of(k, point, TANGENT);
-    }
-
-    double normalSum(int k, int point) {
-        return of(k, point, NORMAL_SUM);
     }
 
     double approach(int k, int point) {

@@ -2,21 +2,15 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.stepping;
 
-import static sim.physics.stepping.ContactRows.ARM_A;
-import static sim.physics.stepping.ContactRows.ARM_B;
 import static sim.physics.stepping.ContactRows.AX;
 import static sim.physics.stepping.ContactRows.AY;
 import static sim.physics.stepping.ContactRows.BELT;
-import static sim.physics.stepping.ContactRows.BOTH;
+import static sim.physics.stepping.ContactRows.BEND;
 import static sim.physics.stepping.ContactRows.BX;
 import static sim.physics.stepping.ContactRows.BY;
-import static sim.physics.stepping.ContactRows.DISCS;
 import static sim.physics.stepping.ContactRows.FRICTION;
-import static sim.physics.stepping.ContactRows.GAP;
 import static sim.physics.stepping.ContactRows.INTS;
 import static sim.physics.stepping.ContactRows.LAST;
-import static sim.physics.stepping.ContactRows.LEVER_A;
-import static sim.physics.stepping.ContactRows.LEVER_B;
 import static sim.physics.stepping.ContactRows.NORMAL;
 import static sim.physics.stepping.ContactRows.NORMAL_MASS;
 import static sim.physics.stepping.ContactRows.NORMAL_SUM;
@@ -83,6 +77,7 @@ final class ContactSolver implements Serializable {
             int b = State.BLOCK * rows.second(k);
             double nx = normals[PAIR * k];
             double ny = normals[PAIR * k + 1];
+            rows.turns.begin(k);
             for (int p = STRIDE * pairs[INTS * k + 3]; p < STRIDE * pairs[INTS * k + 4]; p += STRIDE) {
                 double now = points[p + NORMAL];
                 double last = points[p + LAST];
@@ -132,16 +127,20 @@ final class ContactSolver implements Serializable {
     /** Solves the points of a pair: friction, and then what matters more; but where nothing is regained any more it is bounded by what presses in the end. */
     private void solveOnce(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
         if (regains) {
-            rub(v, w, k);
+            rub(v, w, k, 0.5 * h);
             press(v, w, k, softness, true, h);
         } else {
             press(v, w, k, softness, false, h);
-            rub(v, w, k);
+            rub(v, w, k, 0);
         }
     }
 
-    /** Solves for the friction of the points of a pair. Velocities wait in locals, as each impulse needs what the one before has made of them. */
-    private void rub(double[] v, double[] w, int k) {
+    /**
+     * Solves for the friction of the points of a pair. Velocities wait in locals, as each impulse needs what the one before has made of them.
+     *
+     * @param ahead time to when what sticks is not to slip: what turns goes round its centre until then, as joints and motors do
+     */
+    private void rub(double[] v, double[] w, int k, double ahead) {
         double[] points = this.points;
         int a = State.BLOCK * rows.first(k);
         int b = State.BLOCK * rows.second(k);
@@ -158,7 +157,8 @@ final class ContactSolver implements Serializable {
             }
             double slipX = ux - points[p + BY] * turn - vx + points[p + AY] * spin;
             double slipY = uy + points[p + BX] * turn - vy - points[p + AX] * spin;
-            double now = old - points[p + TANGENT_MASS] * (nx * slipY - ny * slipX + normals[PAIR * k + BELT]);
+            double round = spin * spin * (nx * points[p + AY] - ny * points[p + AX]) - turn * turn * (nx * points[p + BY] - ny * points[p + BX]);
+            double now = old - points[p + TANGENT_MASS] * (nx * slipY - ny * slipX + normals[PAIR * k + BELT] + ahead * round);
             now = now > most ? most : now < -most ? -most : now;
             points[p + TANGENT] = now;
             double jx = -ny * (now - old), jy = nx * (now - old);
@@ -189,9 +189,10 @@ final class ContactSolver implements Serializable {
         double ux = v[b], uy = v[b + 1], turn = v[b + 2];
         for (int p = STRIDE * pairs[INTS * k + 3]; p < end; p += STRIDE) {
             double gap = points[p + NOW];
-            boolean isDeep = gap < 0 && regains;
-            double aim = gap >= 0 ? gap / h : isDeep ? Math.max(softness.rate() * gap, regain) : 0;
+            double bend = regains ? 0.5 * h * points[p + BEND] : 0;
+            boolean isDeep = gap < 0 && gap + h * bend < 0 && regains;
             double old = points[p + NORMAL];
+            double aim = bend + (isDeep ? Math.max(softness.rate() * gap, regain) : regains || gap >= 0 ? gap / h : 0);
             double apartX = ux - points[p + BY] * turn - vx + points[p + AY] * spin;
             double apartY = uy + points[p + BX] * turn - vy - points[p + AX] * spin;
             double mass = isDeep ? softness.mass() * points[p + NORMAL_MASS] : points[p + NORMAL_MASS];
@@ -228,7 +229,8 @@ final class ContactSolver implements Serializable {
             for (int m = pairs[INTS * k + 3]; isMarked(k, marks) && m < pairs[INTS * k + 4]; m++) {
                 points[STRIDE * m + NORMAL] = 0;
                 points[STRIDE * m + TANGENT] = 0;
-                points[STRIDE * m + STEADY] = normals[PAIR * k + FRICTION] == 0 ? 0 : points[STRIDE * m + STEADY];
+                points[STRIDE * m + STEADY] = 0;
+                points[STRIDE * m + RUBBING] = 0;
             }
             arms.forget(k, isMarked(k, marks) ? 1 : 0);
         }
@@ -284,34 +286,11 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    /** Finds the gaps where the bodies are now, along the normals of the start; arms turned to second order. */
+    /** Finds the gaps where the bodies are now. */
     void measure() {
         for (int k = 0; k < rows.count; k++) {
-            measure(k, state.x(), rows.from, State.BLOCK * rows.first(k), State.BLOCK * rows.second(k));
+            rows.turns.measure(k);
         }
-    }
-
-    private void measure(int k, double[] x, double[] from, int a, int b) {
-        int begin = STRIDE * pairs[INTS * k + 3];
-        int end = STRIDE * pairs[INTS * k + 4];
-        if (pairs[INTS * k + DISCS] == BOTH) {
-            points[begin + NOW] = points[begin + GAP] + distance(x, a, b) - distance(from, a, b);
-            return;
-        }
-        double turnA = x[a + 2] - from[a + 2];
-        double turnB = x[b + 2] - from[b + 2];
-        double moved = normals[PAIR * k] * (x[b] - from[b] - (x[a] - from[a])) + normals[PAIR * k + 1] * (x[b + 1] - from[b + 1] - (x[a + 1] - from[a + 1]));
-        for (int p = begin; p < end; p += STRIDE) {
-            double turned = points[p + LEVER_B] * turnB - points[p + LEVER_A] * turnA;
-            turned -= 0.5 * (points[p + ARM_B] * turnB * turnB - points[p + ARM_A] * turnA * turnA);
-            points[p + NOW] = points[p + GAP] + moved + turned;
-        }
-    }
-
-    private static double distance(double[] x, int a, int b) {
-        double dx = x[b] - x[a];
-        double dy = x[b + 1] - x[a + 1];
-        return Math.sqrt(dx * dx + dy * dy);
     }
 
     /** Lets points go along when the bodies have moved. */

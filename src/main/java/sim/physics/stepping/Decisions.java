@@ -209,7 +209,7 @@ public final class Decisions implements Serializable {
         double x = 0;
         double y = 0;
         for (int k = 0; k < rows.pointCount(row); k++) {
-            double one = rows.normalSum(row, k);
+            double one = rows.of(row, k, ContactRows.NORMAL_SUM);
             normal += one;
             x += one * rows.armX(row, k);
             y += one * rows.armY(row, k);

@@ -200,7 +200,11 @@ final class Impacts implements Serializable {
     /** Whether the normal of a pair of discs has turned under its impulses, of which a part would be left if nothing pressed in the end. */
     private boolean hasTurned(int k) {
         int o = ContactRows.TURNED * k;
-        return rows.turned[o] != 0 || rows.turned[o + 1] != 0;
+        return areDiscs(k) && (rows.turned[o] != 0 || rows.turned[o + 1] != 0);
+    }
+
+    private boolean areDiscs(int k) {
+        return rows.pairs[INTS * k + ContactRows.DISCS] == ContactRows.BOTH;
     }
 
     /** Counts the pairs in which each body presses. */
@@ -239,6 +243,20 @@ final class Impacts implements Serializable {
             goesOn |= struck.solve(met.values[m], met.values[m + 1], NORMAL_SUM, 0, 0, part, false) > SETTLED;
         }
         return goesOn;
+    }
+
+    /** Takes back what pairs of which nothing is left have given along normals that have turned since. */
+    void straighten() {
+        for (int m = 0; m < met.size; m += 2) {
+            int k = met.values[m];
+            int o = ContactRows.TURNED * k;
+            double[] turned = rows.turned;
+            if ((turned[o] != 0 || turned[o + 1] != 0) && !areDiscs(k) && rows.impulse(k) == 0) {
+                rows.push(state.v(), state.w().values(), State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), rows.begin(k), -turned[o], -turned[o + 1]);
+                turned[o] = 0;
+                turned[o + 1] = 0;
+            }
+        }
     }
 
     /** Lets what bounces alone part; whether something has changed. */

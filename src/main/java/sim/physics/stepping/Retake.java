@@ -141,6 +141,7 @@ final class Retake implements Serializable {
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
             goesOn = ties.settle(marks) | stops.compress(part) | impacts.compress(part);
         }
+        impacts.straighten();
         bounced.begin(rows);
         contacts.note();
         ties.note();
@@ -152,6 +153,7 @@ final class Retake implements Serializable {
             goesOn = impacts.part(part, h) | stops.part(part) | ties.settle(marks);
         }
         stops.part(1); // as what is solved last is right
+        impacts.straighten();
         if (bounced.limit()) {
             contacts.limitSums(bounced.shares());
         }

@@ -441,9 +441,9 @@ public final class TimeStepping implements Serializable {
             for (int m = 0; m < 2; m++) {
                 int o = NearPairs.KEPT * pair + NearPairs.POINT * m;
                 near.features[2 * pair + m] = m < n ? rows.feature(k, m) : 0;
-                near.kept[o] = m < n ? rows.normal(k, m) : 0;
-                near.kept[o + 1] = m < n ? rows.tangent(k, m) : 0;
-                near.kept[o + 2] = m < n ? rows.last(k, m) : 0;
+                near.kept[o] = m < n ? rows.of(k, m, ContactRows.NORMAL) : 0;
+                near.kept[o + 1] = m < n ? rows.of(k, m, ContactRows.TANGENT) : 0;
+                near.kept[o + 2] = m < n ? rows.of(k, m, ContactRows.LAST) : 0;
             }
         }
     }

@@ -49,6 +49,21 @@ final class Touch implements Serializable {
 
     boolean isDiscB;
 
+    /** What turns the normal, and the middles of what is round, or the corner, from the bodies' centres ({@link ContactTurns}). */
+    int turnsBy;
+
+    double middleAX;
+    double middleAY;
+    double middleBX;
+    double middleBY;
+
+    /** Of an edge beside that corner, the one that the disc is beyond: its normal, and the way along it, from the corner. */
+    double edgeX;
+
+    double edgeY;
+    double alongX;
+    double alongY;
+
     /** The second body's centre from the first one's. */
     private double dx;
 
@@ -128,7 +143,31 @@ final class Touch implements Serializable {
         nx = distance > 0 ? cx / distance : 1;
         ny = distance > 0 ? cy / distance : 0;
         double way = 0.5 * (first.radius + distance - second.radius);
+        turnsBy = ContactTurns.BETWEEN;
+        setMiddles(x, y, x + cx, y + cy);
         add(x + way * nx, y + way * ny, distance - sum, 0);
+    }
+
+    /** Notes what is round, or the corner; both from the first body's centre. */
+    private void setMiddles(double x, double y, double otherX, double otherY) {
+        middleAX = x;
+        middleAY = y;
+        middleBX = otherX - dx;
+        middleBY = otherY - dy;
+    }
+
+    private void setEdge(double x, double y, double side, double way) {
+        edgeX = side * x;
+        edgeY = side * y;
+        alongX = -way * y;
+        alongY = way * x;
+    }
+
+    /** {@return how far the point of what is round is from its middle, or from the corner, along the normal} */
+    double reach() {
+        return turnsBy == ContactTurns.FIRST + ContactTurns.ROUND
+                ? nx * (px[0] - dx - middleBX) + ny * (py[0] - dy - middleBY)
+                : nx * (px[0] - middleAX) + ny * (py[0] - middleAY);
     }
 
     private void add(double x, double y, double distance, int id) {
@@ -160,6 +199,9 @@ final class Touch implements Serializable {
         double n0 = hull.nx[best];
         double n1 = hull.ny[best];
         double distance = most;
+        turnsBy = ContactTurns.ROUND + (isOther ? ContactTurns.SECOND : ContactTurns.FIRST);
+        double cornerX = 0;
+        double cornerY = 0;
         if (most > 0) {
             int next = hull.next(best);
             double along = n0 * (y - hull.y[best]) - n1 * (x - hull.x[best]);
@@ -174,6 +216,10 @@ final class Touch implements Serializable {
                 }
                 n0 = ex / distance;
                 n1 = ey / distance;
+                turnsBy = ContactTurns.BETWEEN + (isOther ? ContactTurns.ON_SECOND : ContactTurns.ROUND);
+                setEdge(cos * hull.nx[best] - sin * hull.ny[best], sin * hull.nx[best] + cos * hull.ny[best], isOther ? -1 : 1, along < 0 ? 1 : -1);
+                cornerX = cos * hull.x[near] - sin * hull.y[near];
+                cornerY = sin * hull.x[near] + cos * hull.y[near];
                 if (joinsOn && seams.isHidden(near, n0, n1)) {
                     return;
                 }
@@ -186,6 +232,7 @@ final class Touch implements Serializable {
         double y0 = cy - back * wy;
         nx = isOther ? -wx : wx;
         ny = isOther ? -wy : wy;
+        setMiddles(isOther ? dx + cx : cornerX, isOther ? dy + cy : cornerY, isOther ? dx + cornerX : cx, isOther ? dy + cornerY : cy);
         add(isOther ? x0 + dx : x0, isOther ? y0 + dy : y0, distance - radius, 0);
     }
 
@@ -238,6 +285,7 @@ final class Touch implements Serializable {
         boolean isSecond = bySecond > byFirst + PREFERENCE * size;
         if (isSecond) {
             clip(second, first, edge, corner, cos, -sin, bx, by, margin);
+            turnsBy = turnsBy == ContactTurns.STILL ? turnsBy : ContactTurns.SECOND;
             toWorld(cosB, sinB, dx, dy, true);
         } else {
             joinsOn = joinsFirst;
@@ -292,6 +340,7 @@ final class Touch implements Serializable {
         double leftGap = n0 * toX + n1 * toY;
         nx = n0;
         ny = n1;
+        turnsBy = left > length || right < 0 ? ContactTurns.STILL : ContactTurns.FIRST;
         if (left > length || right < 0) {
             corners(on, edge, left > length, fromX, fromY, toX, toY, length, margin, id(edge, from, left > length ? 1 : 0));
             return;

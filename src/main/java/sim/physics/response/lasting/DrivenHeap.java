@@ -50,7 +50,8 @@ final class DrivenHeap implements Serializable {
             HeapSystem system,
             HeapNotes notes,
             BodyScale scales,
-            HeapPull pulls) {
+            HeapPull pulls,
+            Regain regain) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
@@ -59,7 +60,7 @@ final class DrivenHeap implements Serializable {
         this.notes = notes;
         this.scales = scales;
         this.pulls = pulls;
-        this.search = new ForceSearch(state, trajectories, motion, by, system, notes, scales, pulls);
+        this.search = new ForceSearch(state, trajectories, motion, by, system, notes, scales, pulls, regain);
         this.switches = search.switches;
         this.probes = search.probes;
         this.turning = search.turning;

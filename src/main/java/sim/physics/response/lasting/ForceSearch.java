@@ -95,7 +95,8 @@ final class ForceSearch implements Serializable {
             HeapSystem system,
             HeapNotes notes,
             BodyScale scales,
-            HeapPull pulls) {
+            HeapPull pulls,
+            Regain regain) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
@@ -105,7 +106,7 @@ final class ForceSearch implements Serializable {
         this.pulls = pulls;
         switches = new HeapSwitches(by, system);
         probes = new Probes(state, motion, trajectories);
-        turning = new HeapTurn(trajectories, system);
+        turning = new HeapTurn(trajectories, system, regain);
         this.kept = new KeptImpulses(system);
     }
 

@@ -42,7 +42,7 @@ final class FreeHeap implements Serializable {
     private static final double HOP = 0.99;
 
     /** Speed that is none, relative to that which the forces give in the time of a solution; and in a heap that is solved roughly. */
-    private static final double STILL = 1e-7;
+    private static final double STILL = 1e-8;
 
     private static final double STANDS = 1e-5;
 

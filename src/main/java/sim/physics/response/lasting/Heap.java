@@ -128,7 +128,7 @@ final class Heap implements Serializable {
         this.scales = new BodyScale(state, trajectories);
         this.pulls = new HeapPull(state, motion);
         this.effort = new HeapEffort(scales);
-        this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales, pulls);
+        this.driving = new DrivenHeap(state, trajectories, motion, by, system, notes, scales, pulls, regain);
         this.free = new FreeHeap(detection, by, system, notes, scales);
         this.courses = new HeapCourses(trajectories, by);
         this.lasting = new LastingPairs(trajectories, detection, scales, ledger);

@@ -23,7 +23,7 @@ final class HeapTurn implements Serializable {
     /** How far forces may take bodies in a step, relative to their size, for them to be followed: else nothing is as it is foreseen. */
     static final double LONG = 0.5;
 
-    /** Turn that is none in steps in which forces take bodies out of their places, and the less the shorter these are. */
+    /** Turn, or way along one another relative to levers, that is none in steps in which forces take bodies out of their places, and the less the shorter they are. */
     private static final double NOISE = 1e-5;
 
     /** Parts of the time at which gaps are looked at, too, where bodies surely move evenly: a force that holds at the end may come too late. */
@@ -35,6 +35,7 @@ final class HeapTurn implements Serializable {
     private final Trajectories trajectories;
     private final HeapSystem system;
     private final TurnedPoint point = new TurnedPoint();
+    private final Regain regain;
     private final ContactRows end = new ContactRows();
 
     /** By point: the least velocity for the sake of its gap, and the gap that there may be at the end. */
@@ -63,9 +64,10 @@ final class HeapTurn implements Serializable {
     private double[] gained = {};
     private double[] knownIn = {};
 
-    HeapTurn(Trajectories trajectories, HeapSystem system) {
+    HeapTurn(Trajectories trajectories, HeapSystem system, Regain regain) {
         this.trajectories = trajectories;
         this.system = system;
+        this.regain = regain;
     }
 
     /**
@@ -139,7 +141,9 @@ final class HeapTurn implements Serializable {
             double normal = end.normal(p, v);
             system.turn(p, normal - system.rows().normal(p, v), end.tangent(p, v) - system.rows().tangent(p, v));
             if (regains && isFollowed) { // else the gap that is looked at is that of the start, and the bound is, too
-                system.bound(p, Math.max(least[p], normal - 2 * (point.gap - floor[p]) / time));
+                double missing = 2 * (floor[p] - point.gap);
+                double regained = missing > 0 ? regain.speed(missing) : missing / time; // in next to no time rounding would be any speed
+                system.bound(p, Math.max(least[p], normal + regained));
                 holdSooner(p, v, time, normal);
             }
         }
@@ -219,9 +223,10 @@ final class HeapTurn implements Serializable {
         double turnA = way(a, 2, v, first, last);
         double turnB = way(b, 2, v, first, last);
         double turn = Math.max(Math.abs(turnA), Math.abs(turnB));
-        double part = turn < noise[p] ? 0 : Math.min(1, MOST / turn);
         double dx = way(b, 0, v, first, last) - way(a, 0, v, first, last);
         double dy = way(b, 1, v, first, last) - way(a, 1, v, first, last);
+        boolean isNone = turn < noise[p] && point.slide(p, dx, dy) < noise[p];
+        double part = isNone ? 0 : Math.min(1, MOST / turn);
         point.look(p, part * dx, part * dy, part * turnA, part * turnB);
         return part > 0;
     }

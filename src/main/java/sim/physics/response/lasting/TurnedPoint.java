@@ -81,6 +81,13 @@ final class TurnedPoint implements Serializable {
         return -m.gaps[k] > DEEP * Math.min(radiusA, radiusB);
     }
 
+    /** How far bodies slide along one another at a point, relative to the shorter lever: that turns normals and levers, too. */
+    double slide(int p, double dx, double dy) {
+        int o = STRIDE * p;
+        double way = data[o] * dy - data[o + 1] * dx;
+        return Math.abs(way) / Math.min(length(data[o + 2], data[o + 3]) + data[o + 9], length(data[o + 4], data[o + 5]) + data[o + 10]);
+    }
+
     private static double length(double x, double y) {
         return Math.sqrt(x * x + y * y);
     }
