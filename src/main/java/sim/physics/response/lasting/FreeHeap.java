@@ -42,9 +42,12 @@ final class FreeHeap implements Serializable {
     private static final double HOP = 0.99;
 
     /** Speed that is none, relative to that which the forces give in the time of a solution; and in a heap that is solved roughly. */
-    private static final double STILL = 1e-8;
+    private static final double STILL = 1e-7;
 
     private static final double STANDS = 1e-5;
+
+    /** The same while a pair is deeper than it is to be: what is regained of it in a step is a fifth, and the rest would stay. */
+    private static final double STILL_REGAINS = 1e-8;
 
     /** Times that a heap may not be solved in a step, before little work is spent on it. */
     private static final int FAILURES = 3;
@@ -87,7 +90,8 @@ final class FreeHeap implements Serializable {
 
     /** Whether a heap whose bodies have a speed at most stands still, against what forces give in the time. */
     boolean isStill(double fastest, double given) {
-        return fastest <= (system.tolerance().isRough() ? STANDS : STILL) * given;
+        HeapTolerance tolerance = system.tolerance();
+        return fastest <= (tolerance.isRough() ? STANDS : tolerance.isDeep() ? STILL_REGAINS : STILL) * given;
     }
 
     /** Stops a heap that stands still from now on, and finds what holds it against a pull; nothing else depends on that. */

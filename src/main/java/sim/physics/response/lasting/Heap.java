@@ -343,7 +343,7 @@ final class Heap implements Serializable {
         double left = regain.time();
         double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size) : HeapGaps.depth(manifold.gap, size);
         detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth) : depth);
-        system.tolerance().allow(HeapGaps.littleSpeed(depth, left));
+        system.tolerance().allow(HeapGaps.littleSpeed(depth, left), HeapGaps.isDeeper(depth, size));
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
             int p = system.size();

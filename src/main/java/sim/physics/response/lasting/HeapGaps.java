@@ -87,6 +87,11 @@ final class HeapGaps {
         return Math.max(CUSHION * size, Math.min(FAIR_CUSHION * size, -gap));
     }
 
+    /** Whether that is deeper than it is to be when all is at rest. */
+    static boolean isDeeper(double depth, double size) {
+        return depth > LET_BE * CUSHION * size;
+    }
+
     /** The error of velocities over a time with which a solution is kept if there is no better one. */
     static double fairSpeed(double size, double time) {
         return FAIR * FAIR_CUSHION * size / time;

@@ -13,6 +13,7 @@ final class HeapTolerance implements Serializable {
     private double error;
     private boolean rough;
     private boolean brief;
+    private boolean deep;
 
     HeapTolerance() {
         clear();
@@ -25,11 +26,23 @@ final class HeapTolerance implements Serializable {
         error = 0;
         rough = false;
         brief = false;
+        deep = false;
     }
 
     /** Says which error is good enough in the end; the least that is said counts. */
     void allow(double most) {
         enough = Math.min(enough, most);
+    }
+
+    /** The same of a pair that may be deeper than others, or may not. */
+    void allow(double most, boolean isDeeper) {
+        allow(most);
+        deep |= isDeeper;
+    }
+
+    /** Whether some pair is deeper than it is to be in the end. */
+    boolean isDeep() {
+        return deep;
     }
 
     double enough() {
