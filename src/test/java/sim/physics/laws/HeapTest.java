@@ -61,7 +61,7 @@ class HeapTest {
     /**
      * More points touch in a pile of discs than it has freedoms: which of them bear it is not clear, that it rests is. A disc may
      * roll for ever, as nothing that rolls loses energy: of sixty piles 42 rest at least (of thirty it would be luck: four of five do), and of a
-     * hundred with boxes 70 (of two hundred 155 to 162 do, of the first sixty 40 to 46). So may a box rock that lies across discs: two do, with up
+     * hundred with boxes 70 (of two hundred 157 to 162 do, of the first sixty 40 to 46). So may a box rock that lies across discs: two do, with up
      * to 3 mJ for ever, one of them on a disc that rolls, with 24 mJ that it loses in half a minute. What is at rest makes no impacts.
      */
     @ParameterizedTest
