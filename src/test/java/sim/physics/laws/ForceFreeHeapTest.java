@@ -19,11 +19,11 @@ import sim.physics.shape.Shape;
 
 /** Bodies that lie on one another and turn, and on which no force acts, or the same on all: they keep their momenta, and gain no energy. */
 class ForceFreeHeapTest {
-    /** From the centre of a bar to that of a box on it. */
-    private static final double HEIGHT = 0.3;
+    /** From the centre of a bar to that of what slides on it. */
+    static final double HEIGHT = 0.3;
 
     /** A box slides outwards on a heavy bar that turns at 1 rad/s: r″ = r − μ (2 r′ − d), from r = r′ = 1. */
-    private static double outwards(double friction, double time) {
+    static double outwards(double friction, double time) {
         double fast = -friction + Math.sqrt(friction * friction + 1);
         double slow = -friction - Math.sqrt(friction * friction + 1);
         double rest = -friction * HEIGHT; // where it would stay

@@ -18,8 +18,7 @@ import sim.physics.shape.Shape;
 
 /** Bodies that lie on one another and turn on a plane on which they rub: their contacts turn with them. */
 class RubbedTurnTest {
-    /** From the centre of a bar to that of what slides on it. */
-    private static final double HEIGHT = 0.3;
+    private static final double HEIGHT = ForceFreeHeapTest.HEIGHT;
 
     /**
      * Something slides outwards on a heavy bar that turns at 1 rad/s, on a plane that hardly rubs: r″ = r − μ (2 r′ − d), from r = r′ = 1. It
@@ -43,20 +42,12 @@ class RubbedTurnTest {
             assertThat(engine.overlaps()).allSatisfy((Overlap o) -> assertThat(o.depth()).isLessThan(1e-6));
         }
         double along = slider.getX() * Math.cos(bar.getAngle()) + slider.getY() * Math.sin(bar.getAngle());
-        assertThat(along).isCloseTo(outwards(friction, 1), within(stepsInASecond < 60 ? 1e-3 : 2e-4));
+        assertThat(along).isCloseTo(ForceFreeHeapTest.outwards(friction, 1), within(stepsInASecond < 60 ? 1e-3 : 2e-4));
         assertThat(bar.getAngularVelocity()).isCloseTo(1, within(1e-6));
     }
 
     private static Shape skate() {
         return new Compound(Compound.box(0, 0, 0.4, 0.1), Compound.disc(-0.2, 0, 0.2), Compound.disc(0.2, 0, 0.2));
-    }
-
-    private static double outwards(double friction, double time) {
-        double fast = -friction + Math.sqrt(friction * friction + 1);
-        double slow = -friction - Math.sqrt(friction * friction + 1);
-        double rest = -friction * HEIGHT; // where it would stay
-        double a = (1 - slow * (1 - rest)) / (fast - slow);
-        return rest + a * Math.exp(fast * time) + (1 - rest - a) * Math.exp(slow * time);
     }
 
     private static Body put(PhysicsEngine engine, Body body, double friction) {
