@@ -101,11 +101,6 @@ final class ContactTurns implements Serializable {
             starts = Arrays.copyOf(starts, SIZE * modes.length);
         }
         step = h;
-        double[] v = state.v();
-        double turn = h * Math.max(Math.abs(v[State.BLOCK * rows.first(k) + 2]), Math.abs(v[State.BLOCK * rows.second(k) + 2]));
-        boolean isStill = bounces || turn > MOST || isPlain(k, touch);
-        boolean isCalm = turn < NONE && (touch.turnsBy < BETWEEN || goesRound(k, touch, h) < NONE);
-        modes[k] = (isCalm || isStill) && !(touch.isDiscA && touch.isDiscB) ? STILL : touch.turnsBy;
         int o = SIZE * k;
         starts[o] = touch.nx;
         starts[o + 1] = touch.ny;
@@ -118,16 +113,22 @@ final class ContactTurns implements Serializable {
         starts[o + 8] = touch.edgeY;
         starts[o + 9] = touch.alongX;
         starts[o + 10] = touch.alongY;
+        modes[k] = touch.isDiscA && touch.isDiscB || !isStill(k, touch, bounces) ? touch.turnsBy : STILL;
+    }
+
+    private boolean isStill(int k, Touch touch, boolean bounces) {
+        double[] v = state.v();
+        double turn = step * Math.max(Math.abs(v[State.BLOCK * rows.first(k) + 2]), Math.abs(v[State.BLOCK * rows.second(k) + 2]));
+        return bounces || turn > MOST || isPlain(k, touch) || turn < NONE && (touch.turnsBy < BETWEEN || goesRound(k) < NONE);
     }
 
     /** By how much the way between two middles turns in the step at most, apart from what the bodies turn by. */
-    private double goesRound(int k, Touch touch, double h) {
-        double[] x = state.x();
+    private double goesRound(int k) {
         double[] v = state.v();
         int a = State.BLOCK * rows.first(k);
         int b = State.BLOCK * rows.second(k);
-        double apart = Math.abs(x[b] - x[a] + touch.middleBX - touch.middleAX) + Math.abs(x[b + 1] - x[a + 1] + touch.middleBY - touch.middleAY);
-        return h * (Math.abs(v[b] - v[a]) + Math.abs(v[b + 1] - v[a + 1])) / apart; // infinite or no number where they are in one place
+        double apart = Math.abs(startWay(k, 0)) + Math.abs(startWay(k, 1));
+        return step * (Math.abs(v[b] - v[a]) + Math.abs(v[b + 1] - v[a + 1])) / apart; // infinite or no number where they are in one place
     }
 
     /** {@return what turns a pair's normal} */

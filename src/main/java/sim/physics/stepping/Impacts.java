@@ -199,8 +199,12 @@ final class Impacts implements Serializable {
 
     /** Whether the normal of a pair of discs has turned under its impulses, of which a part would be left if nothing pressed in the end. */
     private boolean hasTurned(int k) {
+        return areDiscs(k) && isTurned(k);
+    }
+
+    private boolean isTurned(int k) {
         int o = ContactRows.TURNED * k;
-        return areDiscs(k) && (rows.turned[o] != 0 || rows.turned[o + 1] != 0);
+        return rows.turned[o] != 0 || rows.turned[o + 1] != 0;
     }
 
     private boolean areDiscs(int k) {
@@ -251,7 +255,7 @@ final class Impacts implements Serializable {
             int k = met.values[m];
             int o = ContactRows.TURNED * k;
             double[] turned = rows.turned;
-            if ((turned[o] != 0 || turned[o + 1] != 0) && !areDiscs(k) && rows.impulse(k) == 0) {
+            if (isTurned(k) && !areDiscs(k) && rows.impulse(k) == 0) {
                 rows.push(state.v(), state.w().values(), State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), rows.begin(k), -turned[o], -turned[o + 1]);
                 turned[o] = 0;
                 turned[o + 1] = 0;

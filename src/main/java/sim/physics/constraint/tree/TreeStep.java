@@ -256,10 +256,14 @@ public final class TreeStep implements Serializable {
         }
     }
 
+    private void beginFinely() {
+        fine = fine == null ? new FineStep(tree) : fine;
+        worst = Double.POSITIVE_INFINITY; // of even parts
+    }
+
     /** Makes a step under loads for which even parts would be too many; false if it cannot be followed. */
     private boolean goFinely(State state, Loads loads, double[] a, double t, double h, double most) {
-        fine = fine == null ? new FineStep(tree) : fine;
-        worst = Double.POSITIVE_INFINITY;
+        beginFinely();
         FineStep.Part parts = (done, part) -> {
             tree.places.scatter(state, PinTree.ANGLE, PinTree.OMEGA); // of a part that was too long there are others
             loaded.step(state, island.bodies(), loads, a, t + done, part, done == 0);
@@ -270,8 +274,7 @@ public final class TreeStep implements Serializable {
 
     /** Makes a step for which even parts would be too many; false if it cannot be followed, or its energy is wrong however fine the parts are. */
     private boolean goFinely(State state, double gx, double gy, double h) {
-        fine = fine == null ? new FineStep(tree) : fine;
-        worst = Double.POSITIVE_INFINITY;
+        beginFinely();
         for (double most = ROUGH; most >= FINEST; most /= FINER) {
             if (!follow(state)) {
                 return false;

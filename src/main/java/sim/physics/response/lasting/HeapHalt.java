@@ -4,6 +4,7 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.DisjointSets;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Trajectories;
 
@@ -99,23 +100,12 @@ final class HeapHalt implements Serializable {
         }
         for (int p = 0; p < s.contacts(); p++) {
             if (s.normalImpulse(p) != 0 && !s.rows().isOnFixed(p)) {
-                int a = first(s.rows().body(p, 0));
-                int b = first(s.rows().body(p, 1));
-                groups[Math.max(a, b)] = Math.min(a, b);
+                DisjointSets.join(groups, s.rows().body(p, 0), s.rows().body(p, 1));
             }
         }
         for (int k = 0; k < s.bodyCount(); k++) {
-            groups[k] = groups[groups[k]]; // the first one of a group comes before the others
+            groups[k] = DisjointSets.find(groups, k);
         }
-    }
-
-    private int first(int body) {
-        int k = body;
-        while (groups[k] != k) {
-            groups[k] = groups[groups[k]];
-            k = groups[k];
-        }
-        return k;
     }
 
     /** Counts what groups have gained; where surfaces move, which give some, all of them are one. */

@@ -146,8 +146,7 @@ final class RubbedHeap implements Serializable {
         boolean right = true;
         double missed = Double.POSITIVE_INFINITY;
         for (int turn = 0; turn < TURNS && missed > SETTLED * scale; turn++) {
-            System.arraycopy(alone, 0, system.v, 0, 3 * heap.size);
-            system.pushAlone(system.v);
+            settle(heap);
             system.unpush();
             system.regainNothing();
             right = system.solve(scale, true);
