@@ -159,7 +159,7 @@ final class ContactScenes {
         scene.energyUnit = model.energy(model.start());
         scene.reference = String.format(java.util.Locale.ROOT,
                 "Lagrange's equation in its angle, Dormand–Prince 8(5,3) at 10⁻¹³, off the wall from %.4f s on, found by bisection", left[0]);
-        scene.note = "What turns while it slides is of second order in the step by events, of first by time stepping and with the other engines.";
+        scene.note = "What turns while it slides is of second order in the step with this engine, of first with the other ones.";
         scene.expected = () -> JointScenes.rows(scene, t -> {
             double[] at = exact.place(angle, t, 1e-13);
             double cx = half * StrictMath.cos(at[2]);

@@ -7,6 +7,7 @@ import java.util.List;
 import sim.physics.references.EllipticPendulum;
 import sim.physics.references.RodChain;
 import sim.physics.references.Squeezer;
+import sim.physics.references.SqueezerPath;
 
 /** Scenes with joints. */
 final class JointScenes {
@@ -125,24 +126,19 @@ final class JointScenes {
         for (int k = 0; k < 7; k++) {
             scene.point(k, 0.007, 0);
         }
-        double[] gragg = exact.states(scene.times(), true, 1e-14)[0];
-        double[] dormand = exact.states(scene.times(), false, 1e-14)[0];
+        double near = Squeezer.beta(exact.states(scene.times(), true, 1e-14)[0]);
+        SqueezerPath path = new SqueezerPath();
+        double[] places = path.points(0.03, near, 0.007);
         scene.reference = String.format(java.util.Locale.ROOT,
-                "Newton's equations with multipliers, Gragg–Bulirsch–Stoer at 10⁻¹⁴; Dormand–Prince 8(5,3) differs by %.1e rad",
-                Math.abs(gragg[2] - dormand[2]));
+                "conservation of energy, time as an integral over the crank's angle to 20 digits; Newton's equations with multipliers, "
+                        + "Gragg–Bulirsch–Stoer at 10⁻¹⁴, differ by %.1e rad",
+                Math.abs(near - path.beta(0.03, near)));
         scene.note = "The error is that of points 7 mm from the centres, in units of 7 mm: about rad.";
         scene.unit = 0.007;
         scene.cannot = engine -> engine.equals("JBox2D") || engine.equals("Box2D (libGDX)")
                 ? "a spring is given by its frequency there, and its stiffness changes with the pose"
                 : null;
-        scene.expected = () -> {
-            double[] row = new double[14];
-            for (int k = 0; k < 7; k++) {
-                row[2 * k] = gragg[3 * k] + 0.007 * StrictMath.cos(gragg[3 * k + 2]);
-                row[2 * k + 1] = gragg[3 * k + 1] + 0.007 * StrictMath.sin(gragg[3 * k + 2]);
-            }
-            return new double[][] {row};
-        };
+        scene.expected = () -> new double[][] {places};
         return scene;
     }
 

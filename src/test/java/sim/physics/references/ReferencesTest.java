@@ -143,6 +143,20 @@ class ReferencesTest {
         assertThat(dormand).isCloseTo(gragg, within(1e-10));
     }
 
+    /** The number is from a program of its own, with 30 digits and other panels. */
+    @Test
+    void theSqueezersEnergySaysWhereItIs() {
+        Squeezer squeezer = new Squeezer();
+        double[] state = squeezer.states(new double[] {0.03}, true, 1e-14)[0];
+        SqueezerPath path = new SqueezerPath();
+        assertThat(path.beta(0.03, Squeezer.beta(state))).isCloseTo(15.81077119515370709713, within(2e-15));
+        double[] places = path.points(0.03, Squeezer.beta(state), 0.007);
+        for (int k = 0; k < 7; k++) {
+            assertThat(places[2 * k]).isCloseTo(state[3 * k] + 0.007 * Math.cos(state[3 * k + 2]), within(2e-14));
+            assertThat(places[2 * k + 1]).isCloseTo(state[3 * k + 1] + 0.007 * Math.sin(state[3 * k + 2]), within(2e-14));
+        }
+    }
+
     @Test
     void aRodThatIsStruckTakesNewtonsImpulse() {
         // I11: J = (1 + e) v / (1 / m + 3 d² / (M L²))
@@ -167,6 +181,7 @@ class ReferencesTest {
         double[] gragg = crank.angles(1, t, true, 1e-14);
         double[] dormand = crank.angles(1, t, false, 1e-14);
         assertThat(gragg[1]).isCloseTo(dormand[1], within(1e-12));
+        assertThat(crank.exactAngles(t, gragg)).containsExactly(gragg, within(1e-12));
         double[] p = crank.places(2);
         assertThat(Math.hypot(p[4] - p[0], p[5] - p[1])).isCloseTo(1, within(1e-15));
     }

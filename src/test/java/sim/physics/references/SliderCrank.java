@@ -2,7 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.references;
 
+import java.util.Arrays;
+import org.hipparchus.dfp.Dfp;
+import org.hipparchus.dfp.DfpField;
 import org.hipparchus.ode.OrdinaryDifferentialEquation;
+import org.hipparchus.util.FastMath;
+import org.hipparchus.util.FieldSinCos;
 
 /**
  * A crank of length r that turns about the origin, a rod of length l, both uniform and of mass 1, and a block of mass 1 that
@@ -16,6 +21,8 @@ public final class SliderCrank implements OrdinaryDifferentialEquation {
     private final double r;
     private final double l;
     private final double g;
+    private final double start;
+    private final double rate;
     private final double energy;
 
     /**
@@ -31,6 +38,8 @@ public final class SliderCrank implements OrdinaryDifferentialEquation {
         this.r = r;
         this.l = l;
         this.g = g;
+        this.start = angle;
+        this.rate = rate;
         energy = rate * rate * inertia(angle) / 2 + g * r * Math.sin(angle);
     }
 
@@ -72,6 +81,41 @@ public final class SliderCrank implements OrdinaryDifferentialEquation {
             angles[k] = states[k][0];
         }
         return angles;
+    }
+
+    /**
+     * The crank's angle from the energy alone, by {@link Quadrature}.
+     *
+     * @param t times, ascending
+     * @param near the angles there to 10⁻⁹ or better
+     * @return for each time
+     */
+    public double[] exactAngles(double[] t, double[] near) {
+        DfpField field = Quadrature.digits();
+        Dfp from = Quadrature.decimal(field, start);
+        Dfp v = Quadrature.decimal(field, rate);
+        Dfp gravity = Quadrature.decimal(field, g * r);
+        Dfp twice = v.multiply(v).multiply(inertia(from)).add(FastMath.sin(from).multiply(gravity).multiply(2));
+        Quadrature way = new Quadrature(
+                q -> inertia(q).divide(twice.subtract(FastMath.sin(q).multiply(gravity).multiply(2))).sqrt(), from, false, 0.2);
+        return Arrays.stream(way.coordinates(t, near)).mapToDouble(Dfp::toDouble).toArray();
+    }
+
+    /** {@link #inertia(double)} in these digits. */
+    private Dfp inertia(Dfp angle) {
+        FieldSinCos<Dfp> turn = FastMath.sinCos(angle);
+        Dfp crank = Quadrature.decimal(angle.getField(), r);
+        Dfp rod = Quadrature.decimal(angle.getField(), l);
+        Dfp y = turn.sin().multiply(crank);
+        Dfp x = turn.cos().multiply(crank);
+        Dfp reach = rod.multiply(rod).subtract(y.multiply(y)).sqrt();
+        Dfp rodTurns = x.multiply(rod).divide(reach);
+        Dfp slide = y.add(y.multiply(x).divide(reach));
+        Dfp cx = slide.add(y);
+        return crank.multiply(crank).divide(3)
+                .add(cx.multiply(cx).add(x.multiply(x)).divide(4))
+                .add(rodTurns.multiply(rodTurns).divide(12))
+                .add(slide.multiply(slide));
     }
 
     /**

@@ -22,20 +22,20 @@ public final class Squeezer implements OrdinaryDifferentialEquation {
     /** The spring: its stiffness, its length without force, and its fixed end. */
     public static final double[] SPRING = {4530, 0.07785, 0.014, 0.072};
 
-    private static final double XA = -.06934;
-    private static final double YA = -.00227;
-    private static final double XB = -.03635;
-    private static final double YB = .03273;
-    private static final double RR = .007;
-    private static final double D = .028;
-    private static final double E = .02;
-    private static final double ZF = .02;
-    private static final double ZT = .04;
-    private static final double U = .04;
-    private static final double SS = .035;
+    static final double XA = -.06934;
+    static final double YA = -.00227;
+    static final double XB = -.03635;
+    static final double YB = .03273;
+    static final double RR = .007;
+    static final double D = .028;
+    static final double E = .02;
+    static final double ZF = .02;
+    static final double ZT = .04;
+    static final double U = .04;
+    static final double SS = .035;
 
     /** Angles of K1 … K7 at the start, from which the coordinates of the problem follow. */
-    private static final double BETA = -0.0617138900142764496358948458001;
+    static final double BETA = -0.0617138900142764496358948458001;
 
     private static final double GAMMA = 0.455279819163070380255912382449;
     private static final double PHI = 0.222668390165885884674473185609;
