@@ -60,6 +60,11 @@ public final class GearJoint extends Joint {
     }
 
     @Override
+    boolean isInternal() {
+        return ratio == -1;
+    }
+
+    @Override
     boolean describe(JointRows rows, int node) {
         rows.addAngle(node, 0, this, ratio, sum);
         return true;

@@ -60,6 +60,9 @@ final class Invariants implements Serializable {
         for (int p = 0; p < island.nodes; p++) {
             floating &= island.blockA[p] >= 0 && island.blockB[p] >= 0;
         }
+        for (Constraint constraint : island.constraints) {
+            floating &= Joint.isInternal(constraint);
+        }
         isFloating = floating;
     }
 

@@ -139,6 +139,17 @@ public abstract class Joint implements Constraint {
         return false;
     }
 
+    /** Whether what the joint does to one body it undoes at the other, so that bodies which nothing else holds keep their momenta. */
+    boolean isInternal() {
+        return true;
+    }
+
+    /** The same of any constraint. Of an author's it is not known. */
+    static boolean isInternal(Constraint constraint) {
+        Constraint one = constraint instanceof Switched s ? s.coordinate() : constraint;
+        return one instanceof Joint joint && joint.isInternal();
+    }
+
     /** The length in which the joint bends the way of a body, beside what bodies turn; infinite if there is none. */
     double bend() {
         return Double.POSITIVE_INFINITY;

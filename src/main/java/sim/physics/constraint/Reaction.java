@@ -6,7 +6,7 @@ import java.io.Serializable;
 
 /**
  * The force and torque of a constraint on its first body at one instant: Jᵀ λ, (40). The second body gets the opposite force at
- * the same place.
+ * the same place, but for a {@link PulleyJoint}, whose rope pulls either body towards its pulley.
  *
  * @param forceX force along x
  * @param forceY force along y

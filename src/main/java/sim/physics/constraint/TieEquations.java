@@ -202,6 +202,16 @@ final class TieEquations implements Serializable {
         mark(marks, blocks, k, k + 1);
     }
 
+    /** Marks the bodies that are tied to the world, to what cannot move, or by what hangs in the world itself. */
+    void markFastened(boolean[] marks) {
+        markFastened(blocks, awake, state.w().values(), marks);
+        for (int k = 0; k < awake; k++) {
+            if (!Joint.isInternal(ties[k])) {
+                mark(k, marks);
+            }
+        }
+    }
+
     /** Marks the bodies that are tied to the world, or to what cannot move. */
     static void markFastened(int[] blocks, int count, double[] w, boolean[] marks) {
         for (int k = 0; k < 2 * count; k += 2) {

@@ -232,7 +232,7 @@ public final class TieRows implements Serializable {
      */
     public void markFastened(boolean[] marks) {
         pinImpulses.markFastened(marks);
-        TieEquations.markFastened(equations.blocks, equations.count(), state.w().values(), marks);
+        equations.markFastened(marks);
     }
 
     /**

@@ -12,6 +12,7 @@ import sim.physics.constraint.GearJoint;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.PulleyJoint;
 import sim.physics.constraint.Wheel;
 import sim.physics.constraint.WireJoint;
 import sim.physics.motion.Body;
@@ -52,6 +53,9 @@ final class LinkPlaces {
         }
         if (subject instanceof WireJoint wire) {
             return at(wire.getBodyA(), wire.getAnchorAX(), wire.getAnchorAY());
+        }
+        if (subject instanceof PulleyJoint pulley) {
+            return at(pulley.getBodyA(), pulley.getAnchorAX(), pulley.getAnchorAY());
         }
         if (subject instanceof Wheel wheel) {
             return at(wheel.getBodyA(), wheel.getAnchorAX(), wheel.getAnchorAY());

@@ -8,6 +8,7 @@ import sim.physics.constraint.GearJoint;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.PulleyJoint;
 import sim.physics.constraint.Rail;
 import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.SliderJoint;
@@ -58,6 +59,8 @@ final class LinkSymbols {
             tyre(direction(wheel));
         } else if (object instanceof GearJoint gear) {
             gear(gear, a, b);
+        } else if (object instanceof PulleyJoint pulley) {
+            pulley(pulley);
         } else if (object instanceof Spring spring) {
             spring(LinkPlaces.first(spring), LinkPlaces.second(spring));
         } else if (object instanceof Link link) {
@@ -165,6 +168,17 @@ final class LinkSymbols {
         }
     }
 
+    /** The way of the rope, drawn straight also where it is slack. */
+    private void pulley(PulleyJoint pulley) {
+        Double2D end = LinkPlaces.at(pulley.getBodyB(), pulley.getAnchorBX(), pulley.getAnchorBY());
+        double ax = pulley.getPulleyAX();
+        double ay = pulley.getPulleyAY();
+        double bx = pulley.getPulleyBX();
+        double by = pulley.getPulleyBY();
+        sketch.line(place.x, place.y, ax, ay, bx, by, end.x, end.y).ring(ax, ay, s).ring(bx, by, s);
+        sketch.disc(place.x, place.y, 0.6 * s).disc(end.x, end.y, 0.6 * s);
+    }
+
     private void wheel(Body body, double r) {
         double x = body.getX();
         double y = body.getY();
@@ -199,6 +213,8 @@ final class LinkSymbols {
     private void limit(Limit limit, Body a, Body b) {
         if (limit.getCoordinate() instanceof RodJoint rod) {
             rope(LinkPlaces.second(rod), rod.getLength() + limit.getUpper());
+        } else if (limit.getCoordinate() instanceof PulleyJoint pulley) {
+            pulley(pulley);
         } else if (limit.getCoordinate() instanceof Rail rail) {
             ends(rail, limit, b);
         } else if (limit.getCoordinate() instanceof GearJoint gear) {

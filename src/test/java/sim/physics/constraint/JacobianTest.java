@@ -50,6 +50,7 @@ class JacobianTest {
                 new SlotJoint(body(), body(), random(), random(), 0.6, 1.8),
                 new SlotJoint(body(), null, random(), random(), -1, 0.4),
                 new GearJoint(body(), body(), 2.5),
+                PulleyJoint.bodyPoints(body(), 0.3, -0.2, 0.5, 3, body(), -0.7, 0.4, -1, 4, 2.5, 6),
                 new WireJoint(body(), Curve.line(0, 0, 1, 1)),
                 new WireJoint(body(), 0.4, -0.3, Curve.circle(0.5, -0.2, 1.5)),
                 new WireJoint(body(), 0.2, 0.7, parabola()));

@@ -22,6 +22,7 @@ import sim.physics.constraint.GearJoint;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.PulleyJoint;
 import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.SliderJoint;
 import sim.physics.constraint.SlotJoint;
@@ -133,6 +134,7 @@ class JointsPortrayalTest {
         Spring spring = new Spring(box(10, 40), 0, 0, null, 20, 40, 5, 1, 0);
         engine.add(spring);
         Limit rope = engine.add(Limit.rope(box(40, 40), 0, 0, null, 50, 40, 10));
+        PulleyJoint pulley = engine.add(PulleyJoint.worldPoints(box(10, 70), 10, 70, 15, 60, box(30, 70), 30, 70, 25, 60, 1));
         Pull pull = new Pull(box(70, 40), box(80, 40));
         engine.add(pull);
         engine.add(new Gravity(0, 0)); // has no ends
@@ -146,12 +148,15 @@ class JointsPortrayalTest {
         assertThat(hitObjects(20, 40)).containsExactly(spring);
         assertThat(hitObjects(45, 40)).containsExactly(rope);
         assertThat(hitObjects(70, 40)).containsExactly(pull);
+        assertThat(hitObjects(20, 60)).containsExactly(pulley);
+        assertThat(hitObjects(12.5, 65)).containsExactly(pulley);
         assertThat(isDrawn(12, 12)).isTrue();
         assertThat(isDrawn(55, 10)).isTrue();
         assertThat(isDrawn(80, 22)).isTrue();
         assertThat(isDrawn(15, 40)).isTrue();
         assertThat(isDrawn(45, 40)).isTrue();
         assertThat(isDrawn(75, 40)).isTrue();
+        assertThat(isDrawn(20, 60)).isTrue();
         assertThat(isDrawn(12, 20)).isFalse();
         assertThat(hitObjects(12, 20)).isEmpty();
     }
