@@ -1016,7 +1016,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Returns the force of a constraint where the bodies are now. Call this between steps.
+     * Returns the force of a constraint where the bodies are now, or with time stepping its mean over the last step. Call this
+     * between steps. Forces that were applied to a body for the last step ({@link Body#addForce}) count, until others are applied
+     * to it.
      *
      * @param constraint a constraint of this engine
      * @return its effect on its first body
