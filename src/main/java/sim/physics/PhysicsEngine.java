@@ -471,11 +471,12 @@ public final class PhysicsEngine implements Steppable {
                 && response.heaps().isEmpty();
     }
 
-    /** What is saved is the same whether somebody has looked at all paths or not. */
+    /** What is saved is the same whether somebody has looked at all paths or not. Half a step is refused: its copy could not go on. */
     private void writeObject(ObjectOutputStream out) throws IOException {
-        if (!stepping) {
-            makeLatePaths();
+        if (stepping) {
+            throw new IllegalStateException("the engine was saved within a step: save it between steps");
         }
+        makeLatePaths();
         out.defaultWriteObject();
     }
 
