@@ -193,7 +193,7 @@ final class Admission implements Presence, Serializable {
         boolean isKnown = detection.knows(index);
         boolean staysDriven = isDriven && trajectories.isDriven(index);
         if (isKnown && !(staysDriven && isOnlyPushed(index, tau))) { // else its path is told with those of all driven bodies
-            boolean isOutOfBox = detection.refilter(index);
+            boolean isOutOfBox = detection.refilter(index, tau, !isThere);
             detection.moved(index, tau, isDriven || !isThere || isOutOfBox || state.body(index).isFixed(), -1);
         } else if (!isKnown) {
             detection.add(index, tau);

@@ -40,7 +40,7 @@ final class Answered implements Serializable {
         tell(bodies, constraints, state);
         int length = state.x().length;
         work = work == null || work.length < length ? new double[length] : work; // of its island it is all written
-        motion.acceleration(bodies, now, work);
+        motion.lastAcceleration(bodies, now, work);
         if (constraints.isAutonomous(bodies) && motion.groups().areAutonomous(bodies)) {
             island = bodies;
             time = now;

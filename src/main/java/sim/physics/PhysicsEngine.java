@@ -471,11 +471,12 @@ public final class PhysicsEngine implements Steppable {
                 && response.heaps().isEmpty();
     }
 
-    /** What is saved is the same whether somebody has looked at all paths or not. */
+    /** What is saved is the same whether somebody has looked at all paths or not. Half a step is refused: its copy could not go on. */
     private void writeObject(ObjectOutputStream out) throws IOException {
-        if (!stepping) {
-            makeLatePaths();
+        if (stepping) {
+            throw new IllegalStateException("the engine was saved within a step: save it between steps");
         }
+        makeLatePaths();
         out.defaultWriteObject();
     }
 
@@ -1016,7 +1017,9 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Returns the force of a constraint where the bodies are now. Call this between steps.
+     * Returns the force of a constraint where the bodies are now, or with time stepping its mean over the last step. Call this
+     * between steps. Forces that were applied to a body for the last step ({@link Body#addForce}) count, until others are applied
+     * to it.
      *
      * @param constraint a constraint of this engine
      * @return its effect on its first body

@@ -300,14 +300,19 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
      * Applies the filter again to the pairs of a body; they are looked at when it has moved.
      *
      * @param body index
+     * @param tau offset in the present step
+     * @param isPut whether it may be elsewhere than it was: what is let pass is so no more where it is apart
      * @return whether it needs a new box wherever it is: its last one did not follow it while it could collide with nobody
      */
-    public boolean refilter(int body) {
+    public boolean refilter(int body, double tau, boolean isPut) {
         boolean wasAloof = notes.has(body, BodyNotes.ALOOF);
         enclosures.admit(body, state.body(body));
         for (int k = 0; k < pairs.countOf(body); k++) {
             int p = pairs.of(body, k);
-            marks.ignore(p, filter.forbids(state, pairs.first(p), pairs.second(p)));
+            if (isPut && marks.passes(p) && narrowPhase().gap(p, tau) > 0) {
+                marks.endPassing(p);
+            }
+            marks.filter(p, filter.forbids(state, pairs.first(p), pairs.second(p)));
             attend(p);
         }
         return wasAloof && !notes.has(body, BodyNotes.ALOOF);

@@ -26,6 +26,9 @@ public final class PairMarks implements Serializable {
     /** Pairs that stick; empty while none ever did. */
     private boolean[] sticky = {};
 
+    /** Pairs that go on as if nothing were there, whatever the filter says; empty while none ever did. */
+    private boolean[] passing = {};
+
     private final Clearances clearances;
 
     PairMarks(Pairs pairs, Clearances clearances) {
@@ -49,6 +52,9 @@ public final class PairMarks implements Serializable {
         }
         if (pair < sticky.length) {
             sticky[pair] = false;
+        }
+        if (pair < passing.length) {
+            passing[pair] = false;
         }
     }
 
@@ -87,13 +93,29 @@ public final class PairMarks implements Serializable {
     }
 
     /**
-     * Lets a pair pass through one another until their boxes are apart, or not.
+     * Lets a pair pass through one another until their boxes are apart, or they are put where they are apart themselves.
      *
      * @param pair its number
-     * @param yes whether it passes
      */
-    public void ignore(int pair, boolean yes) {
-        mark(pair, IGNORED, yes);
+    public void letPass(int pair) {
+        if (pair >= passing.length) {
+            passing = Arrays.copyOf(passing, Math.max(2 * passing.length, pair + 1));
+        }
+        passing[pair] = true;
+        mark(pair, IGNORED, true);
+    }
+
+    boolean passes(int pair) {
+        return pair < passing.length && passing[pair];
+    }
+
+    void endPassing(int pair) {
+        passing[pair] = false;
+    }
+
+    /** Takes note of what the filter says of a pair now. */
+    void filter(int pair, boolean forbids) {
+        mark(pair, IGNORED, forbids || passes(pair));
     }
 
     /**

@@ -10,6 +10,8 @@ import sim.physics.motion.SwitchedRow;
 /**
  * A constraint of one row, on a coordinate q of two bodies, that acts at some times only: its force is bounded, or it
  * pushes and does not pull. The coordinate is the C of another constraint of one row, and need not be 0.
+ *
+ * <p>Its public methods are not final: a public class inherits those in a form that cannot be called by reflection, as inspectors do.
  */
 abstract class Switched implements Constraint {
     private static final long serialVersionUID = 1L;
@@ -73,12 +75,12 @@ abstract class Switched implements Constraint {
     }
 
     @Override
-    public final Body getBodyA() {
+    public Body getBodyA() {
         return coordinate.getBodyA();
     }
 
     @Override
-    public final Body getBodyB() {
+    public Body getBodyB() {
         return coordinate.getBodyB();
     }
 
@@ -130,22 +132,22 @@ abstract class Switched implements Constraint {
     }
 
     @Override
-    public final int getRows() {
+    public int getRows() {
         return 1;
     }
 
     @Override
-    public final boolean isAngle(int row) {
+    public boolean isAngle(int row) {
         return coordinate.isAngle(row);
     }
 
     @Override
-    public final double getSize() {
+    public double getSize() {
         return coordinate.getSize();
     }
 
     @Override
-    public final void evaluate(Equations equations) {
+    public void evaluate(Equations equations) {
         coordinate.evaluate(equations);
         value = equations.c[0];
         curvature = equations.rate[0];

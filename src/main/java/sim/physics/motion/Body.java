@@ -610,6 +610,9 @@ public class Body implements Serializable {
     final void bind(State newState, int newIndex) {
         state = newState;
         index = newIndex;
+        if (particulars != null) {
+            particulars.forgetActed();
+        }
     }
 
     /** Takes an equal shape in place of its own, to share it. */
@@ -643,9 +646,14 @@ public class Body implements Serializable {
 
     final void clearApplied() {
         if (particulars != null) {
-            particulars.appliedX = 0;
-            particulars.appliedY = 0;
-            particulars.appliedTorque = 0;
+            particulars.clearApplied();
+        }
+    }
+
+    /** Applies what was applied for the last step once more, unless something has been applied since; or no longer. */
+    final void recallApplied(boolean yes) {
+        if (particulars != null && !(yes && state.isOnlyPushed(index))) {
+            particulars.recall(yes);
         }
     }
 

@@ -3,7 +3,6 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
-import sim.physics.internal.IntList;
 
 /** Takes the forces of a {@link ForceGenerator}, and adds them to the force vector F. */
 public final class Forces implements Serializable {
@@ -117,16 +116,6 @@ public final class Forces implements Serializable {
         finite("py", py, body);
         add(body, fx, fy);
         addTorque(body, (px - body.getX()) * fy - (py - body.getY()) * fx);
-    }
-
-    /** Takes what was applied to bodies for a step off them; those that have left are passed over. */
-    void clearApplied(IntList bodies) {
-        for (int k = 0; k < bodies.size; k++) {
-            Body view = state.body(bodies.values[k]);
-            if (view != null) {
-                view.clearApplied();
-            }
-        }
     }
 
     /** Refuses what is not finite; where a body has been thrown beyond all measure, that is said to be the cause. */

@@ -30,7 +30,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     /** Driven bodies in ascending order; bodies with an applied force in this step. */
     private final IntList driven;
-    private final IntList pushed;
+    private final Applied pushed;
     private final IntList alone = new IntList();
     private final double[] fallen = new double[State.BLOCK];
     final DrivenMotion drivenMotion;
@@ -57,7 +57,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         this.generators = new Generators();
         this.groups = new Groups(state, generators);
         this.driven = new IntList();
-        this.pushed = new IntList();
+        this.pushed = new Applied(state);
         this.support = new Support();
         this.drivenMotion = new DrivenMotion(this, state, trajectories);
         this.ground = new Ground(this, state, trajectories);
@@ -202,9 +202,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         if (view.isFixed()) {
             return;
         }
-        if (view.isPushed()) {
-            pushed.add(body);
-        }
+        pushed.admit(body);
         if (!ground.hold(body)) {
             course(body);
         }
@@ -226,7 +224,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     /** {@return whether forces were applied to a body for the last step} */
     public boolean isPushed() {
-        return pushed.size > 0;
+        return pushed.isAny();
     }
 
     /**
@@ -235,23 +233,13 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
      * @param changed takes the bodies whose course changes, but for those that are about to be admitted
      */
     public void endApplied(IntList changed) {
-        for (int k = 0; k < pushed.size; k++) {
-            int body = pushed.values[k];
-            if (state.body(body) != null && !trajectories.isDriven(body)) {
-                trajectories.bring(body, 0);
-                course(body);
-                if (!state.isTouched(body)) {
-                    changed.add(body);
-                }
-            }
-        }
-        pushed.clear();
+        pushed.end(this, trajectories, changed);
     }
 
     /** Ends the step: writes where the driven bodies are; the forces that were applied for the step have acted. */
     public void finish() {
         drivenMotion.finish(driven);
-        forces.clearApplied(pushed);
+        pushed.clear();
         state.setUnsettled(false);
     }
 
@@ -445,7 +433,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
 
     /** The uniform fields, if nothing but them acts, or null. */
     Generators fields() {
-        return pushed.size == 0 && !generators.drive() && !support.pushesDriven ? generators : null;
+        return !pushed.isAny() && !generators.drive() && !support.pushesDriven ? generators : null;
     }
 
     double step() {
@@ -459,6 +447,17 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         if (isTiedGroup(bodies)) {
             ties.accelerate(bodies, a, work.isOn()); // (34)–(41)
         }
+    }
+
+    /**
+     * Finds accelerations between steps, under what acted in the last one: forces applied for it do, unless others are applied now.
+     *
+     * @param bodies indices
+     * @param t simulated time
+     * @param a takes [x″, y″, θ″] per body of the state
+     */
+    public void lastAcceleration(IntList bodies, double t, double[] a) {
+        pushed.again(this, bodies, t, a);
     }
 
     @Override

@@ -13,7 +13,7 @@ public final class SteppedForces implements Serializable {
     private final State state;
     private final Forces forces;
     private final Generators generators;
-    private final IntList pushed = new IntList();
+    private final Applied pushed;
     private final SurfaceRows surface;
     private final SpringRows springs;
 
@@ -25,6 +25,7 @@ public final class SteppedForces implements Serializable {
      */
     public SteppedForces(Motion motion, State state) {
         this.state = state;
+        pushed = new Applied(state);
         forces = motion.forces;
         generators = motion.generators;
         surface = new SurfaceRows(state, generators);
@@ -44,7 +45,7 @@ public final class SteppedForces implements Serializable {
     /** Begins or ends time stepping: all forces are forces, and none was applied. */
     public void leave() {
         springs.forget();
-        pushed.clear();
+        pushed.forget();
     }
 
     /** {@return whether forces may change within a step: some generator acts beside uniform fields and friction with the plane} */
@@ -145,9 +146,7 @@ public final class SteppedForces implements Serializable {
      * @param body index
      */
     public void admit(int body) {
-        if (state.body(body).isPushed()) {
-            pushed.add(body);
-        }
+        pushed.admit(body);
     }
 
     /** Begins a step, within which bodies change their places without notice. */
@@ -157,8 +156,8 @@ public final class SteppedForces implements Serializable {
 
     /** Ends it: the forces that were applied for it have acted. */
     public void end() {
-        forces.clearApplied(pushed);
         pushed.clear();
+        pushed.forget();
         state.setUnsettled(false);
     }
 }

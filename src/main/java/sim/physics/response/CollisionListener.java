@@ -10,6 +10,10 @@ import java.io.Serializable;
  *
  * <p>In a call, a listener may add and remove bodies, and set positions, velocities and filters. That takes effect at the instant
  * of the collision, when the call is over. If the listener throws an exception, the step ends at that instant.
+ *
+ * <p>What {@link #colliding} sets on the two bodies counts in the collision itself: mass, restitution, friction and velocity. Bodies
+ * that it turns away from one another, puts elsewhere or forbids to collide do not collide, and {@link #collided} is not called. A body
+ * that it removes leaves after the collision.
  */
 public interface CollisionListener extends Serializable {
     /** What to do about a collision. */

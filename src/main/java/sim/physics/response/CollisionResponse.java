@@ -181,7 +181,6 @@ public final class CollisionResponse implements Serializable {
             return;
         }
         if (!listeners.isEmpty() && !ask(pair, a, b)) {
-            letPass(pair, a, b);
             return;
         }
         impacts++;
@@ -292,7 +291,7 @@ public final class CollisionResponse implements Serializable {
 
     /** The listeners want the pair to pass: both go on as they came. */
     private void letPass(int pair, int a, int b) {
-        detection.marks().ignore(pair, true);
+        detection.marks().letPass(pair);
         goOn(a, b);
     }
 
@@ -434,7 +433,6 @@ public final class CollisionResponse implements Serializable {
             jointed.prepare(a, b);
         }
         if (!listeners.isEmpty() && !ask(pair, a, b)) {
-            letPass(pair, a, b);
             return;
         }
         impacts++;
@@ -478,12 +476,24 @@ public final class CollisionResponse implements Serializable {
         }
     }
 
-    /** Asks the listeners what to do about the loaded impact of a pair; false to let it be. */
+    /** Asks the listeners what to do about a pair's impact, which is loaded with what they set; false if it is let be, or there is none any more. */
     private boolean ask(int pair, int a, int b) {
-        boolean yes = listeners.ask(a, b, impact);
+        CollisionListener.Decision decision = listeners.ask(a, b, impact, detection.filter());
         detection.marks().setSticky(pair, impact.sticky);
-        impact.restitution = impact.sticky ? 0 : impact.restitution;
+        if (decision == CollisionListener.Decision.IGNORE) {
+            letPass(pair, a, b);
+            return false;
+        }
+        boolean isSet = decision != null && (listeners.takeOver(a) | listeners.takeOver(b));
+        boolean meet = decision != null && !isSet;
+        for (int point = manifold.count - 1; point >= 0; point--) {
+            load(a, b, point);
+            meet |= isSet && impact.normalVelocity() < 0;
+        }
         approach = -impact.normalVelocity();
-        return yes;
+        if (!meet) {
+            goOn(a, b);
+        }
+        return meet;
     }
 }

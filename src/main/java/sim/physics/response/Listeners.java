@@ -8,6 +8,7 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
+import sim.physics.collision.CollisionFilter;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
@@ -79,13 +80,36 @@ final class Listeners implements Serializable {
         now = time;
     }
 
-    /** Asks what to do about an impact, which is sticky then if one of them wants it; false to let it be. */
-    boolean ask(int a, int b, Impact impact) {
+    /**
+     * Asks what to do about an impact, which is sticky then if one of them wants it.
+     *
+     * @return null if there is none any more: one of the two was put elsewhere at this instant, or the filter keeps them from one another now
+     */
+    CollisionListener.Decision ask(int a, int b, Impact impact, CollisionFilter filter) {
+        if (isPut(a) || isPut(b)) {
+            return null; // by what listeners have done about another pair; to publish would undo it
+        }
         publish(a, b);
         Contact contact = contact(a, b, impact, -impact.normalVelocity(), 0);
         CollisionListener.Decision decision = ask(contact);
         impact.sticky |= decision == CollisionListener.Decision.STICK;
-        return decision != CollisionListener.Decision.IGNORE;
+        boolean isOver = isPut(a) || isPut(b) || !filter.allows(contact.a(), contact.b());
+        return isOver && decision != CollisionListener.Decision.IGNORE ? null : decision;
+    }
+
+    /** Whether a body that was written at this instant is elsewhere than it was. */
+    private boolean isPut(int body) {
+        return state.isTouched(body) && !trajectories.isAt(body, trajectories.offset(body), state);
+    }
+
+    /** Lets a body that was written at this instant go on with the velocity that it has been given; false if it was not. */
+    boolean takeOver(int body) {
+        boolean isWritten = state.isTouched(body);
+        if (isWritten) {
+            int at = body * Trajectories.STRIDE + Trajectories.VX;
+            System.arraycopy(state.v(), State.BLOCK * body, trajectories.data(), at, State.BLOCK);
+        }
+        return isWritten;
     }
 
     /** The first decision for something else than a bounce. */
