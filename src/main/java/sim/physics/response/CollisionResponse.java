@@ -57,6 +57,9 @@ public final class CollisionResponse implements Serializable {
     /** From when on the courses of the two hold that are brought to the instant of their impact. */
     private double since;
 
+    /** When the last impact was. */
+    private double instant;
+
     private long impacts;
     private double deepest;
     private double approach;
@@ -96,6 +99,15 @@ public final class CollisionResponse implements Serializable {
     }
 
     /**
+     * When the impact was that was solved last: where driven bodies meet, a little before or after the instant that was searched for.
+     *
+     * @return offset in the present step
+     */
+    public double instant() {
+        return instant;
+    }
+
+    /**
      * Solves the impacts of one instant.
      *
      * @param touching the pairs that touch
@@ -108,11 +120,12 @@ public final class CollisionResponse implements Serializable {
             manifold = new Manifold();
         }
         changed.clear();
+        instant = tau;
         wedged.stalls(tau);
         listeners.setTime(time);
         if (touching.size == 1) {
             int pair = touching.values[0];
-            since = trajectories.areStraight() ? 0 : Math.max(since(pairs.first(pair)), since(pairs.second(pair)));
+            since = isDriven(pair) ? Math.max(since(pairs.first(pair)), since(pairs.second(pair))) : 0;
             locate(pair, tau);
             if (manifold.count == 1 && (jointed == null || !jointed.has(pairs.first(pair), pairs.second(pair)))) {
                 respondToOne(pair, tau);
@@ -147,9 +160,13 @@ public final class CollisionResponse implements Serializable {
         return trajectories.areStraight() && jointed == null && resting.isEmpty() && heaps.isEmpty();
     }
 
-    /** From which offset in the step on a body's motion has been smooth. */
+    private boolean isDriven(int pair) {
+        return trajectories.isDriven(pairs.first(pair)) || trajectories.isDriven(pairs.second(pair));
+    }
+
+    /** From which offset in the step on the motion of a body has been smooth, and of all that it lies on. */
     private double since(int body) {
-        return heaps.has(body) ? trajectories.since(body) : motion.smoothSince(body);
+        return heaps.has(body) ? heaps.since(body) : motion.smoothSince(body);
     }
 
     /**
@@ -308,7 +325,7 @@ public final class CollisionResponse implements Serializable {
      * @return whether they do touch and approach; if not, they go on from where they were brought
      */
     private boolean polish(int pair, int a, int b, double tau) {
-        if (!trajectories.isDriven(a) && !trajectories.isDriven(b)) {
+        if (!isDriven(pair)) {
             return true;
         }
         double h = Math.min(motion.pace(a), motion.pace(b));
@@ -332,6 +349,7 @@ public final class CollisionResponse implements Serializable {
             }
             t = next;
         }
+        instant = t;
         boolean touch = impact.normalVelocity() < 0 && manifold.gap <= Math.max(-impact.normalVelocity() * Tolerances.REST * h, bounces.rounding(a, b));
         return touch || bounces.misses(pair);
     }

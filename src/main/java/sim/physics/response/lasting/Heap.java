@@ -59,7 +59,7 @@ final class Heap implements Serializable {
     final HeapPull pulls;
     private final HeapEffort effort;
     private final FlushGround flush;
-    private final HeapMembers members;
+    final HeapMembers members;
     private final IntList heap;
     private final Regain regain = new Regain();
     private final HeapNotes notes;
@@ -219,6 +219,9 @@ final class Heap implements Serializable {
         gather(tau);
         if (isDriven) {
             driving.gather(heap, members.ties(), regain, scale);
+        }
+        if (isRubbed && by.mostTurns(heap) > MOST) {
+            closing.hop(deep);
         }
         if (isEven() && striking.act(heap, deep, scale, closing.rebounds(), driving.rebounds()) && isDriven) {
             gather(tau);
@@ -442,7 +445,7 @@ final class Heap implements Serializable {
     private boolean regainNothing() {
         double time = regain.time();
         return isDriven ? driving.search().regainNothing(scale)
-                : isRubbed ? rubbing.regainNothing(heap, time, scale, halts) : free.regainNothing(scale, time);
+                : isRubbed ? (halts ? rubbing.hop(heap, scale) : rubbing.regainNothing(heap, time, scale)) : free.regainNothing(scale, time);
     }
 
     /** Whether something has happened to a body of a heap that stands still. */
