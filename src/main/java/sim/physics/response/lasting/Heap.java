@@ -345,12 +345,13 @@ final class Heap implements Serializable {
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
         double left = regain.time();
         double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size) : HeapGaps.depth(manifold.gap, size);
-        detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth) : depth);
+        detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth)
+                : isDriven && !members.isDriven() ? HeapGaps.watched(manifold.gap, depth) : depth);
         system.tolerance().allow(HeapGaps.littleSpeed(depth, left), HeapGaps.isDeeper(depth, size));
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
             int p = system.size();
-            system.add(number(a), number(b), point);
+            system.add(members.number(a), members.number(b), point);
             notes.add(pair, k, manifold.gaps[k]);
             if (isTied && manifold.gaps[k] < -depth || isRubbed && HeapGaps.isNearly(manifold.gaps[k], depth)) {
                 deep.add(p);
@@ -373,10 +374,6 @@ final class Heap implements Serializable {
                 free.take(p, size, left, given(left), isFresh || scale > 0);
             }
         }
-    }
-
-    private int number(int body) {
-        return state.body(body).isFixed() ? -1 : by.place[body] - 1;
     }
 
     private void solve(double tau) {

@@ -188,6 +188,11 @@ final class HeapMembers implements Serializable {
         by.isDirty[body] = false;
     }
 
+    /** The number of a body in the heap, −1 of a fixed one. */
+    int number(int body) {
+        return state.body(body).isFixed() ? -1 : by.place[body] - 1;
+    }
+
     /** The pairs by which those that were found last lie on one another or on fixed bodies, each once; valid until the next call. */
     IntList pairs(double tau) {
         pairs.clear();
