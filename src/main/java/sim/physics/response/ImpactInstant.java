@@ -67,6 +67,11 @@ final class ImpactInstant implements Serializable {
         return trajectories.isDriven(pairs.first(pair)) || trajectories.isDriven(pairs.second(pair));
     }
 
+    /** Whether ties may all but hold the two where they touch: where the gap is zero is anywhere then, and their heap is left at the instant of the search. */
+    private boolean isTied(int pair) {
+        return motion.isTied(pairs.first(pair)) || motion.isTied(pairs.second(pair));
+    }
+
     /** From which offset in the step on the motion of a body has been smooth, and of all that it lies on. */
     private double since(int body) {
         return heaps.has(body) ? heaps.since(body) : motion.smoothSince(body);
@@ -117,7 +122,7 @@ final class ImpactInstant implements Serializable {
             }
             t = next;
         }
-        at = t;
+        at = isTied(pair) ? at : t;
         boolean touch = impact.normalVelocity() < 0 && manifold.gap <= Math.max(-impact.normalVelocity() * Tolerances.REST * h, bounces.rounding(a, b));
         return touch || bounces.misses(pair);
     }
@@ -128,7 +133,7 @@ final class ImpactInstant implements Serializable {
         double gap = 0;
         for (int k = 0; k < touching.size; k++) {
             int pair = touching.values[k];
-            if (!isDriven(pair) || heaps.lasts(pair)) {
+            if (!isDriven(pair) || heaps.lasts(pair) || isTied(pair)) {
                 continue;
             }
             locate(pair, at);
