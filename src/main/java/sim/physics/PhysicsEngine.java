@@ -619,6 +619,7 @@ public final class PhysicsEngine implements Steppable {
             state.setPresence(admission, true);
         }
         IntList deflected = response.respond(touching, tau, now);
+        double at = response.instant();
         state.setPresence(null, true);
         boolean someRest = !response.resting().isEmpty();
         boolean someLie = !response.heaps().isEmpty();
@@ -627,7 +628,7 @@ public final class PhysicsEngine implements Steppable {
                 motion.deflect(deflected.values[k]);
             }
             if (someRest) {
-                response.resting().struck(deflected.values[k], tau);
+                response.resting().struck(deflected.values[k], at);
             }
             if (someLie) {
                 response.heaps().struck(deflected.values[k]);
@@ -646,10 +647,10 @@ public final class PhysicsEngine implements Steppable {
             admit(tau); // first: what listeners have written is in the vectors that others use for their work
         }
         if (!response.resting().isEmpty()) {
-            settle(tau);
+            settle(at);
         }
         if (!response.heaps().isEmpty()) {
-            settleHeaps(tau);
+            settleHeaps(at);
         }
         followGroups();
     }

@@ -8,7 +8,6 @@ import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
-import sim.physics.internal.Tolerances;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Ties;
@@ -52,10 +51,10 @@ public final class CollisionResponse implements Serializable {
     private final LastingContacts lasting;
     private final ContactLaws laws;
     private final Wedged wedged;
-    private transient Manifold manifold;
+    private final ImpactInstant instant;
 
-    /** From when on the courses of the two hold that are brought to the instant of their impact. */
-    private double since;
+    /** Where a pair touches. */
+    private transient Manifold manifold;
 
     private long impacts;
     private double deepest;
@@ -86,6 +85,7 @@ public final class CollisionResponse implements Serializable {
         this.resting = new RestingContacts(state, trajectories, motion, detection, loader, ledger);
         this.heaps = new Heaps(state, trajectories, motion, detection, loader, resting, ledger);
         this.lasting = new LastingContacts(state, detection, resting, heaps, ledger);
+        this.instant = new ImpactInstant(trajectories, motion, detection, loader, heaps, bounces, impact);
         this.laws = new ContactLaws(loader, listeners, lasting);
         this.wedged = new Wedged(trajectories, detection);
     }
@@ -93,6 +93,15 @@ public final class CollisionResponse implements Serializable {
     /** Begins a step. */
     public void begin() {
         wedged.begin();
+    }
+
+    /**
+     * When the impact was that was solved last: where driven bodies meet, a little before or after the instant that was searched for.
+     *
+     * @return offset in the present step
+     */
+    public double instant() {
+        return instant.at();
     }
 
     /**
@@ -104,24 +113,21 @@ public final class CollisionResponse implements Serializable {
      * @return the bodies whose velocities have changed, each once; valid until the next call
      */
     public IntList respond(IntList touching, double tau, double time) {
-        if (manifold == null) {
-            manifold = new Manifold();
-        }
         changed.clear();
+        manifold = instant.begin(touching, tau);
         wedged.stalls(tau);
         listeners.setTime(time);
         if (touching.size == 1) {
             int pair = touching.values[0];
-            since = trajectories.areStraight() ? 0 : Math.max(since(pairs.first(pair)), since(pairs.second(pair)));
-            locate(pair, tau);
+            instant.locate(pair, tau);
             if (manifold.count == 1 && (jointed == null || !jointed.has(pairs.first(pair), pairs.second(pair)))) {
                 respondToOne(pair, tau);
-                wedged.settle(heaps, tau, changed);
+                wedged.settle(heaps, instant.at(), changed);
                 return changed;
             }
         }
-        respondToSeveral(touching, tau);
-        wedged.settle(heaps, tau, changed);
+        respondToSeveral(touching);
+        wedged.settle(heaps, instant.at(), changed);
         return changed;
     }
 
@@ -147,11 +153,6 @@ public final class CollisionResponse implements Serializable {
         return trajectories.areStraight() && jointed == null && resting.isEmpty() && heaps.isEmpty();
     }
 
-    /** From which offset in the step on a body's motion has been smooth. */
-    private double since(int body) {
-        return heaps.has(body) ? trajectories.since(body) : motion.smoothSince(body);
-    }
-
     /**
      * Sets what ties bodies together.
      *
@@ -164,19 +165,13 @@ public final class CollisionResponse implements Serializable {
         heaps.setTies(ties);
     }
 
-    private void locate(int pair, double tau) {
-        motion.bring(pairs.first(pair), tau);
-        motion.bring(pairs.second(pair), tau);
-        detection.narrowPhase().contact(pair, tau, manifold);
-    }
-
     private void respondToOne(int pair, double tau) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
         if (isLetBe(pair, a, b, tau)) {
             return;
         }
-        if (!polish(pair, a, b, tau)) {
+        if (!instant.polish(pair, a, b)) {
             goOn(a, b);
             return;
         }
@@ -215,7 +210,7 @@ public final class CollisionResponse implements Serializable {
             letPass(pair, a, b);
             return true;
         }
-        load(a, b, 0);
+        instant.load(a, b, 0);
         if (wedged.meet(pair, tau, manifold.gap, heaps.size(a, b))) {
             goOn(a, b);
             return true;
@@ -231,7 +226,7 @@ public final class CollisionResponse implements Serializable {
         boolean bounds = false;
         impact.sticky = detection.marks().isSticky(pair);
         for (int point = manifold.count - 1; point >= 0; point--) {
-            load(a, b, point);
+            instant.load(a, b, point);
             bounds |= bounces.bounds(pair, impact, heaps.pull(a, b), heaps.size(a, b));
         }
         impact.sticky = false;
@@ -301,41 +296,6 @@ public final class CollisionResponse implements Serializable {
     }
 
     /**
-     * The search found the contact on the dense output of driven bodies, which is not quite where the integrator brings
-     * them: moves the instant a little, to where the gap is zero, by Newton's method.
-     *
-     * @return whether they do touch and approach; if not, they go on from where they were brought
-     */
-    private boolean polish(int pair, int a, int b, double tau) {
-        if (!trajectories.isDriven(a) && !trajectories.isDriven(b)) {
-            return true;
-        }
-        double h = Math.min(motion.pace(a), motion.pace(b));
-        double latest = detection.hasEvent() ? detection.nextTime() : trajectories.h();
-        double t = tau;
-        for (int k = 0; k < 3; k++) {
-            double speed = impact.normalVelocity();
-            double next = t - manifold.gap / speed;
-            boolean settled = Math.abs(manifold.gap) <= -speed * Tolerances.SIMULTANEOUS * t;
-            boolean near = Math.abs(next - tau) <= Tolerances.POLISH * h;
-            if (settled || !(speed < 0 && near && next >= since && next <= latest)) {
-                break; // or else other events lie between
-            }
-            double most = Math.max(0.5 * Math.abs(manifold.gap), -speed * Tolerances.REST * h);
-            locate(pair, next);
-            load(a, b, 0);
-            if (!(impact.normalVelocity() < 0 && Math.abs(manifold.gap) <= most)) {
-                locate(pair, t); // a graze, where Newton's method leads astray
-                load(a, b, 0);
-                break;
-            }
-            t = next;
-        }
-        boolean touch = impact.normalVelocity() < 0 && manifold.gap <= Math.max(-impact.normalVelocity() * Tolerances.REST * h, bounces.rounding(a, b));
-        return touch || bounces.misses(pair);
-    }
-
-    /**
      * Sets what solves the impact of one point of two bodies.
      *
      * @param solver not null
@@ -371,12 +331,6 @@ public final class CollisionResponse implements Serializable {
         return deepest;
     }
 
-    private void load(int a, int b, int point) {
-        loader.load(manifold, a, b, point, impact);
-        impact.restitution = impact.sticky ? 0 : impact.restitution;
-        impact.exclude(heaps.toCome(a, impact.nx, impact.ny, impact.leverA) - heaps.toCome(b, impact.nx, impact.ny, impact.leverB));
-    }
-
     private void store(int a, int b) {
         Impact c = impact;
         if (c.wA != 0) {
@@ -396,9 +350,13 @@ public final class CollisionResponse implements Serializable {
         changed.add(body);
     }
 
-    private void respondToSeveral(IntList touching, double tau) {
+    private void respondToSeveral(IntList touching) {
         simultaneous.clear();
         meetings.count(touching, pairs, state.size());
+        if (touching.size > 1) {
+            instant.polish(touching);
+        }
+        double tau = instant.at();
         for (int k = 0; k < touching.size; k++) {
             collect(touching, touching.values[k], tau);
         }
@@ -422,12 +380,12 @@ public final class CollisionResponse implements Serializable {
     private void collect(IntList touching, int pair, double tau) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
-        locate(pair, tau);
+        instant.locate(pair, tau);
         if (isLetBe(pair, a, b, tau)) {
             return;
         }
         if (touching.size == 1) {
-            polish(pair, a, b, tau);
+            instant.polish(pair, a, b);
         }
         if (jointed != null) {
             jointed.prepare(a, b);
@@ -451,7 +409,7 @@ public final class CollisionResponse implements Serializable {
         restsNow &= !lies;
         impact.isEarly = bounces.areFew(pair);
         for (int point = 0; point < manifold.count; point++) {
-            load(a, b, point);
+            instant.load(a, b, point);
             if (rattles || lies) {
                 impact.restitution = lies ? 0 : bounces.rattle(impact, rattle, first);
             }

@@ -43,6 +43,13 @@ class RandomSceneTest {
         run(seed, false);
     }
 
+    /** What is open in a heap without forces, and closes by another corner: it was found when it was as deep as what touches may be. */
+    @ParameterizedTest
+    @ValueSource(longs = {55, 220, 351})
+    void whatIsOpenInAHeapStrikesWhereItTouches(long seed) {
+        run(seed, false);
+    }
+
     @ParameterizedTest
     @ValueSource(longs = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19})
     void lawsHoldForDrivenBodiesToo(long seed) {
@@ -69,6 +76,12 @@ class RandomSceneTest {
     @ValueSource(longs = {205, 300, 305, 380})
     void whatSlidesAndTurnsOnAPlaneIsNotLetIn(long seed) {
         run(new RandomScene(seed, true, true), seed, 1e-6, 1e-4);
+    }
+
+    /** Driven bodies of several parts in steps of 1 s, that strike what lies on others: these were 2 · 10⁻⁴ deep, and relieved. */
+    @Test
+    void whatIsStruckInALongStepIsNotLetIn() {
+        run(new RandomScene(320, true, true), 320, 1e-6, 1e-6);
     }
 
     private static void run(long seed, boolean mayDrive) {

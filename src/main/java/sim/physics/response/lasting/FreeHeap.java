@@ -39,7 +39,7 @@ final class FreeHeap implements Serializable {
     static final double SHORTER = 0.25;
 
     /** Part of the speed at which points approach with which they hop: no rounding may make that more. */
-    private static final double HOP = 0.99;
+    static final double HOP = 0.99;
 
     /** Speed that is none, relative to that which the forces give in the time of a solution; and in a heap that is solved roughly. */
     private static final double STILL = 1e-7;

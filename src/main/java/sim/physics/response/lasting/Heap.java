@@ -59,7 +59,7 @@ final class Heap implements Serializable {
     final HeapPull pulls;
     private final HeapEffort effort;
     private final FlushGround flush;
-    private final HeapMembers members;
+    final HeapMembers members;
     private final IntList heap;
     private final Regain regain = new Regain();
     private final HeapNotes notes;
@@ -220,6 +220,9 @@ final class Heap implements Serializable {
         if (isDriven) {
             driving.gather(heap, members.ties(), regain, scale);
         }
+        if (isRubbed && by.mostTurns(heap) > MOST) {
+            closing.hop(deep);
+        }
         if (isEven() && striking.act(heap, deep, scale, closing.rebounds(), driving.rebounds()) && isDriven) {
             gather(tau);
             driving.gather(heap, members.ties(), regain, scale); // which stops are within reach is another question now
@@ -342,12 +345,13 @@ final class Heap implements Serializable {
         ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
         double left = regain.time();
         double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size) : HeapGaps.depth(manifold.gap, size);
-        detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth) : depth);
+        detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth)
+                : isDriven && !members.isDriven() ? HeapGaps.watched(manifold.gap, depth) : depth);
         system.tolerance().allow(HeapGaps.littleSpeed(depth, left), HeapGaps.isDeeper(depth, size));
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
             int p = system.size();
-            system.add(number(a), number(b), point);
+            system.add(members.number(a), members.number(b), point);
             notes.add(pair, k, manifold.gaps[k]);
             if (isTied && manifold.gaps[k] < -depth || isRubbed && HeapGaps.isNearly(manifold.gaps[k], depth)) {
                 deep.add(p);
@@ -370,10 +374,6 @@ final class Heap implements Serializable {
                 free.take(p, size, left, given(left), isFresh || scale > 0);
             }
         }
-    }
-
-    private int number(int body) {
-        return state.body(body).isFixed() ? -1 : by.place[body] - 1;
     }
 
     private void solve(double tau) {
@@ -442,7 +442,7 @@ final class Heap implements Serializable {
     private boolean regainNothing() {
         double time = regain.time();
         return isDriven ? driving.search().regainNothing(scale)
-                : isRubbed ? rubbing.regainNothing(heap, time, scale, halts) : free.regainNothing(scale, time);
+                : isRubbed ? (halts ? rubbing.hop(heap, scale) : rubbing.regainNothing(heap, time, scale)) : free.regainNothing(scale, time);
     }
 
     /** Whether something has happened to a body of a heap that stands still. */

@@ -154,6 +154,18 @@ final class HeapClosing implements Serializable {
         }
     }
 
+    /**
+     * Lets points that are too deep part almost as fast as they approach, where so much has happened in a step that it would not end: without that
+     * they would sink a little each time.
+     */
+    void hop(IntList deep) {
+        for (int k = 0; k < deep.size; k++) {
+            int p = deep.values[k];
+            double speed = -system.normal(p);
+            rebounds[p] = speed > 0 ? Math.max(rebounds[p], FreeHeap.HOP * speed) : rebounds[p];
+        }
+    }
+
     /** Speed that forces give to bodies which the integrator drives; infinite before it is known. */
     private double driven(IntList heap, double time) {
         double most = 0;

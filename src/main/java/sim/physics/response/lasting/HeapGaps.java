@@ -72,6 +72,11 @@ final class HeapGaps {
         return Math.max(depth, Math.min(MOST_SLACK * depth, SLACK * depth - gap));
     }
 
+    /** How deep a pair is to be found that may be deep, whose bodies' ways are known: what is open, and closes by another corner, strikes. */
+    static double watched(double gap, double depth) {
+        return gap > LET_BE * depth ? 0 : depth;
+    }
+
     /** Whether a point is as deep as it may be. */
     static boolean isNearly(double gap, double depth) {
         return gap < -NEARLY * depth;

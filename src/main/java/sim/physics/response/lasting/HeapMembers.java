@@ -24,6 +24,10 @@ final class HeapMembers implements Serializable {
     private final HeapPull pulls;
     private final IntList heap = new IntList();
     private final IntList pairs = new IntList();
+
+    /** Bodies that were found without being brought to an instant. */
+    private final IntList reached = new IntList();
+
     private boolean driven;
     private boolean rubbed;
     private boolean tied;
@@ -111,6 +115,41 @@ final class HeapMembers implements Serializable {
         }
     }
 
+    /** Since when the bodies of a body's heap are all on their present courses; it is found without being moved. */
+    double since(int seed) {
+        reached.clear();
+        reach(seed);
+        double last = 0;
+        for (int k = 0; k < reached.size; k++) {
+            int body = reached.values[k];
+            last = Math.max(last, trajectories.since(body));
+            for (int m = 0; m < detection.pairs().countOf(body); m++) {
+                int pair = detection.pairs().of(body, m);
+                if (lasting.has(pair)) {
+                    reach(detection.pairs().other(pair, body));
+                }
+            }
+        }
+        for (int k = 0; k < reached.size; k++) {
+            by.place[reached.values[k]] = 0;
+        }
+        return last;
+    }
+
+    private void reach(int body) {
+        by.ensure(body);
+        if (state.body(body).isFixed() || by.place[body] > 0) {
+            return;
+        }
+        IntList group = trajectories.isDriven(body) ? motion.companions(body) : null;
+        for (int k = 0; k < (group == null ? 1 : group.size); k++) {
+            int one = group == null ? body : group.values[k];
+            by.ensure(one);
+            by.place[one] = 1;
+            reached.add(one);
+        }
+    }
+
     /** Includes a body, and those that move with it. */
     private void include(int body) {
         boolean byOthers = motion.ground().isDrivenByOthers(body);
@@ -147,6 +186,11 @@ final class HeapMembers implements Serializable {
         heap.add(body);
         by.place[body] = heap.size;
         by.isDirty[body] = false;
+    }
+
+    /** The number of a body in the heap, −1 of a fixed one. */
+    int number(int body) {
+        return state.body(body).isFixed() ? -1 : by.place[body] - 1;
     }
 
     /** The pairs by which those that were found last lie on one another or on fixed bodies, each once; valid until the next call. */

@@ -159,6 +159,13 @@ final class HeapTurn implements Serializable {
         }
     }
 
+    /** Lets points have the least velocities that they have where they are now. */
+    void forget() {
+        for (int p = 0; p < system.contacts(); p++) {
+            system.bound(p, least[p]);
+        }
+    }
+
     /** What the impulses would do to some bodies if nothing tied them; their ties reply when they are driven. 3 per body. */
     double[] pushes(int bodies) {
         if (pushes.length < 3 * bodies) {

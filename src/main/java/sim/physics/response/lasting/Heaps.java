@@ -212,6 +212,16 @@ public final class Heaps implements Serializable {
     }
 
     /**
+     * Since when the bodies of a heap are all on their present courses.
+     *
+     * @param body index of one of them
+     * @return offset in the present step
+     */
+    public double since(int body) {
+        return heap.members.since(body);
+    }
+
+    /**
      * The velocity of a point that a body of a heap has got for the time that is left, which forces are to take from it again.
      *
      * @param body index

@@ -33,6 +33,9 @@ final class RubbedHeap implements Serializable {
     /** Change of a velocity, relative to the largest one, at which points are where they were taken to be. */
     private static final double SETTLED = 1e-8;
 
+    /** How many times faster than at the start and than at first bodies are where the turns lead nowhere. */
+    private static final double WILD = 10;
+
     /** Speed of a body that is none, relative to that which the plane takes from it in the time. */
     private static final double NONE = 1e-9;
 
@@ -92,6 +95,7 @@ final class RubbedHeap implements Serializable {
         }
         boolean right = true;
         double missed = 0;
+        double most = scale;
         turning.begin(heap, length, true, true);
         System.arraycopy(free, 0, system.v, 0, 3 * heap.size); // a first guess of how they move
         for (int turn = 0, turns = TURNS; turn < turns; turn++) {
@@ -102,6 +106,11 @@ final class RubbedHeap implements Serializable {
             }
             turns = ground.isNew() ? Math.max(turns, turn + 1 + MORE) : turns;
             right = push(heap, scale);
+            double fastest = scales.fastest(heap, system.v);
+            if (turn > 0 && !(fastest <= WILD * most)) {
+                return solveStraight(heap, scale);
+            }
+            most = Math.max(most, fastest);
             turning.turn(system.v, length, true);
             missed = missed(heap);
         }
@@ -110,6 +119,24 @@ final class RubbedHeap implements Serializable {
         }
         settle(heap);
         return right;
+    }
+
+    /**
+     * Solves along the normals of now, from no impulses: where points are wedged, a place that bodies do not get to may ask for more, and
+     * that for a place that is farther away.
+     */
+    private boolean solveStraight(IntList heap, double scale) {
+        straighten();
+        turning.forget();
+        boolean right = push(heap, scale);
+        settle(heap);
+        return right;
+    }
+
+    private void straighten() {
+        system.straighten();
+        system.startFromNothing();
+        system.restart();
     }
 
     /** Solves for the impulses of the contacts, beside what the plane gives; as far as turning changes what these do, with those of before. */
@@ -138,26 +165,50 @@ final class RubbedHeap implements Serializable {
         return most;
     }
 
-    /** Solves without regaining gaps: at once along the normals of now, or evenly. */
-    boolean regainNothing(IntList heap, double length, double scale, boolean atOnce) {
-        if (atOnce) {
-            system.straighten();
-        }
+    /** Solves without regaining gaps, evenly; along the normals of now where the turns lead nowhere. */
+    boolean regainNothing(IntList heap, double length, double scale) {
         boolean right = true;
+        boolean isStraight = false;
         double missed = Double.POSITIVE_INFINITY;
         for (int turn = 0; turn < TURNS && missed > SETTLED * scale; turn++) {
-            settle(heap);
-            system.unpush();
-            system.regainNothing();
-            right = system.solve(scale, true);
-            if (atOnce) {
+            right = solveAgain(heap, scale, false);
+            if (isStraight) {
                 break;
+            }
+            if (!(scales.fastest(heap, system.v) <= WILD * scale)) {
+                straighten();
+                isStraight = true;
+                continue;
             }
             turning.turn(system.v, length, false);
             missed = missed(heap);
         }
         settle(heap);
         return right;
+    }
+
+    /** The same at once, along the normals of now. Points that are too deep go on to part as they do, if that gives no energy. */
+    boolean hop(IntList heap, double scale) {
+        system.straighten();
+        boolean right = solveAgain(heap, scale, true);
+        if (!by.afford(heap, HeapEnergy.gained(system, alone), 0)) {
+            right = solveAgain(heap, scale, false);
+        }
+        settle(heap);
+        return right;
+    }
+
+    private boolean solveAgain(IntList heap, double scale, boolean hops) {
+        settle(heap);
+        system.unpush();
+        system.regainNothing();
+        for (int p = 0; p < system.contacts() && hops; p++) {
+            double speed = system.normal(p, before);
+            if (speed > 0 && notes.gap(p) < 0) {
+                system.bound(p, speed);
+            }
+        }
+        return system.solve(scale, true);
     }
 
     private void begin(IntList heap, double tau, double length) {
