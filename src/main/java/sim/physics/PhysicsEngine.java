@@ -281,13 +281,22 @@ public final class PhysicsEngine implements Steppable {
         }
     }
 
-    /**
-     * A step of time stepping, from an offset in it on; listeners are asked when it begins, after which it begins anew, and told when it
-     * is over.
-     */
+    /** A step of time stepping, from an offset in it on; in parts where it stands in for events, and bodies go far in it. */
     private void stepWithoutEvents(double from) {
         relief.count();
-        beginWithoutEvents(from);
+        double to = timeStep;
+        for (double at = from; at < timeStep; at = to) {
+            if (relief.isOn()) {
+                to = Relief.partEnd(state, motion.generators(), at, timeStep);
+                timeStepping.setSubsteps(to - at < timeStep - from ? Relief.substeps(to - at, timeStep) : Relief.SUBSTEPS);
+            }
+            partWithoutEvents(at, to);
+        }
+    }
+
+    /** A part of such a step, or all of it; listeners are asked when it begins, after which it begins anew, and told when it is over. */
+    private void partWithoutEvents(double from, double to) {
+        beginWithoutEvents(from, to);
         if (timeStepping.decisions().areOpen()) {
             asking = true;
             try {
@@ -295,13 +304,13 @@ public final class PhysicsEngine implements Steppable {
             } finally {
                 asking = false;
             }
-            beginWithoutEvents(from);
+            beginWithoutEvents(from, to);
         }
         stepping = true;
         state.setPresence(null, true);
         try {
-            timeStepping.solve(getTime() + from);
-            steps++;
+            timeStepping.solve(getTime() + from, to == timeStep);
+            steps += to == timeStep ? 1 : 0;
         } finally {
             state.setPresence(null, false);
             stepping = false;
@@ -314,7 +323,7 @@ public final class PhysicsEngine implements Steppable {
         }
     }
 
-    private void beginWithoutEvents(double from) {
+    private void beginWithoutEvents(double from, double to) {
         stepping = true;
         state.setPresence(null, true);
         try {
@@ -322,7 +331,7 @@ public final class PhysicsEngine implements Steppable {
             detection.begin(steps, timeStep);
             breakOverloaded();
             admission.admit(0);
-            timeStepping.begin(getTime() + from, timeStep - from);
+            timeStepping.begin(getTime() + from, to - from);
         } finally {
             state.setPresence(null, false);
             stepping = false;

@@ -155,10 +155,16 @@ public final class SteppedForces implements Serializable {
         state.setUnsettled(true);
     }
 
-    /** Ends it: the forces that were applied for it have acted. */
-    public void end() {
-        forces.clearApplied(pushed);
-        pushed.clear();
+    /**
+     * Ends it, or a part of it.
+     *
+     * @param isOver whether it is over: then the forces that were applied for it have acted
+     */
+    public void end(boolean isOver) {
+        if (isOver) {
+            forces.clearApplied(pushed);
+            pushed.clear();
+        }
         state.setUnsettled(false);
     }
 }
