@@ -52,6 +52,9 @@ final class SwitchedMotion implements Serializable {
 
     private double[] kept = {};
 
+    /** Whether forces were within their bounds at both ends of the last stride, but not in between. */
+    private boolean isBlurred;
+
     /** By first body of a group: the step in which it made brief parts last, and how many. */
     private double[] briefIn = {};
 
@@ -113,7 +116,7 @@ final class SwitchedMotion implements Serializable {
         double push = ties.push(group, path.stage);
         double most = push < STRONG * limit ? AMPLE * push : limit;
         for (int tries = 0; ; tries++) {
-            double length = strideUntilYield(motion, group, t, most, path);
+            double length = strideUntilClear(motion, group, t, most, path);
             if (ties.watch(group, false) <= -HALF) {
                 length = find(motion, group, t, 0, length, false, path);
             }
@@ -154,9 +157,26 @@ final class SwitchedMotion implements Serializable {
         }
     }
 
+    /**
+     * The same, but not so long that a force which has been out of its bounds in between, and is not at its end, has let a stop go that is
+     * passed: when that was would be searched for on motions on which the stop had never acted.
+     */
+    private double strideUntilClear(Motion motion, IntList group, double t, double limit, Path path) {
+        double length = strideUntilYield(motion, group, t, limit, path);
+        while (isBlurred && length > BRIEF * trajectories.h() && ties.watch(group, false) <= -HALF) {
+            tied.again(group);
+            ties.switches(group, decided, true);
+            ties.limit(group, false);
+            motion.acceleration(group, t, path.stage);
+            length = strideUntilYield(motion, group, t, HALF * length, path);
+        }
+        return length;
+    }
+
     /** A stride from where accelerations were just found, or to where a motor begins to yield or a stop lets go. */
     private double strideUntilYield(Motion motion, IntList group, double t, double limit, Path path) {
         double spare = ties.spare(group);
+        isBlurred = false;
         decided = ties.switches(group, decided, false);
         ties.limit(group, true);
         double length = tied.stride(motion, group, t, limit, path);
@@ -180,6 +200,7 @@ final class SwitchedMotion implements Serializable {
             time = findYield(motion, group, t, length, spare, last, path);
         } else {
             ties.switches(group, kept, true); // it has yielded for a while only, or from the start on
+            isBlurred = spare > 0;
         }
         ties.limit(group, true);
         return time;
