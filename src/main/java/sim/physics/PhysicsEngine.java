@@ -141,8 +141,10 @@ public final class PhysicsEngine implements Steppable {
     /** Whether listeners are asked what to do about collisions in the step of time stepping that begins. */
     private transient boolean asking;
 
-    /** Whether listeners are told of what happened when a step is over. */
+    /** Whether listeners are told of what happened when a step is over; and whether it was a part of one, which goes on. */
     private transient boolean telling;
+
+    private transient boolean goesOn;
 
     /** Whether there have been listeners, force generators or rules of authors, which may ask or write within a step. */
     private boolean asksAuthors;
@@ -281,13 +283,23 @@ public final class PhysicsEngine implements Steppable {
         }
     }
 
-    /**
-     * A step of time stepping, from an offset in it on; listeners are asked when it begins, after which it begins anew, and told when it
-     * is over.
-     */
+    /** A step of time stepping, from an offset in it on; in parts where it stands in for events, and bodies go far in it. */
     private void stepWithoutEvents(double from) {
         relief.count();
-        beginWithoutEvents(from);
+        double to;
+        for (double at = from; at < timeStep; at = to) {
+            to = timeStep;
+            if (relief.isOn()) {
+                to = Relief.partEnd(state, motion.generators(), at, timeStep);
+                timeStepping.setSubsteps(to - at < timeStep - from ? Relief.substeps(to - at, timeStep) : Relief.SUBSTEPS);
+            }
+            partWithoutEvents(at, to);
+        }
+    }
+
+    /** A part of such a step, or all of it; listeners are asked when it begins, after which it begins anew, and told when it is over. */
+    private void partWithoutEvents(double from, double to) {
+        beginWithoutEvents(from, to);
         if (timeStepping.decisions().areOpen()) {
             asking = true;
             try {
@@ -295,26 +307,28 @@ public final class PhysicsEngine implements Steppable {
             } finally {
                 asking = false;
             }
-            beginWithoutEvents(from);
+            beginWithoutEvents(from, to);
         }
         stepping = true;
         state.setPresence(null, true);
         try {
-            timeStepping.solve(getTime() + from);
-            steps++;
+            timeStepping.solve(getTime() + from, to == timeStep);
+            steps += to == timeStep ? 1 : 0;
         } finally {
             state.setPresence(null, false);
             stepping = false;
         }
         telling = true;
+        goesOn = to < timeStep;
         try {
             timeStepping.decisions().tell();
         } finally {
             telling = false;
+            goesOn = false;
         }
     }
 
-    private void beginWithoutEvents(double from) {
+    private void beginWithoutEvents(double from, double to) {
         stepping = true;
         state.setPresence(null, true);
         try {
@@ -322,7 +336,7 @@ public final class PhysicsEngine implements Steppable {
             detection.begin(steps, timeStep);
             breakOverloaded();
             admission.admit(0);
-            timeStepping.begin(getTime() + from, timeStep - from);
+            timeStepping.begin(getTime() + from, to - from);
         } finally {
             state.setPresence(null, false);
             stepping = false;
@@ -1198,7 +1212,7 @@ public final class PhysicsEngine implements Steppable {
      */
     public void setTimeStep(double timeStep) {
         Check.notNegative("time step", timeStep);
-        requireBetweenSteps("the time step was set");
+        requireStepOver("the time step was set");
         epoch = getTime();
         epochStep = steps;
         this.timeStep = timeStep;
@@ -1237,7 +1251,7 @@ public final class PhysicsEngine implements Steppable {
         if (substeps < 0) {
             throw new IllegalArgumentException("substeps are " + substeps + ": there must be 0, for events, or more");
         }
-        requireBetweenSteps("time stepping was set");
+        requireStepOver("time stepping was set");
         if (substeps > 0 && audit != null) {
             throw new IllegalStateException("time stepping was set while the engine is audited: call setAudited(false) before");
         }
@@ -1373,6 +1387,14 @@ public final class PhysicsEngine implements Steppable {
     public boolean isAsleep(Body body) {
         requireMine(body);
         return isStepped && timeStepping.sleep().isAsleep(body.index());
+    }
+
+    /** The same for what makes steps others: listeners may not set it where they are told of a part of a step. */
+    private void requireStepOver(String what) {
+        requireBetweenSteps(what);
+        if (goesOn) {
+            throw new IllegalStateException(what + " within a step");
+        }
     }
 
     private void requireBetweenSteps(String what) {
@@ -1587,7 +1609,7 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException within a step
      */
     public void setAudited(boolean audited) {
-        requireBetweenSteps("the audit was set");
+        requireStepOver("the audit was set");
         if (audited && relief.isOn()) {
             resume();
         }

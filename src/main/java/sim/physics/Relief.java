@@ -3,10 +3,13 @@
 package sim.physics;
 
 import java.io.Serializable;
+import java.util.List;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Work;
+import sim.physics.motion.ForceGenerator;
+import sim.physics.motion.Gravity;
 import sim.physics.motion.Reach;
 import sim.physics.motion.State;
 
@@ -25,6 +28,14 @@ final class Relief implements Serializable {
     static final long USUAL = 10_000_000;
 
     private static final long USUAL_PER_BODY = 200;
+
+    /** Parts of a step at most that begin with a look at where bodies are, and the fewest substeps of one. */
+    private static final int MOST_PARTS = 32;
+
+    private static final int LEAST_SUBSTEPS = 8;
+
+    /** Way in a part, relative to the size of a body, and turn, rad: what bodies touch, and where, is found at its beginning. */
+    private static final double WAY = 0.25;
 
     private static final int LEAST = 8;
     private static final int MOST = 256;
@@ -72,6 +83,42 @@ final class Relief implements Serializable {
     /** A step, or the rest of one, is made by time stepping. */
     void count() {
         relieved += isOn ? 1 : 0;
+    }
+
+    /**
+     * Until when the next part of a step goes: a long step in which bodies go far, or turn far, is made in parts.
+     *
+     * @param from offset of its beginning
+     * @param step length of a whole step
+     */
+    static double partEnd(State state, List<ForceGenerator> forces, double from, double step) {
+        double pull = 0;
+        for (ForceGenerator one : forces) {
+            pull += one instanceof Gravity field ? Math.abs(field.getX()) + Math.abs(field.getY()) : 0;
+        }
+        double part = step - from;
+        for (int k = 0; k < state.size(); k++) {
+            if (state.body(k) != null && !state.body(k).isFixed()) {
+                part = Math.min(part, mostTime(state, k, pull));
+            }
+        }
+        double end = from + Math.max(part, step / MOST_PARTS);
+        return end < step - 0.5 * step / MOST_PARTS ? end : step;
+    }
+
+    /** The time in which a body goes as far as it may in a part. */
+    private static double mostTime(State state, int body, double pull) {
+        double[] v = state.v();
+        int b = State.BLOCK * body;
+        double way = WAY * state.body(body).getShape().boundingRadius();
+        double speed = Math.abs(v[b]) + Math.abs(v[b + 1]);
+        double time = 2 * way / (speed + Math.sqrt(speed * speed + 2 * pull * way));
+        return Math.min(time, WAY / Math.abs(v[b + State.THETA]));
+    }
+
+    /** Substeps of a part: as many as a whole step has in its time, or more. */
+    static int substeps(double part, double step) {
+        return Math.max(LEAST_SUBSTEPS, (int) Math.ceil(SUBSTEPS * part / step));
     }
 
     boolean isOver(long step) {

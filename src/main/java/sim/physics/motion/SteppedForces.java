@@ -154,10 +154,16 @@ public final class SteppedForces implements Serializable {
         state.setUnsettled(true);
     }
 
-    /** Ends it: the forces that were applied for it have acted. */
-    public void end() {
-        pushed.clear();
-        pushed.forget();
+    /**
+     * Ends it, or a part of it.
+     *
+     * @param isOver whether it is over: then the forces that were applied for it have acted
+     */
+    public void end(boolean isOver) {
+        if (isOver) {
+            pushed.clear();
+            pushed.forget();
+        }
         state.setUnsettled(false);
     }
 }

@@ -31,10 +31,15 @@ final class SwitchedMotion implements Serializable {
     /** Changes of what acts at the start of a path; with more the forces are at their bounds by rounding only. */
     private static final int MOST_CHANGES = 100;
 
-    /** Parts of a step that are too short to matter, of which a group may make so many; from then on they grow. */
+    /**
+     * Part of a step that is too short to matter, and what counts as short, of which a group may make so many in a step; from then on the
+     * least part is twice as long after so many more. So a step ends, however fast motors and stops switch one another.
+     */
     private static final double TINY = 0x1p-20;
 
-    private static final int MOST_TINY = 200;
+    private static final double BRIEF = 0x1p-12;
+    private static final int MOST_BRIEF = 200;
+    private static final double DOUBLED_AFTER = 16;
 
     private final Trajectories trajectories;
     private final State state;
@@ -47,10 +52,13 @@ final class SwitchedMotion implements Serializable {
 
     private double[] kept = {};
 
-    /** By first body of a group: the step in which it made tiny parts last, and how many. */
-    private double[] tinyIn = {};
+    /** Whether forces were within their bounds at both ends of the last stride, but not in between. */
+    private boolean isBlurred;
 
-    private int[] tiny = {};
+    /** By first body of a group: the step in which it made brief parts last, and how many. */
+    private double[] briefIn = {};
+
+    private int[] brief = {};
 
     SwitchedMotion(State state, Trajectories trajectories, Ties ties, TiedMotion tied) {
         this.state = state;
@@ -77,20 +85,24 @@ final class SwitchedMotion implements Serializable {
 
     /**
      * How long a stride must be that was to be of some length. Where motors and stops contradict one another, each switches
-     * the other at once, and so on for ever.
+     * the other at once or nearly so, and so on for ever.
      */
     private double leastLength(int first, double length) {
-        double shortest = TINY * trajectories.h();
-        if (length >= shortest) {
+        if (first >= brief.length) {
+            brief = Arrays.copyOf(brief, state.size());
+            briefIn = Arrays.copyOf(briefIn, state.size());
+        }
+        int count = briefIn[first] == trajectories.step() ? brief[first] : 0;
+        if (length >= Math.max(BRIEF * trajectories.h(), leastLength(count))) {
             return 0;
         }
-        if (first >= tiny.length) {
-            tiny = Arrays.copyOf(tiny, state.size());
-            tinyIn = Arrays.copyOf(tinyIn, state.size());
-        }
-        tiny[first] = tinyIn[first] == trajectories.step() ? tiny[first] + 1 : 1;
-        tinyIn[first] = trajectories.step();
-        return Math.max(0, tiny[first] - MOST_TINY) * shortest;
+        brief[first] = count + 1;
+        briefIn[first] = trajectories.step();
+        return leastLength(count + 1);
+    }
+
+    private double leastLength(int count) {
+        return count <= MOST_BRIEF ? 0 : TINY * trajectories.h() * StrictMath.pow(2, (count - MOST_BRIEF) / DOUBLED_AFTER);
     }
 
     private double advanceUntilSwitch(Motion motion, IntList group, double t, double tau, double limit, Path path) {
@@ -104,7 +116,7 @@ final class SwitchedMotion implements Serializable {
         double push = ties.push(group, path.stage);
         double most = push < STRONG * limit ? AMPLE * push : limit;
         for (int tries = 0; ; tries++) {
-            double length = strideUntilYield(motion, group, t, most, path);
+            double length = strideUntilClear(motion, group, t, most, path);
             if (ties.watch(group, false) <= -HALF) {
                 length = find(motion, group, t, 0, length, false, path);
             }
@@ -145,9 +157,26 @@ final class SwitchedMotion implements Serializable {
         }
     }
 
+    /**
+     * The same, but not so long that a force which has been out of its bounds in between, and is not at its end, has let a stop go that is
+     * passed: when that was would be searched for on motions on which the stop had never acted.
+     */
+    private double strideUntilClear(Motion motion, IntList group, double t, double limit, Path path) {
+        double length = strideUntilYield(motion, group, t, limit, path);
+        while (isBlurred && length > BRIEF * trajectories.h() && ties.watch(group, false) <= -HALF) {
+            tied.again(group);
+            ties.switches(group, decided, true);
+            ties.limit(group, false);
+            motion.acceleration(group, t, path.stage);
+            length = strideUntilYield(motion, group, t, HALF * length, path);
+        }
+        return length;
+    }
+
     /** A stride from where accelerations were just found, or to where a motor begins to yield or a stop lets go. */
     private double strideUntilYield(Motion motion, IntList group, double t, double limit, Path path) {
         double spare = ties.spare(group);
+        isBlurred = false;
         decided = ties.switches(group, decided, false);
         ties.limit(group, true);
         double length = tied.stride(motion, group, t, limit, path);
@@ -171,6 +200,7 @@ final class SwitchedMotion implements Serializable {
             time = findYield(motion, group, t, length, spare, last, path);
         } else {
             ties.switches(group, kept, true); // it has yielded for a while only, or from the start on
+            isBlurred = spare > 0;
         }
         ties.limit(group, true);
         return time;

@@ -327,11 +327,12 @@ public final class TimeStepping implements Serializable {
     }
 
     /**
-     * Goes through the step.
+     * Goes through the step, or a part of it.
      *
      * @param time simulated time of its start
+     * @param isLast whether no other part of the step comes after it
      */
-    public void solve(double time) {
+    public void solve(double time, boolean isLast) {
         double d = h / substeps;
         contacts.begin();
         boolean isTied = constraints != null;
@@ -363,7 +364,7 @@ public final class TimeStepping implements Serializable {
         sleep.watch(h, a);
         keptOf = d;
         isCold = false;
-        forces.end();
+        forces.end(isLast);
     }
 
     private void substep(double end, double d, boolean isTied, boolean isRubbed, boolean isBalanced) {

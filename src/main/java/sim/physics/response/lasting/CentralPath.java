@@ -22,6 +22,9 @@ final class CentralPath {
     /** Eliminations at most; those that may be in vain near the end, and steps that may be blocked. */
     private static final int STEPS = 40;
 
+    /** Times that points are passed in the time of one. */
+    private static final int STEP = 25;
+
     private static final int VAIN = 1;
     private static final int BLOCKED = 4;
 
@@ -99,6 +102,7 @@ final class CentralPath {
         int vain = 0;
         int blocked = 0;
         for (int k = 0; k < STEPS && vain <= VAIN && blocked <= BLOCKED; k++) {
+            s.pass(STEP);
             judge(s);
             double error = Math.sqrt(mean) + lack;
             if (error < least) {

@@ -121,6 +121,18 @@ final class DrivenHeap implements Serializable {
         }
     }
 
+    /**
+     * The greatest speed that a motor alone gives to a body in a time: where no field pulls, nothing else says what speeds and forces are beside.
+     * One that is as strong as can be reaches its own speed in a step.
+     */
+    double reach(IntList heap, double time) {
+        double most = 0;
+        for (int p = system.contacts(); p < system.size(); p++) {
+            most = Math.max(most, switches.reach(p, heap, scales, time / trajectories.h()));
+        }
+        return most;
+    }
+
     /** Speeds at which motors and stops, in their order behind the contacts, are left by what strikes them now. */
     double[] rebounds() {
         return switches.rebounds();

@@ -227,11 +227,12 @@ final class Heap implements Serializable {
             gather(tau);
             driving.gather(heap, members.ties(), regain, scale); // which stops are within reach is another question now
         }
+        effort.setReach(isDriven ? driving.reach(heap, until - tau) : 0);
         if (isDriven) {
             if (!regains) {
                 system.regainNothing();
             }
-            scale = driving.search().drive(heap, until - tau, scale, regains);
+            scale = driving.search().drive(heap, until - tau, Math.max(scale, effort.reach()), regains);
             closing.learn(heap, until - tau);
         }
     }
@@ -463,7 +464,7 @@ final class Heap implements Serializable {
             driving.publish(heap, until - tau, members.isDriven());
         }
         boolean stands = isRubbed && !halts && rubbing.isStill(heap);
-        stands |= isDriven && isFresh && system.contacts() > 0 && driving.rest(heap, until - tau, RESTING * pull * (until - tau));
+        stands |= isDriven && isFresh && system.contacts() > 0 && driving.rest(heap, until - tau, RESTING * Math.max(pull * (until - tau), effort.reach()));
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             by.place[body] = 0;

@@ -32,8 +32,20 @@ final class HeapEffort implements Serializable {
     private double work;
     private boolean isOver;
 
+    /** Speed that a motor gives to a body in the time. */
+    private double reach;
+
     HeapEffort(BodyScale scales) {
         this.scales = scales;
+    }
+
+    /** Sets the speed that a motor gives to a body in the time: with it, too, contacts lift what they keep apart. */
+    void setReach(double speed) {
+        reach = speed;
+    }
+
+    double reach() {
+        return reach;
     }
 
     /**
@@ -52,7 +64,7 @@ final class HeapEffort implements Serializable {
         }
         double most = 0.5 * MOST * HeapEnergy.of(s, before) * time / step;
         for (int k = 0; k < heap.size; k++) {
-            double pull = Math.max(pulls.seen(heap.values[k]), gained(s.free(), before, 3 * k) / time);
+            double pull = Math.max(pulls.seen(heap.values[k]), Math.max(reach, gained(s.free(), before, 3 * k)) / time);
             most += s.w[2 * k] == 0 ? 0 : LIFT * scales.radius(heap.values[k]) * pull / s.w[2 * k];
         }
         shorter = time * Math.max(LEAST, Math.min(GREATEST, most / work));

@@ -37,6 +37,7 @@ final class HeapFace implements Serializable {
         int k = 0;
         while (k < most && square > 0) {
             k++;
+            s.pass(2);
             double curvature = turn(s);
             if (!(curvature > 0)) {
                 break;

@@ -25,6 +25,9 @@ final class HeapNewton {
 
     private static final int VAIN = 2;
 
+    /** Times that points are passed in the time of a step. */
+    private static final int STEP = 12;
+
     private final HeapPiece piece;
 
     /** By point: what its normal and its tangent lack, and the best impulses so far; 2 each. */
@@ -100,6 +103,7 @@ final class HeapNewton {
 
     /** Solves the equations of the piece; false if they cannot be solved. */
     private boolean step(HeapSystem s, double exact) {
+        s.pass(STEP);
         for (int p = 0; p < s.size(); p++) {
             double jn = piece.isClosed[p] ? s.normalImpulse(p) : 0;
             s.start(p, jn, piece.isStuck(s, p) ? s.tangentImpulse(p) : piece.rub(s, p) * jn);

@@ -19,6 +19,9 @@ final class HeapPath {
     private static final int LINES = 40;
     private static final int WORK = 100_000;
 
+    /** Times that points are passed in the time of a line. */
+    private static final int LINE = 6;
+
     /** Way back beyond the start at which another start is better. */
     private static final double LOST = -10;
 
@@ -86,6 +89,7 @@ final class HeapPath {
         double ahead = 1;
         event = NOTHING;
         for (int k = Math.min(LINES + LINES_EACH * s.size(), WORK / Math.max(1, s.size())); k > 0 && way > LOST; k--) {
+            s.pass(LINE);
             if (!line(s)) {
                 return false;
             }

@@ -37,6 +37,7 @@ final class HeapRelaxation implements Serializable {
         double change = Double.POSITIVE_INFINITY;
         for (int k = 0; k < times && change > enough; k++) {
             change = 0;
+            s.pass(1);
             for (int p = 0; p < s.size(); p++) {
                 change = Math.max(change, relax(s, p));
             }

@@ -139,6 +139,22 @@ final class HeapSwitches implements Serializable {
         system.bound(system.size() - 1, bound);
     }
 
+    /**
+     * The greatest speed that a point gives to a body of the heap if it is a motor, by all that it has, but at most a part of what its own
+     * speed lacks; 0 if it is none.
+     */
+    double reach(int p, IntList heap, BodyScale scales, double part) {
+        double limit = greatest[p - system.contacts()];
+        double mobility = system.normalMobility(p);
+        if (!(limit < Double.POSITIVE_INFINITY && mobility < Double.POSITIVE_INFINITY)) {
+            return 0;
+        }
+        double[] v = system.scratch();
+        Arrays.fill(v, 0, 3 * heap.size, 0);
+        system.push(p, Math.min(limit, part * Math.abs(system.bound(p) - system.normal(p)) / mobility), 0, v);
+        return scales.fastest(heap, v);
+    }
+
     /** Whether none of an island's motors and stops decides by itself. */
     boolean areHere(SwitchedTies switched) {
         return switched.size() == 0 || isReadable(switched);

@@ -56,8 +56,13 @@ final class HeapSystem extends HeapPoints {
     private final ContactRows middle = new ContactRows();
     private boolean isTurned;
 
-    /** What solutions have cost, in units of {@link sim.physics.internal.Work}. */
+    /** Points that are looked at or pushed in the time of a unit of work. */
+    private static final int AT_ONCE = 4;
+
+    /** What solutions have cost, in units of {@link sim.physics.internal.Work}, and points that were passed in sweeps beside. */
     private long cost;
+
+    private long passed;
 
     HeapSystem() {}
 
@@ -431,10 +436,16 @@ final class HeapSystem extends HeapPoints {
         cost += tied ? rows * (count / 4 + rows / 32 + rows * rows / 2048) : 16 * rows;
     }
 
+    /** Counts that all points were passed, some times. */
+    void pass(int times) {
+        passed += (long) times * points;
+    }
+
     /** What solutions have cost since this was asked last, in units of {@link sim.physics.internal.Work}. */
     long takeCost() {
-        long taken = cost;
+        long taken = cost + passed / AT_ONCE;
         cost = 0;
+        passed %= AT_ONCE;
         return taken;
     }
 
