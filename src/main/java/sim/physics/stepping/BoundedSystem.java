@@ -96,10 +96,16 @@ final class BoundedSystem implements Serializable {
         for (int turn = 0; goesOn && turn < STEPS; turn++) {
             int count = listFree();
             if (!factor(count)) {
+                restart();
                 return;
             }
             head(count);
+            boolean wasBold = isBold;
             isBold &= turn < BOLD && leap(count);
+            if (wasBold && !isBold && restart()) {
+                goesOn = holdAll();
+                continue;
+            }
             double part = isBold ? 1 : walk(count);
             hasGained |= part > 0;
             if (part >= 1) {
@@ -107,6 +113,25 @@ final class BoundedSystem implements Serializable {
                 hasGained = isBold;
             }
         }
+    }
+
+    /** Begins anew in the middle of the bounds, or where there is but one, if that is less; whether it is. */
+    private boolean restart() {
+        double here = 0;
+        for (int k = 0; k < size; k++) {
+            here += 0.5 * x[k] * (slope[k] + constant[k]);
+            moved[k] = high[k] < Double.POSITIVE_INFINITY ? 0.5 * (low[k] + high[k]) : low[k];
+        }
+        multiply(moved, turned);
+        double there = 0;
+        for (int k = 0; k < size; k++) {
+            there += moved[k] * (0.5 * turned[k] + constant[k]);
+        }
+        if (there < here) {
+            System.arraycopy(moved, 0, x, 0, size);
+            begin();
+        }
+        return there < here;
     }
 
     private void begin() {

@@ -130,6 +130,11 @@ final class ContactSolver implements Serializable {
         }
     }
 
+    /** Whether a pair is solved with all that it hangs together with. */
+    boolean isOfSet(int k) {
+        return unlike.any() && unlike.has(k);
+    }
+
     /** Solves the points of a pair: friction, and then what matters more, but what strikes or has one point only for both at once. */
     private void solve(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
         if (!regains && (rows.isStruck(k) || rows.pointCount(k) == 1)) {

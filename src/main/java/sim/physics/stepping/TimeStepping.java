@@ -341,7 +341,7 @@ public final class TimeStepping implements Serializable {
             surface.begin(poses.awake);
         }
         boolean bounces = rows.bounces > 0 || rows.fast > 0 || isTied && ties.stops().mayStrike(h);
-        boolean isBalanced = bounces || isTied;
+        boolean isBalanced = bounces || isTied || rows.unlike > 0;
         retake.begin(rows, isCold || areOthers, isBalanced || rows.driven > 0);
         if (bounces) {
             retake.bound(a, h);
@@ -353,7 +353,7 @@ public final class TimeStepping implements Serializable {
         if (bounces) {
             retake.bounce(isTied, h);
         }
-        near.keep(rows);
+        near.keep(rows, contacts);
         sleep.watch(h, a);
         keptOf = d;
         isCold = false;

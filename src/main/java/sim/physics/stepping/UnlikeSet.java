@@ -44,9 +44,6 @@ final class UnlikeSet implements Serializable {
     /** Speed at which depth is regained, in units of what forces give in a substep: what lifts a heavy body is to be little of what it presses with. */
     private static final double LIFTS = 0.25;
 
-    /** Depth, relative to a tenth of the smaller body, from which on it may be faster. */
-    private static final double DEEP = 0.1;
-
     /** Values of an unknown: direction, and levers of the two bodies. */
     private static final int WAY = 4;
 
@@ -186,9 +183,8 @@ final class UnlikeSet implements Serializable {
             double gap = points[p + NOW];
             double bend = regains ? 0.5 * h * points[p + BEND] : 0;
             boolean isDeep = regains && gap < 0 && gap + h * bend < 0;
-            double deep = gap / (DEEP * regain * step);
             double lift = LIFTS * h * rows.normals[PAIR * k + WEIGHT];
-            double aim = isDeep ? Math.max(rate * gap, -Math.min(regain, lift * (1 + deep * deep))) : regains || gap >= 0 ? gap / h : 0;
+            double aim = isDeep ? Math.max(rate * gap, -Math.min(regain, lift)) : regains || gap >= 0 ? gap / h : 0;
             yields[u] = isDeep ? Math.min(rate * YIELDS * regain * step, 0.5 * lift) / weight : 0;
             point(u, k, nx, ny, points[p + AX], points[p + AY], points[p + BX], points[p + BY]);
             system.constant[u] += bend + aim + yields[u] * points[p + NORMAL];
