@@ -445,7 +445,7 @@ public final class CollisionResponse implements Serializable {
         boolean isSet = decision != null && (listeners.takeOver(a) | listeners.takeOver(b));
         boolean meet = decision != null && !isSet;
         for (int point = manifold.count - 1; point >= 0; point--) {
-            load(a, b, point);
+            instant.load(a, b, point);
             meet |= isSet && impact.normalVelocity() < 0;
         }
         approach = -impact.normalVelocity();

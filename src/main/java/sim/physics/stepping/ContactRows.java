@@ -83,7 +83,7 @@ final class ContactRows implements Serializable {
     /** Per pair: its number, its bodies, its first point and the one after its last. */
     int[] pairs = {};
 
-    static final int INTS = 9;
+    static final int INTS = 10;
 
     /** Whether the pair has bounced in this step. */
     static final int BOUNCED = 5;
@@ -98,6 +98,9 @@ final class ContactRows implements Serializable {
 
     /** Whether the pair closes a gap faster than forces do. */
     static final int FAST = 8;
+
+    /** Whether forces press a heavy body on a light one. */
+    static final int UNLIKE = 9;
 
     double[] normals = {};
     double[] points = {};
@@ -120,6 +123,9 @@ final class ContactRows implements Serializable {
     /** Number of pairs that moving surfaces drive. */
     int driven;
 
+    /** Number of pairs of a heavy body that forces press on a light one. */
+    int unlike;
+
     /** Where the bodies were at the start of the step. */
     double[] from = {};
 
@@ -135,6 +141,7 @@ final class ContactRows implements Serializable {
         used = 0;
         bounces = 0;
         driven = 0;
+        unlike = 0;
         fast = 0;
         double[] x = state.x();
         if (from.length < x.length) {
@@ -202,6 +209,8 @@ final class ContactRows implements Serializable {
         pairs[o + 4] = used;
         pairs[o + FAST] = closes(count - 1, h) ? 1 : 0;
         fast += pairs[o + FAST];
+        pairs[o + UNLIKE] = UnlikeRows.presses(state.w().values(), State.BLOCK * a, State.BLOCK * b, touch, forces) ? 1 : 0;
+        unlike += pairs[o + UNLIKE];
         turns.add(count - 1, touch, h, restitution > ContactTurns.ELASTIC || restitution > 0 && isStruck(count - 1));
     }
 
@@ -306,6 +315,7 @@ final class ContactRows implements Serializable {
         bounces -= normals[PAIR * count + BOUNCE] > 0 ? 1 : 0;
         driven -= isDriven(count) ? 1 : 0;
         fast -= pairs[INTS * count + FAST];
+        unlike -= pairs[INTS * count + UNLIKE];
     }
 
     /** Whether a pair will touch within a step if nothing else happens. */

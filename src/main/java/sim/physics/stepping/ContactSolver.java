@@ -30,7 +30,7 @@ import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 
 /**
- * Solves the contacts of a step: per point an impulse along the normal that keeps what is left of the gap from being passed within a
+ * Solves the contacts of a step, but for those of {@link UnlikeRows}: per point an impulse along the normal that keeps what is left of the gap from being passed within a
  * substep, or regains what is missing of it, and one along the tangent within the cone of friction.
  */
 final class ContactSolver implements Serializable {
@@ -43,6 +43,7 @@ final class ContactSolver implements Serializable {
     private final ContactRows rows;
     private final StruckPoints struck;
     private final ContactArms arms;
+    private final UnlikeRows unlike;
 
     /** Those of the rows, which grow when a step begins. */
     private transient int[] pairs;
@@ -58,10 +59,17 @@ final class ContactSolver implements Serializable {
         this.rows = rows;
         struck = new StruckPoints(state, rows);
         arms = new ContactArms(state, rows);
+        unlike = new UnlikeRows(state, rows);
     }
 
-    /** Begins a step: all of its rows are there. */
-    void begin() {
+    /**
+     * Begins a step: all of its rows are there.
+     *
+     * @param step its length
+     * @param h that of its substeps
+     */
+    void begin(double step, double h) {
+        unlike.begin(step, h);
         pairs = rows.pairs;
         normals = rows.normals;
         points = rows.points;
@@ -97,6 +105,7 @@ final class ContactSolver implements Serializable {
                 }
             }
         }
+        unlike.find();
     }
 
     /** Lets only a part of what a point was given act by halves. */
@@ -110,9 +119,20 @@ final class ContactSolver implements Serializable {
     void solve(Softness softness, boolean regains, double h) {
         double[] v = state.v();
         double[] w = state.w().values();
+        boolean areSome = unlike.any();
         for (int k = 0; k < rows.count; k++) {
-            solve(v, w, k, softness, regains, h);
+            if (!areSome || !unlike.has(k)) {
+                solve(v, w, k, softness, regains, h);
+            }
         }
+        if (areSome) {
+            unlike.solve(softness.rate(), regains);
+        }
+    }
+
+    /** Whether a pair is solved with all that it hangs together with. */
+    boolean isOfSet(int k) {
+        return unlike.any() && unlike.has(k);
     }
 
     /** Solves the points of a pair: friction, and then what matters more, but what strikes or has one point only for both at once. */

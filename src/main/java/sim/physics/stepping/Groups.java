@@ -98,7 +98,7 @@ final class Groups implements Serializable {
             watch(tied.values[k]);
         }
         for (int k = 0; k < rows.count; k++) {
-            if (rows.mayBounce(k) || rows.isFast(k)) {
+            if (rows.mayBounce(k) || rows.isFast(k) || rows.pairs[ContactRows.INTS * k + ContactRows.UNLIKE] != 0) {
                 watch(rows.first(k));
                 watch(rows.second(k));
             }
@@ -170,7 +170,8 @@ final class Groups implements Serializable {
     }
 
     private static int code(ContactRows rows, int k) {
-        return rows.first(k) << 3 | (rows.mayBounce(k) ? 1 : 0) | (rows.isDriven(k) ? 2 : 0) | (rows.isFast(k) ? 4 : 0);
+        int unlike = rows.pairs[ContactRows.INTS * k + ContactRows.UNLIKE];
+        return rows.first(k) << 4 | (rows.mayBounce(k) ? 1 : 0) | (rows.isDriven(k) ? 2 : 0) | (rows.isFast(k) ? 4 : 0) | 8 * unlike;
     }
 
     /** Puts the bodies in the order of their groups. */

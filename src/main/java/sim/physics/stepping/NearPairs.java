@@ -27,6 +27,9 @@ final class NearPairs implements Pairs.Listener, Serializable {
     /** They pressed on one another in the last step. */
     static final int TOUCHED = 16;
 
+    /** They were solved with all that they hang together with. */
+    static final int OF_SET = 32;
+
     /** Values kept of each of two points: impulses along normal and tangent, and the one along the normal before that. */
     static final int POINT = 3;
 
@@ -228,5 +231,57 @@ final class NearPairs implements Pairs.Listener, Serializable {
 
     boolean is(int pair, int flag) {
         return (flags[pair] & flag) != 0;
+    }
+
+    /** Keeps the impulses of the points of rows for the step to come. */
+    void keep(ContactRows rows, ContactSolver contacts) {
+        for (int k = 0; k < rows.count; k++) {
+            int pair = rows.pair(k);
+            int n = rows.pointCount(k);
+            flags[pair] = contacts.isOfSet(k) ? flags[pair] | OF_SET : flags[pair] & ~OF_SET;
+            for (int m = 0; m < 2; m++) {
+                int o = KEPT * pair + POINT * m;
+                features[2 * pair + m] = m < n ? rows.feature(k, m) : 0;
+                kept[o] = m < n ? rows.of(k, m, ContactRows.NORMAL) : 0;
+                kept[o + 1] = m < n ? rows.of(k, m, ContactRows.TANGENT) : 0;
+                kept[o + 2] = m < n ? rows.of(k, m, ContactRows.LAST) : 0;
+            }
+        }
+    }
+
+    /**
+     * Lets the points of the row that was added last begin with the impulses of the step before. If one of two of a set is another one than then, it begins
+     * with what the one had that is there no more: where corners of two bodies lie on one another, chance decides whose it is.
+     *
+     * @param growth what impulses are multiplied by
+     */
+    void remember(int pair, Touch touch, ContactRows rows, double growth) {
+        int first = place(pair, touch.feature[0]);
+        int second = touch.count > 1 ? place(pair, touch.feature[1]) : -1;
+        if (touch.count > 1 && (first < 0) != (second < 0) && is(pair, OF_SET)) {
+            int left = 1 - Math.max(first, second);
+            left = kept[KEPT * pair + POINT * left] > 0 ? left : -1;
+            first = first < 0 ? left : first;
+            second = second < 0 ? left : second;
+        }
+        remember(pair, rows, 0, first, growth);
+        remember(pair, rows, 1, second, growth);
+    }
+
+    private void remember(int pair, ContactRows rows, int point, int place, double growth) {
+        if (place >= 0) {
+            int o = KEPT * pair + POINT * place;
+            rows.remember(rows.count - 1, point, growth * kept[o], growth * kept[o + 1], growth * kept[o + 2]);
+        }
+    }
+
+    /** Where the impulses of a feature are kept, −1 if it had none. */
+    private int place(int pair, int feature) {
+        for (int m = 1; m >= 0; m--) {
+            if (features[2 * pair + m] == feature && kept[KEPT * pair + POINT * m] > 0) {
+                return m;
+            }
+        }
+        return -1;
     }
 }

@@ -307,14 +307,8 @@ public final class TimeStepping implements Serializable {
         for (int k = 0; k < touch.count; k++) {
             deepest = Math.min(deepest, touch.gap[k]);
             deepestTied = areTied ? Math.max(deepestTied, -touch.gap[k] / size) : deepestTied;
-            int id = touch.feature[k];
-            for (int m = 0; m < 2; m++) {
-                if (near.features[2 * pair + m] == id && near.kept[NearPairs.KEPT * pair + NearPairs.POINT * m] > 0) {
-                    int o = NearPairs.KEPT * pair + NearPairs.POINT * m;
-                    rows.remember(rows.count - 1, k, growth * near.kept[o], growth * near.kept[o + 1], growth * near.kept[o + 2]);
-                }
-            }
         }
+        near.remember(pair, touch, rows, growth);
     }
 
     /** A bound of the speed at which two bodies may come nearer. */
@@ -334,7 +328,7 @@ public final class TimeStepping implements Serializable {
      */
     public void solve(double time, boolean isLast) {
         double d = h / substeps;
-        contacts.begin();
+        contacts.begin(h, d);
         boolean isTied = constraints != null;
         boolean isRubbed = !surface.isEmpty();
         boolean areOthers = areOthersAsleep || forces.springs().areNew();
@@ -348,7 +342,7 @@ public final class TimeStepping implements Serializable {
             surface.begin(poses.awake);
         }
         boolean bounces = rows.bounces > 0 || rows.fast > 0 || isTied && ties.stops().mayStrike(h);
-        boolean isBalanced = bounces || isTied;
+        boolean isBalanced = bounces || isTied || rows.unlike > 0;
         retake.begin(rows, isCold || areOthers, isBalanced || rows.driven > 0);
         if (bounces) {
             retake.bound(a, h);
@@ -360,7 +354,7 @@ public final class TimeStepping implements Serializable {
         if (bounces) {
             retake.bounce(isTied, h);
         }
-        keep();
+        near.keep(rows, contacts);
         sleep.watch(h, a);
         keptOf = d;
         isCold = false;
@@ -432,21 +426,6 @@ public final class TimeStepping implements Serializable {
             ties.solve(regains ? joint : Softness.RIGID, d);
         }
         contacts.solve(regains ? contact : Softness.RIGID, regains, d);
-    }
-
-    /** Keeps the impulses for the step to come. */
-    private void keep() {
-        for (int k = 0; k < rows.count; k++) {
-            int pair = rows.pair(k);
-            int n = rows.pointCount(k);
-            for (int m = 0; m < 2; m++) {
-                int o = NearPairs.KEPT * pair + NearPairs.POINT * m;
-                near.features[2 * pair + m] = m < n ? rows.feature(k, m) : 0;
-                near.kept[o] = m < n ? rows.of(k, m, ContactRows.NORMAL) : 0;
-                near.kept[o + 1] = m < n ? rows.of(k, m, ContactRows.TANGENT) : 0;
-                near.kept[o + 2] = m < n ? rows.of(k, m, ContactRows.LAST) : 0;
-            }
-        }
     }
 
     /** {@return how deep two bodies of joints were in one another when the last step began, at most, relative to the smaller one} */

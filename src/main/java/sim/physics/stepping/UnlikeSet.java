@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import static sim.physics.stepping.ContactRows.AX;
+import static sim.physics.stepping.ContactRows.AY;
+import static sim.physics.stepping.ContactRows.BELT;
+import static sim.physics.stepping.ContactRows.BEND;
+import static sim.physics.stepping.ContactRows.BX;
+import static sim.physics.stepping.ContactRows.BY;
+import static sim.physics.stepping.ContactRows.FRICTION;
+import static sim.physics.stepping.ContactRows.NORMAL;
+import static sim.physics.stepping.ContactRows.NOW;
+import static sim.physics.stepping.ContactRows.PAIR;
+import static sim.physics.stepping.ContactRows.REGAIN;
+import static sim.physics.stepping.ContactRows.STRIDE;
+import static sim.physics.stepping.ContactRows.TANGENT;
+import static sim.physics.stepping.ContactRows.WEIGHT;
+
+import java.io.Serializable;
+import sim.physics.motion.State;
+
+/**
+ * Solves the points of some rows at once: of each what presses it, and of each pair its friction, within bounds by what presses. So heavy bodies lie on
+ * light ones and these on one another, and nothing depends on how unlike their masses are.
+ */
+final class UnlikeSet implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** By what part of its own each unknown is softer: where several do the same, they share what is new. More would be a gift of energy. */
+    private static final double SHARES = 1e-12;
+
+    /** How often bounds of friction are found from what presses at most, and by what part they change when that has settled. */
+    private static final int BOUNDS = 4;
+
+    private static final double SETTLED = 1e-3;
+
+    /**
+     * Depth under the weight of the heaviest body, relative to a tenth of the smaller one of a pair. Without any, those of several points that are on one
+     * line and differ by rounding would bear all by turns.
+     */
+    private static final double YIELDS = 3e-3;
+
+    /** Speed at which depth is regained, in units of what forces give in a substep: what lifts a heavy body is to be little of what it presses with. */
+    private static final double LIFTS = 0.25;
+
+    /** Values of an unknown: direction, and levers of the two bodies. */
+    private static final int WAY = 4;
+
+    private final State state;
+    private final ContactRows rows;
+    private final BoundedSystem system = new BoundedSystem();
+
+    /** Length of the step, and of its substeps. */
+    private double step;
+
+    private double h;
+
+    /** The rows that are solved, where they begin and end; by row its first unknown. */
+    private transient int[] order;
+
+    private transient int from;
+    private transient int to;
+    private transient int[] firsts;
+
+    /** By unknown: its direction and levers; by how much it gives way, as speed for an impulse. */
+    private transient double[] ways;
+
+    private transient double[] yields;
+
+    UnlikeSet(State state, ContactRows rows) {
+        this.state = state;
+        this.rows = rows;
+    }
+
+    /** Begins a step. */
+    void begin(double step, double h) {
+        this.step = step;
+        this.h = h;
+    }
+
+    /**
+     * Solves rows of a list.
+     *
+     * @param from where they begin
+     * @param to where they end
+     * @param rate part of a depth that is regained in a unit of time
+     * @param regains whether it is
+     */
+    void solve(int[] order, int from, int to, double rate, boolean regains) {
+        this.order = order;
+        this.from = from;
+        this.to = to;
+        number();
+        for (int r = from; r < to; r++) {
+            share(order[r]);
+        }
+        double weight = weight();
+        for (int r = from; r < to; r++) {
+            aim(r, rate, regains, weight);
+        }
+        fill();
+        bound(true);
+        system.solve();
+        for (int turn = 1; !regains && turn < BOUNDS && bound(false); turn++) {
+            system.solve();
+        }
+        give();
+    }
+
+    private boolean isRough(int k) {
+        return rows.normals[PAIR * k + FRICTION] > 0;
+    }
+
+    private void number() {
+        int count = 0;
+        if (firsts == null || firsts.length <= to - from) {
+            firsts = new int[2 * (to - from + 1)];
+        }
+        for (int r = from; r < to; r++) {
+            firsts[r - from] = count;
+            count += rows.pointCount(order[r]) + (isRough(order[r]) ? 1 : 0);
+        }
+        firsts[to - from] = count;
+        system.reserve(count);
+        if (ways == null || ways.length < WAY * count) {
+            ways = new double[2 * WAY * count];
+            yields = new double[2 * count];
+        }
+    }
+
+    /** The impulse of the heaviest body's weight, or the largest one that there is. */
+    private double weight() {
+        double[] w = state.w().values();
+        double most = 0;
+        for (int r = from; r < to; r++) {
+            int k = order[r];
+            double first = w[State.BLOCK * rows.first(k)];
+            double second = w[State.BLOCK * rows.second(k)];
+            double least = Math.min(first > 0 ? first : second, second > 0 ? second : first);
+            most = Math.max(most, h * rows.normals[PAIR * k + WEIGHT] / least);
+            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+                most = Math.max(most, rows.points[p + NORMAL]);
+            }
+        }
+        system.scale = most;
+        return most;
+    }
+
+    /** What of the friction of a pair its first point bears: as much as of what presses. */
+    private double part(int k) {
+        int p = rows.begin(k);
+        if (rows.pointCount(k) == 1) {
+            return 1;
+        }
+        double sum = rows.points[p + NORMAL] + rows.points[p + STRIDE + NORMAL];
+        return sum > 0 ? rows.points[p + NORMAL] / sum : 0.5;
+    }
+
+    /** Lets the points of a pair bear their parts of its friction. */
+    private void share(int k) {
+        double[] points = rows.points;
+        int p = rows.begin(k);
+        int q = rows.end(k) - STRIDE;
+        double more = p == q ? 0 : part(k) * (points[p + TANGENT] + points[q + TANGENT]) - points[p + TANGENT];
+        if (more != 0) {
+            rows.give(k, p, state.v(), 0, more);
+            rows.give(k, q, state.v(), 0, -more);
+            points[p + TANGENT] += more;
+            points[q + TANGENT] -= more;
+        }
+    }
+
+    /** Finds what the unknowns of a row ask for. */
+    private void aim(int r, double rate, boolean regains, double weight) {
+        double[] points = rows.points;
+        int k = order[r];
+        double nx = rows.normals[PAIR * k];
+        double ny = rows.normals[PAIR * k + 1];
+        double regain = rows.normals[PAIR * k + REGAIN];
+        int u = firsts[r - from];
+        for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+            double gap = points[p + NOW];
+            double bend = regains ? 0.5 * h * points[p + BEND] : 0;
+            boolean isDeep = regains && gap < 0 && gap + h * bend < 0;
+            double lift = LIFTS * h * rows.normals[PAIR * k + WEIGHT];
+            double aim = isDeep ? Math.max(rate * gap, -Math.min(regain, lift)) : regains || gap >= 0 ? gap / h : 0;
+            yields[u] = isDeep ? Math.min(rate * YIELDS * regain * step, 0.5 * lift) / weight : 0;
+            point(u, k, nx, ny, points[p + AX], points[p + AY], points[p + BX], points[p + BY]);
+            system.constant[u] += bend + aim + yields[u] * points[p + NORMAL];
+            u++;
+        }
+        if (isRough(k)) {
+            rub(u, k, nx, ny, regains ? 0.5 * h : 0);
+        }
+    }
+
+    /** The friction of a pair, at the point where it acts in the mean. */
+    private void rub(int u, int k, double nx, double ny, double ahead) {
+        double[] v = state.v();
+        double[] points = rows.points;
+        int p = rows.begin(k);
+        int q = rows.end(k) - STRIDE;
+        double part = part(k);
+        double ax = part * points[p + AX] + (1 - part) * points[q + AX];
+        double ay = part * points[p + AY] + (1 - part) * points[q + AY];
+        double bx = part * points[p + BX] + (1 - part) * points[q + BX];
+        double by = part * points[p + BY] + (1 - part) * points[q + BY];
+        double spin = v[State.BLOCK * rows.first(k) + 2];
+        double turn = v[State.BLOCK * rows.second(k) + 2];
+        double round = spin * spin * (nx * ay - ny * ax) - turn * turn * (nx * by - ny * bx);
+        yields[u] = 0;
+        point(u, k, -ny, nx, ax, ay, bx, by);
+        system.constant[u] += rows.normals[PAIR * k + BELT] + ahead * round;
+    }
+
+    private void point(int u, int k, double dx, double dy, double ax, double ay, double bx, double by) {
+        double[] v = state.v();
+        int a = State.BLOCK * rows.first(k);
+        int b = State.BLOCK * rows.second(k);
+        double leverA = ax * dy - ay * dx;
+        double leverB = bx * dy - by * dx;
+        int o = WAY * u;
+        ways[o] = dx;
+        ways[o + 1] = dy;
+        ways[o + 2] = leverA;
+        ways[o + 3] = leverB;
+        system.constant[u] = dx * (v[b] - v[a]) + dy * (v[b + 1] - v[a + 1]) + leverB * v[b + 2] - leverA * v[a + 2];
+        system.x[u] = 0;
+    }
+
+    /** Finds what each unknown does to those before it. */
+    private void fill() {
+        for (int r = 0; r < to - from; r++) {
+            int first = -1;
+            for (int s = 0; s <= r; s++) {
+                boolean isNear = fill(r, s, first >= 0);
+                first = isNear && first < 0 ? firsts[s] : first;
+            }
+            for (int u = firsts[r]; u < firsts[r + 1]; u++) {
+                int own = u * system.room + u;
+                system.begins[u] = first;
+                system.matrix[own] += SHARES * system.matrix[own] + yields[u];
+            }
+        }
+    }
+
+    /** What impulses of a row do to another one; whether that is anything. */
+    private boolean fill(int r, int s, boolean isWithin) {
+        double[] w = state.w().values();
+        int a = rows.first(order[from + r]);
+        int b = rows.second(order[from + r]);
+        int c = rows.first(order[from + s]);
+        int d = rows.second(order[from + s]);
+        boolean isNear = isShared(a, c) || isShared(a, d) || isShared(b, c) || isShared(b, d);
+        if (!isNear && !isWithin) {
+            return false;
+        }
+        double mass = (a == c ? w[State.BLOCK * a] : 0) + (b == d ? w[State.BLOCK * b] : 0) - (a == d ? w[State.BLOCK * a] : 0) - (b == c ? w[State.BLOCK * b] : 0);
+        double ac = a == c ? w[State.BLOCK * a + 2] : 0;
+        double ad = a == d ? w[State.BLOCK * a + 2] : 0;
+        double bc = b == c ? w[State.BLOCK * b + 2] : 0;
+        double bd = b == d ? w[State.BLOCK * b + 2] : 0;
+        for (int u = firsts[r]; u < firsts[r + 1]; u++) {
+            for (int q = firsts[s]; q < firsts[s + 1] && q <= u; q++) {
+                int i = WAY * u;
+                int j = WAY * q;
+                system.matrix[u * system.room + q] = mass * (ways[i] * ways[j] + ways[i + 1] * ways[j + 1])
+                        + ways[i + 2] * (ac * ways[j + 2] - ad * ways[j + 3]) + ways[i + 3] * (bd * ways[j + 3] - bc * ways[j + 2]);
+            }
+        }
+        return isNear;
+    }
+
+    private boolean isShared(int body, int other) {
+        return body == other && state.w().values()[State.BLOCK * body] > 0;
+    }
+
+    /** Sets the bounds, by what presses with what has been found for it; whether those of friction that matter have changed. */
+    private boolean bound(boolean isFirst) {
+        boolean changes = false;
+        double[] points = rows.points;
+        for (int r = from; r < to; r++) {
+            int k = order[r];
+            int u = firsts[r - from];
+            double presses = 0;
+            double tangent = 0;
+            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+                presses += Math.max(0, points[p + NORMAL] + system.x[u]);
+                tangent += points[p + TANGENT];
+                system.low[u] = -points[p + NORMAL];
+                system.high[u++] = Double.POSITIVE_INFINITY;
+            }
+            if (isRough(k)) {
+                double most = rows.normals[PAIR * k + FRICTION] * presses;
+                boolean slides = isFirst || Math.abs(tangent + system.x[u]) > most || system.x[u] == system.low[u] || system.x[u] == system.high[u];
+                changes |= slides && (isFirst || Math.abs(system.high[u] + tangent - most) > SETTLED * most);
+                system.low[u] = -most - tangent;
+                system.high[u] = most - tangent;
+            }
+        }
+        return changes;
+    }
+
+    /** Gives the bodies what has been found. */
+    private void give() {
+        double[] points = rows.points;
+        for (int r = from; r < to; r++) {
+            int k = order[r];
+            int u = firsts[r - from];
+            double part = part(k);
+            double rubs = isRough(k) ? system.x[firsts[r - from + 1] - 1] : 0;
+            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+                double normal = Math.max(0, points[p + NORMAL] + system.x[u++]);
+                rows.give(k, p, state.v(), normal - points[p + NORMAL], part * rubs);
+                points[p + NORMAL] = normal;
+                points[p + TANGENT] += part * rubs;
+                part = 1 - part;
+            }
+        }
+    }
+}
