@@ -487,7 +487,7 @@ public final class PhysicsEngine implements Steppable {
 
     /** What is saved is the same whether somebody has looked at all paths or not. Half a step is refused: its copy could not go on. */
     private void writeObject(ObjectOutputStream out) throws IOException {
-        if (stepping) {
+        if (stepping || goesOn) {
             throw new IllegalStateException("the engine was saved within a step: save it between steps");
         }
         makeLatePaths();
