@@ -443,7 +443,7 @@ final class Heap implements Serializable {
     private boolean regainNothing() {
         double time = regain.time();
         return isDriven ? driving.search().regainNothing(scale)
-                : isRubbed ? (halts ? rubbing.hop(heap, scale) : rubbing.regainNothing(heap, time, scale)) : free.regainNothing(scale, time);
+                : isRubbed ? (halts ? rubbing.hop(heap, deep, scale) : rubbing.regainNothing(heap, time, scale)) : free.regainNothing(scale, time);
     }
 
     /** Whether something has happened to a body of a heap that stands still. */

@@ -56,6 +56,9 @@ final class RubbedHeap implements Serializable {
     private double[] there = {};
     private double[] momenta = {};
 
+    /** The largest speed without contacts, or that the plane takes in the time. */
+    private double usual;
+
     RubbedHeap(Trajectories trajectories, Motion motion, HeapBodies by, HeapSystem system, HeapNotes notes, BodyScale scales, HeapTurn turning) {
         this.trajectories = trajectories;
         this.motion = motion;
@@ -95,7 +98,7 @@ final class RubbedHeap implements Serializable {
         }
         boolean right = true;
         double missed = 0;
-        double most = scale;
+        double most = Math.max(scale, usual);
         turning.begin(heap, length, true, true);
         System.arraycopy(free, 0, system.v, 0, 3 * heap.size); // a first guess of how they move
         for (int turn = 0, turns = TURNS; turn < turns; turn++) {
@@ -171,11 +174,12 @@ final class RubbedHeap implements Serializable {
         boolean isStraight = false;
         double missed = Double.POSITIVE_INFINITY;
         for (int turn = 0; turn < TURNS && missed > SETTLED * scale; turn++) {
-            right = solveAgain(heap, scale, false);
+            startAgain(heap);
+            right = system.solve(scale, true);
             if (isStraight) {
                 break;
             }
-            if (!(scales.fastest(heap, system.v) <= WILD * scale)) {
+            if (!(scales.fastest(heap, system.v) <= WILD * Math.max(scale, usual))) {
                 straighten();
                 isStraight = true;
                 continue;
@@ -188,27 +192,28 @@ final class RubbedHeap implements Serializable {
     }
 
     /** The same at once, along the normals of now. Points that are too deep go on to part as they do, if that gives no energy. */
-    boolean hop(IntList heap, double scale) {
+    boolean hop(IntList heap, IntList deep, double scale) {
         system.straighten();
-        boolean right = solveAgain(heap, scale, true);
+        startAgain(heap);
+        for (int k = 0; k < deep.size; k++) {
+            double speed = system.normal(deep.values[k], before);
+            if (speed > 0) {
+                system.bound(deep.values[k], speed);
+            }
+        }
+        boolean right = system.solve(scale, true);
         if (!by.afford(heap, HeapEnergy.gained(system, alone), 0)) {
-            right = solveAgain(heap, scale, false);
+            startAgain(heap);
+            right = system.solve(scale, true);
         }
         settle(heap);
         return right;
     }
 
-    private boolean solveAgain(IntList heap, double scale, boolean hops) {
+    private void startAgain(IntList heap) {
         settle(heap);
         system.unpush();
         system.regainNothing();
-        for (int p = 0; p < system.contacts() && hops; p++) {
-            double speed = system.normal(p, before);
-            if (speed > 0 && notes.gap(p) < 0) {
-                system.bound(p, speed);
-            }
-        }
-        return system.solve(scale, true);
     }
 
     private void begin(IntList heap, double tau, double length) {
@@ -222,6 +227,7 @@ final class RubbedHeap implements Serializable {
         }
         System.arraycopy(system.v, 0, before, 0, n);
         ground.begin(heap.size, length);
+        usual = 0;
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             boolean rubs = motion.ground().rubs(body);
@@ -234,8 +240,10 @@ final class RubbedHeap implements Serializable {
             }
             if (rubs) {
                 ground.enter(k, body, system, before, 3 * k);
+                usual = Math.max(usual, length * motion.ground().deceleration(body));
             }
         }
+        usual = Math.max(usual, scales.fastest(heap, free));
     }
 
     /** Gives the bodies back the masses that they have. */
