@@ -17,7 +17,7 @@ final class UnlikeRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** How many times as heavy as the light one a heavy body is at least. */
-    private static final double HEAVY = 8;
+    private static final double HEAVY = 12;
 
     /** And how many times as heavy as any of its set at most: rounding would be as large as what the light ones ask for. */
     private static final double TOO_HEAVY = 2e6;
