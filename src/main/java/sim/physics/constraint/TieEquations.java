@@ -212,7 +212,7 @@ final class TieEquations implements Serializable {
         }
     }
 
-    /** Marks the bodies that are tied to the world, or to what cannot move. */
+    /** Marks the bodies of pins, or other constraints that have these blocks, which tie them to the world or to what cannot move. */
     static void markFastened(int[] blocks, int count, double[] w, boolean[] marks) {
         for (int k = 0; k < 2 * count; k += 2) {
             int a = blocks[k];

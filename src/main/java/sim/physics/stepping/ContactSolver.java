@@ -30,8 +30,8 @@ import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 
 /**
- * Solves the contacts of a step, but for those of {@link UnlikeRows}: per point an impulse along the normal that keeps what is left of the gap from being passed within a
- * substep, or regains what is missing of it, and one along the tangent within the cone of friction.
+ * Solves the contacts of a step, but for those of {@link UnlikeRows}: per point an impulse along the normal that keeps what is left of the
+ * gap from being passed within a substep, or regains what is missing of it, and one along the tangent within the cone of friction.
  */
 final class ContactSolver implements Serializable {
     private static final long serialVersionUID = 1L;
