@@ -642,7 +642,7 @@ public final class PhysicsEngine implements Steppable {
                 motion.deflect(deflected.values[k]);
             }
             if (someRest) {
-                response.resting().struck(deflected.values[k], at);
+                response.resting().struck(deflected.values[k]);
             }
             if (someLie) {
                 response.heaps().struck(deflected.values[k]);

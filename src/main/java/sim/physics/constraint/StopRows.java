@@ -16,7 +16,6 @@ public final class StopRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
     private static final int ROWS = Equations.ROWS;
-    private static final int BLOCK = State.BLOCK;
 
     /** When an impulse has settled, relative to itself. */
     private static final double SETTLED = 1e-6;

@@ -132,11 +132,6 @@ final class Switches implements SwitchedTies {
         isFrozen = false;
     }
 
-    @Override
-    public boolean isFrozen() {
-        return isFrozen;
-    }
-
     /** The right side of the velocity equations; null: 0. */
     double[] bias() {
         return rows.length == 0 ? null : bias;

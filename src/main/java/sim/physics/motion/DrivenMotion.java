@@ -143,7 +143,7 @@ final class DrivenMotion implements Serializable {
         for (int k = 0; k < group.size; k++) {
             pace[group.values[k]] = step;
         }
-        return publish(group, tau, length == rest ? trajectories.h() : tau + length);
+        return publish(group, length == rest ? trajectories.h() : tau + length);
     }
 
     /** Lets a group stay where it is, which rests. */
@@ -152,7 +152,7 @@ final class DrivenMotion implements Serializable {
         repose.stay(group, state, path);
         GroupPaths.set(pace, group, trajectories.h());
         isCoarse = false;
-        return publish(group, trajectories.offset(group.values[0]), trajectories.h());
+        return publish(group, trajectories.h());
     }
 
     /** Shares the arrays of another one, which has room for all bodies then, to do what it would do with other groups. */
@@ -202,7 +202,7 @@ final class DrivenMotion implements Serializable {
         for (int k = 0; k < group.size; k++) {
             pace[group.values[k]] = h;
         }
-        notes.stride(first, publish(group, 0, length), error, length * PathError.root(error));
+        notes.stride(first, publish(group, length), error, length * PathError.root(error));
     }
 
     /** Takes note of what threads have done with groups in this step. */
@@ -334,7 +334,7 @@ final class DrivenMotion implements Serializable {
         return yes;
     }
 
-    private double publish(IntList group, double tau, double end) {
+    private double publish(IntList group, double end) {
         double[] bends = trajectories.unfold();
         for (int k = 0; k < group.size; k++) {
             int o = Trajectories.STRIDE * group.values[k];

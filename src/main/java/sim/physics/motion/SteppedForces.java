@@ -54,18 +54,6 @@ public final class SteppedForces implements Serializable {
     }
 
     /**
-     * Marks the bodies under forces that may change within a step.
-     *
-     * @param bodies movable ones
-     * @param marks by body
-     */
-    public void markUneven(IntList bodies, boolean[] marks) {
-        for (int k = 0; k < bodies.size; k++) {
-            marks[bodies.values[k]] |= generators.drive(state.body(bodies.values[k]));
-        }
-    }
-
-    /**
      * The accelerations of all forces but friction with the plane.
      *
      * @param bodies movable ones

@@ -35,11 +35,4 @@ public interface SwitchedTies extends Serializable {
 
     /** Lets all decide by themselves again. */
     void thaw();
-
-    /**
-     * Whether they push with given forces.
-     *
-     * @return true from {@link #freeze} to {@link #thaw}
-     */
-    boolean isFrozen();
 }

@@ -133,7 +133,7 @@ final class TiedMotion implements Serializable {
         }
         begin(group);
         double length = chosenStride(motion, group, t, limit, path);
-        join(motion, group, length, path);
+        join(group, length, path);
         return length;
     }
 
@@ -155,7 +155,7 @@ final class TiedMotion implements Serializable {
         } else if (advanceInParts(motion, group, t, length, path) == 1 && Math.abs(length) < SHORT * trajectories.h()) {
             return; // the integrator's own path: the ends are too near for a difference
         }
-        join(motion, group, length, path);
+        join(group, length, path);
     }
 
     /** Advances a group in as many parts as it takes; returns how many, or 0 if it has crept. */
@@ -204,7 +204,7 @@ final class TiedMotion implements Serializable {
     }
 
     /** The cubics from the start to where the bodies are now. */
-    private void join(Motion motion, IntList group, double length, Path path) {
+    private void join(IntList group, double length, Path path) {
         double[] x = state.x();
         double[] v = state.v();
         double per = 1 / length;
@@ -329,7 +329,7 @@ final class TiedMotion implements Serializable {
         if (tied != null) {
             double done = method.advance(tied, motion, state, group, t, wanted, true, path);
             tied.end();
-            join(motion, group, done, path);
+            join(group, done, path);
             return done;
         }
         double limit = 0;
@@ -343,7 +343,7 @@ final class TiedMotion implements Serializable {
             if (done != 0 && ties.project(group)) {
                 int first = group.values[0];
                 path.proposed[first] = halvings == 0 ? path.proposed[first] : Math.min(path.proposed[first], LONGER * done);
-                join(motion, group, done, path);
+                join(group, done, path);
                 return done;
             }
             again(group);

@@ -5,7 +5,6 @@ package sim.physics.motion;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.Growth;
-import sim.physics.internal.IntList;
 
 /**
  * Where every body is at any instant of the present step: the dense output of the equations of motion.

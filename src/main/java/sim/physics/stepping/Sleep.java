@@ -110,11 +110,6 @@ public final class Sleep implements Serializable {
         kept = new ContactRows(state);
     }
 
-    /** {@return whether bodies may sleep} */
-    public boolean isAllowed() {
-        return isAllowed;
-    }
-
     /**
      * Sets whether bodies may sleep.
      *

@@ -103,7 +103,7 @@ final class HubLoads extends TreeLoads {
             loads.load(bodies, t + c, a);
             accelerate(stage, a);
             if (stage == 0 && isFirst) {
-                noteFirst(a, turning * turning);
+                noteFirst(turning * turning);
             }
         }
         finish(state, h);
@@ -181,7 +181,7 @@ final class HubLoads extends TreeLoads {
         alpha[stage] = (torque + tree.link[PinTree.INERTIA] * a[tree.block[0] + State.THETA]) / inertia;
     }
 
-    private void noteFirst(double[] a, double square) {
+    private void noteFirst(double square) {
         for (int k = 0; k < tree.links; k++) {
             double rx = turn[0] * arm[2 * k] - turn[1] * arm[2 * k + 1];
             double ry = turn[1] * arm[2 * k] + turn[0] * arm[2 * k + 1];

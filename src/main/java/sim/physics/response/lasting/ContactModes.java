@@ -23,7 +23,6 @@ final class ContactModes implements Serializable {
     private static final double NONE = 1e-11;
 
     private double[] start = {};
-    private double[] end = {};
     private int[] mode = {};
     private double[] side = {};
 

@@ -32,7 +32,6 @@ public final class Heaps implements Serializable {
     private final Trajectories trajectories;
     private final Motion motion;
     private final CollisionDetection detection;
-    private final RestingContacts resting;
     private final HeapBodies by = new HeapBodies();
     private final Heap heap;
     private final HeapCalm calm;
@@ -71,7 +70,6 @@ public final class Heaps implements Serializable {
         this.trajectories = trajectories;
         this.motion = motion;
         this.detection = detection;
-        this.resting = resting;
         this.heap = new Heap(state, trajectories, motion, detection, points, by, ledger);
         this.collapse = new Collapse(state, trajectories, motion, detection, points, by, heap);
         this.large = heap.large;

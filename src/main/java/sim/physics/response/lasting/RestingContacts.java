@@ -8,7 +8,6 @@ import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
-import sim.physics.internal.Tolerances;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
@@ -204,9 +203,8 @@ public final class RestingContacts implements Serializable {
      * Takes note that a body was struck: its cluster is to be solved, and contacts that bounce are let go of.
      *
      * @param body index
-     * @param tau offset in the present step
      */
-    public void struck(int body, double tau) {
+    public void struck(int body) {
         if (!rests(body)) {
             return;
         }

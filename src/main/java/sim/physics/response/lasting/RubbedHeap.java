@@ -5,7 +5,6 @@ package sim.physics.response.lasting;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.IntList;
-import sim.physics.motion.Ground;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
