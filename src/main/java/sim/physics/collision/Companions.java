@@ -11,9 +11,10 @@ import sim.physics.internal.Tolerances;
 import sim.physics.motion.Trajectories;
 
 /**
- * Finds the fixed bodies that a body touches at the instant at which it hits another one of them, as a box that lands flat
- * on three tiles; and the other parts with which two bodies touch then, as a table with its legs. By rounding it meets one a little before the others: by the rounding of a coordinate over its speed.
- * Solved one after the other, these impacts would make it turn.
+ * Finds the bodies that a body touches at the instant at which it hits another one of them, as a box that lands flat
+ * on three tiles, or a ball that strikes two others; and the other parts with which two bodies touch then, as a table with its legs. By rounding
+ * it meets one a little before the others: by the rounding of a coordinate over its speed. Solved one after the other, these impacts would make it
+ * turn, or turn it aside.
  */
 final class Companions implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -37,8 +38,12 @@ final class Companions implements Serializable {
      *
      * @param together the pairs that touch; their planned impacts are NaN, and so are those of pairs that are added
      * @param tau offset in the present step
+     * @param next offset of what happens next
      */
-    void gather(IntList together, double tau) {
+    void gather(IntList together, double tau, double next) {
+        if (next <= until(tau)) {
+            gatherMoving(together, tau);
+        }
         for (int k = 0; k < together.size; k++) {
             int a = pairs.first(together.values[k]);
             int b = pairs.second(together.values[k]);
@@ -58,6 +63,25 @@ final class Companions implements Serializable {
                     pairs.setTime(pair, Double.NaN);
                     together.add(pair);
                 }
+            }
+        }
+    }
+
+    /** What strikes two bodies at once that can move, as a ball the two pins behind the first one: by rounding it meets one a little before the other. */
+    private void gatherMoving(IntList together, double tau) {
+        for (int k = 0; k < together.size; k++) {
+            int pair = together.values[k];
+            gatherMoving(together, pairs.first(pair), tau);
+            gatherMoving(together, pairs.second(pair), tau);
+        }
+    }
+
+    private void gatherMoving(IntList together, int body, double tau) {
+        for (int m = 0; !boxes.isFixed(body) && m < pairs.countOf(body); m++) {
+            int pair = pairs.of(body, m);
+            if (pairs.time(pair) <= until(tau) && !boxes.isFixed(pairs.other(pair, body)) && narrowPhase.touches(pair, tau)) {
+                pairs.setTime(pair, Double.NaN);
+                together.add(pair);
             }
         }
     }
