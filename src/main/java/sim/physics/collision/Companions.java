@@ -67,7 +67,10 @@ final class Companions implements Serializable {
         }
     }
 
-    /** What strikes two bodies at once that can move, as a ball the two pins behind the first one: by rounding it meets one a little before the other. */
+    /**
+     * What strikes two bodies at once that can move, as a ball the two pins behind the first one: by rounding it meets one a little before the other.
+     * Only round ones touch at one point whatever they turn by: those of flush sides would have no end of impacts together.
+     */
     private void gatherMoving(IntList together, double tau) {
         for (int k = 0; k < together.size; k++) {
             int pair = together.values[k];
@@ -79,11 +82,15 @@ final class Companions implements Serializable {
     private void gatherMoving(IntList together, int body, double tau) {
         for (int m = 0; !boxes.isFixed(body) && m < pairs.countOf(body); m++) {
             int pair = pairs.of(body, m);
-            if (pairs.time(pair) <= until(tau) && !boxes.isFixed(pairs.other(pair, body)) && narrowPhase.touches(pair, tau)) {
+            if (pairs.time(pair) <= until(tau) && isRound(pair) && !boxes.isFixed(pairs.other(pair, body)) && narrowPhase.touches(pair, tau)) {
                 pairs.setTime(pair, Double.NaN);
                 together.add(pair);
             }
         }
+    }
+
+    private boolean isRound(int pair) {
+        return narrowPhase.isCircle(pairs.first(pair)) || narrowPhase.isCircle(pairs.second(pair));
     }
 
     private void gatherParts(IntList together, int a, int b, double tau) {
