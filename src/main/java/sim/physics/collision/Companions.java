@@ -19,6 +19,9 @@ import sim.physics.motion.Trajectories;
 final class Companions implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Part of the speed of an impact from which on another one is as good. */
+    private static final double COMPARABLE = 1e-3;
+
     private final Trajectories trajectories;
     private final Boxes boxes;
     private final Pairs pairs;
@@ -68,29 +71,32 @@ final class Companions implements Serializable {
     }
 
     /**
-     * What strikes two bodies at once that can move, as a ball the two pins behind the first one: by rounding it meets one a little before the other.
-     * Only round ones touch at one point whatever they turn by: those of flush sides would have no end of impacts together.
+     * What strikes two discs at once that can move, as a ball the two pins behind the first one: by rounding it meets one a little before the other.
+     * Only discs, as flush sides would have no end of impacts together; and only what strikes about as fast: balls that go together in a cradle do not.
      */
     private void gatherMoving(IntList together, double tau) {
-        for (int k = 0; k < together.size; k++) {
-            int pair = together.values[k];
-            gatherMoving(together, pairs.first(pair), tau);
-            gatherMoving(together, pairs.second(pair), tau);
+        if (together.size == 1 && isOfDiscs(together.values[0]) && narrowPhase.touches(together.values[0], tau)) {
+            int pair = together.values[0];
+            double least = COMPARABLE * Math.max(0, narrowPhase.approach());
+            gatherMoving(together, pairs.first(pair), tau, least);
+            gatherMoving(together, pairs.second(pair), tau, least);
         }
     }
 
-    private void gatherMoving(IntList together, int body, double tau) {
+    private void gatherMoving(IntList together, int body, double tau, double least) {
         for (int m = 0; !boxes.isFixed(body) && m < pairs.countOf(body); m++) {
             int pair = pairs.of(body, m);
-            if (pairs.time(pair) <= until(tau) && isRound(pair) && !boxes.isFixed(pairs.other(pair, body)) && narrowPhase.touches(pair, tau)) {
+            if (pairs.time(pair) <= until(tau) && isOfDiscs(pair) && narrowPhase.touches(pair, tau) && narrowPhase.approach() > least) {
                 pairs.setTime(pair, Double.NaN);
                 together.add(pair);
             }
         }
     }
 
-    private boolean isRound(int pair) {
-        return narrowPhase.isCircle(pairs.first(pair)) || narrowPhase.isCircle(pairs.second(pair));
+    private boolean isOfDiscs(int pair) {
+        int a = pairs.first(pair);
+        int b = pairs.second(pair);
+        return narrowPhase.isCircle(a) && narrowPhase.isCircle(b) && !boxes.isFixed(a) && !boxes.isFixed(b);
     }
 
     private void gatherParts(IntList together, int a, int b, double tau) {
