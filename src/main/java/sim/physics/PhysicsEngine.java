@@ -68,6 +68,9 @@ public final class PhysicsEngine implements Steppable {
     /** Work that an event costs beside looks, accelerations and heaps. */
     private static final int EVENT = 8;
 
+    /** Substeps beyond which a step would seem to hang. */
+    private static final int MOST_SUBSTEPS = 10_000;
+
     private final State state = new State();
     private final Trajectories trajectories = new Trajectories();
     private final Work work = new Work();
@@ -839,9 +842,13 @@ public final class PhysicsEngine implements Steppable {
     }
 
     private void requireMine(Body body) {
-        Objects.requireNonNull(body, "body");
+        requireMine("body", body);
+    }
+
+    private void requireMine(String name, Body body) {
+        Objects.requireNonNull(body, name);
         if (body.state() != state) {
-            throw new IllegalStateException("body is " + body + ": it is not in this engine");
+            throw new IllegalStateException(name + " is " + body + ": it is not in this engine");
         }
     }
 
@@ -974,15 +981,16 @@ public final class PhysicsEngine implements Steppable {
      * Adds constraints, and moves their bodies to places where all the equations are satisfied. Of all such displacements, the
      * mass-weighted least one is taken.
      *
-     * @param those constraints between bodies of this engine
+     * @param constraints constraints between bodies of this engine
      * @throws IllegalStateException if a constraint was added already or is named twice, if there are no such places, or within a
      *     step
      */
-    public void assemble(Constraint... those) {
-        Objects.requireNonNull(those, "those");
+    public void assemble(Constraint... constraints) {
+        Objects.requireNonNull(constraints, "constraints");
         requireBetweenSteps("constraints were to be assembled");
         Set<Constraint> named = Collections.newSetFromMap(new IdentityHashMap<>());
-        for (Constraint constraint : those) {
+        for (int k = 0; k < constraints.length; k++) {
+            Constraint constraint = Objects.requireNonNull(constraints[k], "constraints[" + k + "]");
             checkBodies(constraint);
             check(constraint, false);
             if (!named.add(constraint)) {
@@ -991,7 +999,7 @@ public final class PhysicsEngine implements Steppable {
         }
         constraints();
         admission.forgetAnswers();
-        admission.assemble(those);
+        admission.assemble(constraints);
     }
 
     /** What is refused leaves the engine as it was, so without constraints if it has none. */
@@ -1185,8 +1193,8 @@ public final class PhysicsEngine implements Steppable {
      * @throws IllegalStateException if one of them is not in this engine
      */
     public void setCollisions(Body a, Body b, boolean collide) {
-        requireMine(a);
-        requireMine(b);
+        requireMine("a", a);
+        requireMine("b", b);
         if (a == b) {
             throw new IllegalArgumentException("b is " + b + ": a pair that collides needs two different bodies");
         }
@@ -1243,13 +1251,14 @@ public final class PhysicsEngine implements Steppable {
      * <p>When you switch back to events, they are found again as soon as the joints can be closed and jointed bodies do not
      * overlap deeply. Until then steps of 32 substeps are made, which {@link #getRelievedSteps()} counts.
      *
-     * @param substeps number of substeps in a step; 4 is usual, and more are more accurate; 0 for events
-     * @throws IllegalArgumentException if the number is negative
+     * @param substeps number of substeps in a step; 4 is usual, and more are more accurate, up to 10,000; 0 for events
+     * @throws IllegalArgumentException if the number is negative or greater than 10,000
      * @throws IllegalStateException within a step, or if the engine is audited
      */
     public void setTimeStepping(int substeps) {
-        if (substeps < 0) {
-            throw new IllegalArgumentException("substeps are " + substeps + ": there must be 0, for events, or more");
+        if (substeps < 0 || substeps > MOST_SUBSTEPS) {
+            throw new IllegalArgumentException("substeps are " + substeps + ": there must be 0, for events, or up to " + MOST_SUBSTEPS
+                    + "; for more, make the time step shorter");
         }
         requireStepOver("time stepping was set");
         if (substeps > 0 && audit != null) {

@@ -146,7 +146,7 @@ class RefusalTest {
         missing("body", () -> engine.remove((Body) null));
         missing("generator", () -> engine.add((ForceGenerator) null));
         missing("constraint", () -> engine.add((Constraint) null));
-        missing("those", () -> engine.assemble((Constraint[]) null));
+        missing("constraints", () -> engine.assemble((Constraint[]) null));
         missing("constraint", () -> engine.assemble((Constraint) null));
         missing("integrator", () -> engine.setIntegrator(null));
         missing("solver", () -> engine.setConstraintSolver(null));
@@ -256,6 +256,27 @@ class RefusalTest {
     void aPairOfOneBody() {
         refused("b is Body[Circle[radius 1.0] at (3.0, 4.0)", () -> engine.setCollisions(body, body, false));
         refused("b is Body[Rectangle", () -> engine.setCollisions(wall, wall, true));
+    }
+
+    @Test
+    void whatIsMissingIsNamed() {
+        assertThatThrownBy(() -> engine.setCollisions(null, body, false)).isInstanceOf(NullPointerException.class).hasMessage("a");
+        assertThatThrownBy(() -> engine.setCollisions(body, null, false)).isInstanceOf(NullPointerException.class).hasMessage("b");
+        illegal("b is Body[Circle[radius 1.0] at (0.0, 0.0)", () -> engine.setCollisions(body, new Body(new Circle(1)), false));
+        assertThatThrownBy(() -> engine.assemble((Constraint[]) null)).isInstanceOf(NullPointerException.class).hasMessage("constraints");
+        PinJoint pin = new PinJoint(body, 3, 4);
+        assertThatThrownBy(() -> engine.assemble(pin, null)).isInstanceOf(NullPointerException.class).hasMessage("constraints[1]");
+        assertThat(engine.contains(pin)).isFalse();
+    }
+
+    /** Two thousand million substeps would be a step that seems to hang. */
+    @Test
+    void moreSubstepsThanAStepMayHave() {
+        refused("substeps are 10001", () -> engine.setTimeStepping(10_001));
+        refused("substeps are 2147483647", () -> engine.setTimeStepping(Integer.MAX_VALUE));
+        assertThat(engine.getTimeStepping()).isZero();
+        engine.setTimeStepping(10_000);
+        engine.step();
     }
 
     @Test

@@ -476,7 +476,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
             pairs.setTime(pair, Double.NaN);
             together.add(pair);
         }
-        companions.gather(together, tau);
+        companions.gather(together, tau, hasEvent() ? queue.firstTime() : Double.POSITIVE_INFINITY);
         return together;
     }
 

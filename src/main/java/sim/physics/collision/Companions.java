@@ -11,12 +11,16 @@ import sim.physics.internal.Tolerances;
 import sim.physics.motion.Trajectories;
 
 /**
- * Finds the fixed bodies that a body touches at the instant at which it hits another one of them, as a box that lands flat
- * on three tiles; and the other parts with which two bodies touch then, as a table with its legs. By rounding it meets one a little before the others: by the rounding of a coordinate over its speed.
- * Solved one after the other, these impacts would make it turn.
+ * Finds the bodies that a body touches at the instant at which it hits another one of them, as a box that lands flat
+ * on three tiles, or a ball that strikes two others; and the other parts with which two bodies touch then, as a table with its legs. By rounding
+ * it meets one a little before the others: by the rounding of a coordinate over its speed. Solved one after the other, these impacts would make it
+ * turn, or turn it aside.
  */
 final class Companions implements Serializable {
     private static final long serialVersionUID = 1L;
+
+    /** Part of the speed of an impact from which on another one is as good. */
+    private static final double COMPARABLE = 1e-3;
 
     private final Trajectories trajectories;
     private final Boxes boxes;
@@ -37,8 +41,12 @@ final class Companions implements Serializable {
      *
      * @param together the pairs that touch; their planned impacts are NaN, and so are those of pairs that are added
      * @param tau offset in the present step
+     * @param next offset of what happens next
      */
-    void gather(IntList together, double tau) {
+    void gather(IntList together, double tau, double next) {
+        if (next <= until(tau)) {
+            gatherMoving(together, tau);
+        }
         for (int k = 0; k < together.size; k++) {
             int a = pairs.first(together.values[k]);
             int b = pairs.second(together.values[k]);
@@ -60,6 +68,35 @@ final class Companions implements Serializable {
                 }
             }
         }
+    }
+
+    /**
+     * What strikes two discs at once that can move, as a ball the two pins behind the first one: by rounding it meets one a little before the other.
+     * Only discs, as flush sides would have no end of impacts together; and only what strikes about as fast: balls that go together in a cradle do not.
+     */
+    private void gatherMoving(IntList together, double tau) {
+        if (together.size == 1 && isOfDiscs(together.values[0]) && narrowPhase.touches(together.values[0], tau)) {
+            int pair = together.values[0];
+            double least = COMPARABLE * Math.max(0, narrowPhase.approach());
+            gatherMoving(together, pairs.first(pair), tau, least);
+            gatherMoving(together, pairs.second(pair), tau, least);
+        }
+    }
+
+    private void gatherMoving(IntList together, int body, double tau, double least) {
+        for (int m = 0; !boxes.isFixed(body) && m < pairs.countOf(body); m++) {
+            int pair = pairs.of(body, m);
+            if (pairs.time(pair) <= until(tau) && isOfDiscs(pair) && narrowPhase.touches(pair, tau) && narrowPhase.approach() > least) {
+                pairs.setTime(pair, Double.NaN);
+                together.add(pair);
+            }
+        }
+    }
+
+    private boolean isOfDiscs(int pair) {
+        int a = pairs.first(pair);
+        int b = pairs.second(pair);
+        return narrowPhase.isCircle(a) && narrowPhase.isCircle(b) && !boxes.isFixed(a) && !boxes.isFixed(b);
     }
 
     private void gatherParts(IntList together, int a, int b, double tau) {

@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.motion.Body;
 
 /** Takes the equations of a {@link Constraint}: C, the blocks of J for its two bodies, and J̇ ẋ. */
 public final class Equations implements Serializable {
@@ -27,6 +28,15 @@ public final class Equations implements Serializable {
         Arrays.fill(rate, 0);
         Arrays.fill(jA, 0);
         Arrays.fill(jB, 0);
+    }
+
+    /** How fast the C of the first row changes; the second body may be null. */
+    double speed(Body a, Body b) {
+        return speed(jA, a) + (b == null ? 0 : speed(jB, b));
+    }
+
+    private static double speed(double[] row, Body body) {
+        return row[0] * body.getVelocityX() + row[1] * body.getVelocityY() + row[2] * body.getAngularVelocity();
     }
 
     /**

@@ -60,7 +60,21 @@ public final class Limit extends Switched {
      * @return stops that do not bounce
      */
     public static Limit angle(Body a, Body b, double lower, double upper) {
-        return new Limit(new GearJoint(a, b, -1), lower, upper, 0);
+        return angle(a, b, lower, upper, 0);
+    }
+
+    /**
+     * Creates stops for the angle of a body against another one, with buffers.
+     *
+     * @param a a body
+     * @param b another body, or null for the world
+     * @param lower lower bound of θA − θB less its present value, rad
+     * @param upper upper bound
+     * @param restitution 0 if the bodies stop there, 1 if they bounce off elastically
+     * @return stops with that restitution
+     */
+    public static Limit angle(Body a, Body b, double lower, double upper, double restitution) {
+        return new Limit(new GearJoint(a, b, -1), lower, upper, restitution);
     }
 
     /**
@@ -102,7 +116,24 @@ public final class Limit extends Switched {
      * @return stops that do not bounce
      */
     public static Limit rope(Body a, double ax, double ay, Body b, double bx, double by, double length) {
-        return new Limit(new RodJoint(a, ax, ay, b, bx, by, length), Double.NEGATIVE_INFINITY, 0, 0);
+        return rope(a, ax, ay, b, bx, by, length, 0);
+    }
+
+    /**
+     * Creates an elastic rope, which throws back what pulls it taut.
+     *
+     * @param a a body
+     * @param ax x of the point of the first body, in its coordinates
+     * @param ay y of the point of the first body, in its coordinates
+     * @param b another body, or null for the world
+     * @param bx x of the point of the second body, in its coordinates
+     * @param by y of the point of the second body, in its coordinates
+     * @param length length of the rope
+     * @param restitution 0 if the points go no farther, 1 if they come back as fast as they went
+     * @return stops with that restitution
+     */
+    public static Limit rope(Body a, double ax, double ay, Body b, double bx, double by, double length, double restitution) {
+        return new Limit(new RodJoint(a, ax, ay, b, bx, by, length), Double.NEGATIVE_INFINITY, 0, restitution);
     }
 
     /**

@@ -51,6 +51,17 @@ public abstract sealed class Rail extends Joint implements Link permits SliderJo
     }
 
     /**
+     * Returns how fast the first body slides: the rate of {@link #getTravel()}.
+     *
+     * @return speed along the line, length/time
+     */
+    public final double getTravelSpeed() {
+        Equations now = new Equations();
+        travel().evaluate(now);
+        return now.speed(getBodyA(), getBodyB());
+    }
+
+    /**
      * Returns the x component of the direction of the line, in the coordinates of the second body.
      *
      * @return x of a vector of length 1

@@ -109,6 +109,18 @@ abstract class Switched implements Constraint {
     }
 
     /**
+     * Returns how fast the coordinate changes now, whether the motor or stop acts or not: the rate of {@link #getValue()}, and for a wheel
+     * the speed with which it rolls, or slips. It is what a controller compares with the speed that it asks a {@link Motor} for.
+     *
+     * @return rad/time for an angle, length/time otherwise
+     */
+    public double getRate() {
+        Equations now = new Equations();
+        coordinate.evaluate(now);
+        return now.speed(getBodyA(), getBodyB());
+    }
+
+    /**
      * Returns whether the two bodies collide with one another, if no joint decides that.
      *
      * @return false unless set

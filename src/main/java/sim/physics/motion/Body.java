@@ -224,6 +224,55 @@ public class Body implements Serializable {
     }
 
     /**
+     * Returns the x coordinate, in those of the body, of a point of the world, such as one that a sensor has seen: positive if it is ahead of the
+     * body. It is what {@link #worldX} is the inverse of.
+     *
+     * @param x x of the point, in world coordinates
+     * @param y y of the point, in world coordinates
+     * @return x in the coordinates of the body
+     */
+    public final double localX(double x, double y) {
+        Check.finite("x", x);
+        Check.finite("y", y);
+        return Trig.cos(getAngle()) * (x - getX()) + Trig.sin(getAngle()) * (y - getY());
+    }
+
+    /**
+     * Returns the y coordinate, in those of the body, of a point of the world.
+     *
+     * @param x x of the point, in world coordinates
+     * @param y y of the point, in world coordinates
+     * @return y in the coordinates of the body
+     */
+    public final double localY(double x, double y) {
+        Check.finite("x", x);
+        Check.finite("y", y);
+        return Trig.cos(getAngle()) * (y - getY()) - Trig.sin(getAngle()) * (x - getX());
+    }
+
+    /**
+     * Returns the x component of the velocity of a point of the body, such as a keel, a wheel or the tip of an arm: v + ω × r.
+     *
+     * @param px x of the point, in the coordinates of the body
+     * @param py y of the point, in the coordinates of the body
+     * @return x component in the world, length/time
+     */
+    public final double velocityX(double px, double py) {
+        return getVelocityX() - getAngularVelocity() * (worldY(px, py) - getY());
+    }
+
+    /**
+     * Returns the y component of the velocity of a point of the body.
+     *
+     * @param px x of the point, in the coordinates of the body
+     * @param py y of the point, in the coordinates of the body
+     * @return y component in the world, length/time
+     */
+    public final double velocityY(double px, double py) {
+        return getVelocityY() + getAngularVelocity() * (worldX(px, py) - getX());
+    }
+
+    /**
      * Puts the body in another place. In a running simulation this teleports it: it passes through any body that was on the way,
      * and that body feels nothing of the speed. To push others on its way, use a movable body, for example on a rail with a
      * motor.
@@ -551,6 +600,32 @@ public class Body implements Serializable {
         Check.finite("torque", torque);
         requireMovable("a torque", true);
         speed("torque over the moment of inertia", torque / inertia);
+    }
+
+    /**
+     * Applies an impulse at the centre of mass, which changes the velocity at once: a kick that does not turn the body.
+     *
+     * @param rx x component of the impulse, mass·length/time
+     * @param ry y component of the impulse, mass·length/time
+     * @throws IllegalArgumentException if a component is not finite, the body is fixed, or a velocity would be beyond ±10¹⁵⁰
+     */
+    public final void addImpulse(double rx, double ry) {
+        Check.finite("rx", rx);
+        Check.finite("ry", ry);
+        requireMovable("an impulse", true);
+        setVelocity(getVelocityX() + rx / mass, getVelocityY() + ry / mass);
+    }
+
+    /**
+     * Applies an angular impulse, which changes the angular velocity at once.
+     *
+     * @param turn angular impulse, mass·length²/time
+     * @throws IllegalArgumentException if it is not finite, the body is fixed, or the angular velocity would be beyond ±10¹⁵⁰
+     */
+    public final void addAngularImpulse(double turn) {
+        Check.finite("turn", turn);
+        requireMovable("an impulse", true);
+        setAngularVelocity(getAngularVelocity() + turn / inertia);
     }
 
     /**

@@ -89,6 +89,23 @@ final class Balance implements Serializable {
         }
     }
 
+    /**
+     * Adds what forces have given since to the noted velocities: it is nobody's for nothing, and what pulls two groups together may not be taken
+     * back from one of them only.
+     *
+     * @param now accelerations of now
+     * @param then those that the noted velocities have been given
+     * @param part part of the substep for which they differ
+     */
+    void force(double[] now, double[] then, double part) {
+        for (int k = 0; k < groups.bodies; k++) {
+            int b = groups.blocks[k];
+            for (int m = b; m < b + BLOCK; m++) {
+                speeds[m] += part * (now[m] - then[m]);
+            }
+        }
+    }
+
     /** Measures energies: those that were noted, and those of now. */
     private void measure(double[] v) {
         int[] blocks = groups.blocks;

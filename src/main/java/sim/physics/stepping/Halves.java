@@ -43,7 +43,7 @@ final class Halves implements Serializable {
         }
     }
 
-    /** {@return the velocities of before: what is added to these, too, is not halved} */
+    /** {@return the velocities of before: what is added to these, too, is not halved; after a reload, the accelerations of before} */
     double[] before() {
         return half;
     }

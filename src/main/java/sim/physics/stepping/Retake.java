@@ -82,6 +82,11 @@ final class Retake implements Serializable {
         balance.note();
     }
 
+    /** Takes note of what forces that change within the substep have given in its second half; see {@link Halves#reload}. */
+    void reload(double[] now, double[] then, double h) {
+        balance.force(now, then, 0.5 * h);
+    }
+
     /**
      * Ends a substep.
      *

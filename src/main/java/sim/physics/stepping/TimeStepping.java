@@ -379,6 +379,9 @@ public final class TimeStepping implements Serializable {
         halves.move(d);
         if (forces.areUneven()) {
             halves.reload(a, end, d);
+            if (isBalanced) {
+                retake.reload(a, halves.before(), d);
+            }
         }
         contacts.follow();
         if (isTied) {

@@ -338,11 +338,12 @@ public final class NarrowPhase implements Serializable {
         return features.gap <= roundingOfGap();
     }
 
-    /**
-     * What rounding of coordinates may make of a gap.
-     *
-     * @return for the pair that was looked at last, length
-     */
+    /** {@return how fast the centres of the pair that was looked at last approach one another along its normal} */
+    public double approach() {
+        return -(pose.ux * features.nx + pose.uy * features.ny);
+    }
+
+    /** {@return what rounding of coordinates may make of the gap of the pair that was looked at last, length} */
     public double roundingOfGap() {
         return 4 * Tolerances.GAP * pose.extent;
     }
