@@ -115,9 +115,11 @@ class RefusalTest {
             Body arm = engine.bodies().get(5);
             Body lower = engine.bodies().get(7);
             for (int k = 0; k < 60; k++) {
-                assertThatThrownBy(() -> engine.assemble(PinJoint.bodyPoints(arm, 0, 0, lower, 0, 0))).isInstanceOf(ConstraintException.class);
-                assertThatThrownBy(engine::separate).isInstanceOf(RuntimeException.class);
-                PulleyJoint.bodyPoints(arm, 0, 0, 10, 9, lower, 0, 0, 20, 9, 1, 8); // is made, but not added
+                if (k % 15 == 0) {
+                    assertThatThrownBy(() -> engine.assemble(PinJoint.bodyPoints(arm, 0, 0, lower, 0, 0))).isInstanceOf(ConstraintException.class);
+                    assertThatThrownBy(engine::separate).isInstanceOf(RuntimeException.class);
+                    PulleyJoint.bodyPoints(arm, 0, 0, 10, 9, lower, 0, 0, 20, 9, 1, 8); // is made, but not added
+                }
                 engine.step();
                 twin.step();
                 assertThat(Scenes.hash(engine)).as("%d steps, then %d", steps, k).isEqualTo(Scenes.hash(twin));
