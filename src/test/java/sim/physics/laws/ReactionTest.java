@@ -10,7 +10,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
-import sim.physics.Scenes;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Motor;
@@ -21,7 +20,6 @@ import sim.physics.constraint.WeldJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Spring;
-import sim.physics.motion.SurfaceFriction;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -224,36 +222,5 @@ class ReactionTest {
         box.setAngle(0.25);
         WeldJoint second = new WeldJoint(box, null, 3, 0);
         assertThatThrownBy(() -> engine.assemble(first, second)).hasMessageContaining("number 1 of them, " + first + ", is open by 0.25 rad where the bodies are");
-    }
-
-    /** Asking changes no bit: neither by events nor by time stepping, where a second friction with the plane had been softened by it. */
-    @ParameterizedTest
-    @ValueSource(ints = {0, 4})
-    void askingForReactionsChangesNothing(int substeps) {
-        PhysicsEngine[] engines = {new PhysicsEngine(), new PhysicsEngine()};
-        for (PhysicsEngine engine : engines) {
-            engine.setTimeStep(1 / 60.0);
-            engine.setTimeStepping(substeps);
-            engine.add(new SurfaceFriction(5));
-            engine.add(new SurfaceFriction(3));
-            Body a = engine.add(new Body(new Rectangle(1, 0.3)).at(0.5, 0).moving(0, 1, 2));
-            Body b = engine.add(new Body(new Rectangle(1, 0.3)).at(1.5, 0));
-            a.setSurfaceFriction(0.05);
-            b.setSurfaceFriction(0.1);
-            engine.assemble(new PinJoint(a, 0, 0), new PinJoint(a, b, 1, 0), Motor.turning(b, a, 1, 0.05));
-        }
-        for (int k = 0; k < 60; k++) {
-            for (PhysicsEngine engine : engines) {
-                Body b = engine.bodies().get(1);
-                if (k == 40) {
-                    engine.add(new PinJoint(b, b.getX(), b.getY()));
-                }
-            }
-            engines[0].allConstraints().forEach(engines[0]::getReaction);
-            for (PhysicsEngine engine : engines) {
-                engine.step();
-            }
-            assertThat(Scenes.hash(engines[0])).as("step %d", k).isEqualTo(Scenes.hash(engines[1]));
-        }
     }
 }
