@@ -8,6 +8,7 @@ import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.Overlaps;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.Constraints;
+import sim.physics.constraint.Formation;
 import sim.physics.constraint.Reaction;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
@@ -17,6 +18,7 @@ import sim.physics.motion.Presence;
 import sim.physics.motion.Reach;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
+import sim.physics.motion.Writings;
 import sim.physics.response.lasting.Heaps;
 import sim.physics.response.lasting.RestingContacts;
 import sim.physics.stepping.TimeStepping;
@@ -425,6 +427,8 @@ final class Admission implements Presence, Serializable {
 
     /** Adds constraints between steps and closes them; if that cannot be, all is as before. */
     void assemble(Constraint... those) {
+        Writings writings = new Writings(state);
+        Formation formation = new Formation(constraints);
         for (Constraint c : those) {
             constraints.add(c);
         }
@@ -434,10 +438,8 @@ final class Admission implements Presence, Serializable {
             before.assemble();
         } catch (RuntimeException e) { // also what a constraint of an author throws
             before.putBack();
-            for (Constraint c : those) {
-                constraints.remove(c);
-            }
-            regroup();
+            formation.putBack(those);
+            writings.putBack();
             throw e;
         }
     }
@@ -453,7 +455,14 @@ final class Admission implements Presence, Serializable {
     /** Parts overlapping bodies between steps. */
     int separate(List<Body> bodies) {
         Runnable joints = constraints == null ? null : this::closeJoints;
-        return new Separation(overlaps(), bodies).run(joints);
+        Overlaps overlaps = overlaps();
+        Writings writings = new Writings(state);
+        try {
+            return new Separation(overlaps, bodies).run(joints);
+        } catch (RuntimeException e) {
+            writings.putBack();
+            throw e;
+        }
     }
 
     private void closeJoints() {

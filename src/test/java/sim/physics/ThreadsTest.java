@@ -5,6 +5,7 @@ package sim.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
+import static org.assertj.core.api.Assertions.within;
 
 import java.lang.ref.WeakReference;
 import java.util.ArrayList;
@@ -24,7 +25,9 @@ import sim.physics.motion.Euler;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
 import sim.physics.motion.Gravity;
+import sim.physics.motion.Integrator;
 import sim.physics.motion.Rattle;
+import sim.physics.motion.RungeKutta4;
 import sim.physics.motion.SurfaceFriction;
 import sim.physics.motion.SymplecticEuler;
 import sim.physics.motion.ViscousFriction;
@@ -433,5 +436,32 @@ class ThreadsTest {
             Thread.sleep(10);
         }
         assertThat(dropped).allMatch(r -> r.get() == null);
+    }
+
+    /** Pairs that are tied, stand on a rough plane, and are pulled harder than it holds them set off at g sin φ − μ g. */
+    @Test
+    void whatThePlaneDoesNotHold() {
+        for (Integrator method : List.of(new RungeKutta4(), new Rattle(4), new SymplecticEuler())) {
+            Supplier<PhysicsEngine> slope = () -> {
+                PhysicsEngine engine = new PhysicsEngine();
+                engine.setTimeStep(1 / 60.0);
+                engine.setIntegrator(method);
+                engine.add(new Gravity(3, 0));
+                engine.add(new SurfaceFriction(10));
+                for (int k = 0; k < 8; k++) {
+                    Body a = engine.add(new Body(new Circle(0.4)).at(0, 3 * k));
+                    Body b = engine.add(new Body(new Circle(0.4)).at(1, 3 * k));
+                    a.setSurfaceFriction(0.2);
+                    b.setSurfaceFriction(0.2);
+                    engine.add(new RodJoint(a, 0, 3 * k, b, 1, 3 * k));
+                }
+                return engine;
+            };
+            assertSameBits(slope, 60, -1);
+            PhysicsEngine shared = slope.get();
+            shared.setThreads(3, true);
+            POOL.submit(() -> run(shared, 60)).join();
+            assertThat(shared.bodies().get(5).getVelocityX()).isCloseTo(1, within(0.1));
+        }
     }
 }

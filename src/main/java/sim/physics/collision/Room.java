@@ -182,7 +182,8 @@ final class Room implements Serializable {
         double vy = speed(o + 1, time);
         double room = ROOM * radius;
         double v = Math.abs(vx) + Math.abs(vy);
-        double ahead = v == 0 ? 0 : AHEAD * room / v;
+        double whole = AHEAD * room / v;
+        double ahead = whole < Double.POSITIVE_INFINITY ? whole : 0; // at a speed of nothing or next to nothing it goes nowhere
         double pathX = pathBound(o, time, rest);
         double pathY = pathBound(o + 1, time, rest);
         double x = place(o, time) + ahead * vx;

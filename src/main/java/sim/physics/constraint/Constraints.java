@@ -24,17 +24,17 @@ public final class Constraints implements Ties, Serializable {
     private static final long serialVersionUID = 3L;
 
     private final State state;
-    private final Register register = new Register();
-    private List<TiedGroup> groups = new ArrayList<>();
+    final Register register = new Register();
+    List<TiedGroup> groups = new ArrayList<>();
 
     /** The group of each body. */
-    private TiedGroup[] of = {};
+    TiedGroup[] of = {};
 
     private ConstraintSolver solver = new DirectSolver();
     private final Projection projection = new Projection();
     private Stabilization stabilization = Stabilization.projection();
     private long version;
-    private long grouping;
+    long grouping;
     private final Brittle brittle = new Brittle();
 
     /** The islands of the group of several that was asked for last. */
@@ -199,7 +199,7 @@ public final class Constraints implements Ties, Serializable {
         of = Grouping.renew(groups, register, state, of);
     }
 
-    private void changeIslands() {
+    void changeIslands() {
         version++;
         grouping++;
         several.forget();

@@ -67,13 +67,18 @@ public abstract class Joint implements Constraint {
      */
     public final void setCollideConnected(boolean collide) {
         boolean isNew = collide != collideConnected;
-        collideConnected = collide;
         if (isNew) {
             write(a, b);
         }
+        collideConnected = collide;
     }
 
-    /** Lets an engine look anew at the bodies of a constraint, if they are in one. */
+    /** The same for a joint that is being made, which is in no engine yet. */
+    final void collideConnected() {
+        collideConnected = true;
+    }
+
+    /** Lets an engine look anew at the bodies of a constraint, if they are in one, before it is set; refuses it where it must not be. */
     static void write(Body a, Body b) {
         for (Body body : b == null ? new Body[] {a} : new Body[] {a, b}) {
             if (!body.isFixed()) {
@@ -117,11 +122,11 @@ public abstract class Joint implements Constraint {
             throw new IllegalArgumentException("breaking torque is " + torque + ": it must be greater than 0");
         }
         boolean isNew = force != breakingForce || torque != breakingTorque;
-        breakingForce = force;
-        breakingTorque = torque;
         if (isNew) {
             write(a, b);
         }
+        breakingForce = force;
+        breakingTorque = torque;
     }
 
     final boolean isBreakable() {

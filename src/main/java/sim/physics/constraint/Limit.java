@@ -167,10 +167,10 @@ public final class Limit extends Switched {
      */
     public void setBounds(double lower, double upper) {
         boolean isNew = lower != this.lower || upper != this.upper;
-        bound(lower, upper);
-        if (isNew) {
+        if (isNew && lower < upper) {
             Joint.write(getBodyA(), getBodyB());
         }
+        bound(lower, upper);
     }
 
     /**

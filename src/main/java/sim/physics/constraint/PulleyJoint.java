@@ -36,7 +36,7 @@ public final class PulleyJoint extends Joint {
         this.second = second;
         this.ratio = ratio;
         this.length = length;
-        setCollideConnected(true);
+        collideConnected();
     }
 
     /**
@@ -122,10 +122,10 @@ public final class PulleyJoint extends Joint {
      */
     public void setLength(double length) {
         boolean isNew = Check.positive("length", length) != this.length;
-        this.length = length;
         if (isNew) {
             write(getBodyA(), getBodyB());
         }
+        this.length = length;
     }
 
     /**

@@ -139,10 +139,10 @@ public final class RodJoint extends Joint implements Link {
      */
     public void setLength(double length) {
         boolean isNew = Check.positive("length", length) != this.length;
-        this.length = length;
         if (isNew) {
             write(getBodyA(), getBodyB());
         }
+        this.length = length;
     }
 
     @Override

@@ -137,10 +137,10 @@ abstract class Switched implements Constraint {
      */
     public void setCollideConnected(boolean collide) {
         boolean isNew = collide != collideConnected;
-        collideConnected = collide;
         if (isNew) {
             Joint.write(getBodyA(), getBodyB());
         }
+        collideConnected = collide;
     }
 
     @Override

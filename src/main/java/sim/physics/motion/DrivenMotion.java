@@ -107,11 +107,11 @@ final class DrivenMotion implements Serializable {
      */
     double advance(IntList group, Neighbours neighbours) {
         ensure();
-        if (repose.hasAll(group) || motion.ground().stops(group)) {
-            return stay(group);
-        }
         int first = group.values[0];
         int done = motion.late().takeRefused(first) ? Ahead.REFUSAL : ahead == null ? Ahead.NOTHING : ahead.take(first, motion.work);
+        if ((done == Ahead.NOTHING || done == Ahead.REFUSAL) && (repose.hasAll(group) || motion.ground().stops(group))) {
+            return stay(group); // else a thread has asked that, and the vectors hold where it has moved the bodies
+        }
         if (done == Ahead.REFUSAL) {
             tied.setRefused(true);
         } else if (done != Ahead.NOTHING && (!ahead.isCoarse(first) || !areNear(group, neighbours))) {

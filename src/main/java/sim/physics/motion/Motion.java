@@ -75,7 +75,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         pushed = original.pushed;
         support = original.support;
         drivenMotion = new DrivenMotion(this, state, trajectories);
-        ground = original.ground;
+        ground = new Ground(this, state, trajectories); // it works in memory of its own
     }
 
     /**

@@ -59,7 +59,7 @@ public final class State implements Serializable {
     private int[] free = {};
     private int freeCount;
 
-    private final Touched touched;
+    final Touched touched;
 
     /** Null but while listeners are called. */
     private Presence presence;

@@ -64,6 +64,22 @@ final class Touched implements Serializable {
         how[index] = isForce ? how[index] : WRITTEN;
     }
 
+    /** {@return the same notes once more} */
+    Touched copy() {
+        Touched copy = new Touched(how.length);
+        copy.take(this);
+        return copy;
+    }
+
+    /** Replaces all notes by others, of the same blocks. */
+    void take(Touched other) {
+        list = other.list.clone();
+        how = other.how.clone();
+        count = other.count;
+        quiet = other.quiet;
+        writes++;
+    }
+
     /** Forgets them. */
     void clear() {
         quiet = count == 0 ? quiet + 1 : 0;

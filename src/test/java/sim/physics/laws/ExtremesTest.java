@@ -7,10 +7,15 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
+import sim.physics.collision.broad.BroadPhase;
+import sim.physics.collision.broad.BruteForce;
+import sim.physics.collision.broad.CellGrid;
+import sim.physics.collision.broad.SortAndSweep;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.ViscousFriction;
@@ -84,6 +89,44 @@ class ExtremesTest {
         run(engine, 2000); // e^−2000 is below the least number
         assertThat(a.getX()).isCloseTo(1, within(0.02));
         assertThat(Math.abs(a.getVelocityX())).isLessThan(1e-300);
+    }
+
+    /** Drag has nearly stopped a disc, and another one comes: they meet. The disc's box had been no number. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, Double.MIN_VALUE, 1e-320, 1e-310, 1e-300, 1e-160})
+    void whatHardlyMovesUnderForcesIsMet(double speed) {
+        for (BroadPhase broadPhase : new BroadPhase[] {new BruteForce(), new SortAndSweep(), new CellGrid()}) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(0.1);
+            engine.setBroadPhase(broadPhase);
+            engine.add(new ViscousFriction(1));
+            Body slow = engine.add(new Body(new Circle(1)).moving(speed, 0));
+            slow.setSurfaceFriction(0.01);
+            run(engine, 3);
+            slow.setPosition(0, 0);
+            slow.setVelocity(speed, 0);
+            Body fast = engine.add(new Body(new Circle(1)).at(4, 0).moving(-5, 0));
+            run(engine, 20);
+            assertThat(engine.getImpacts()).isEqualTo(1);
+            assertThat(fast.getX()).as("like discs exchange their speeds").isCloseTo(2, within(0.1));
+            assertThat(slow.getX()).isLessThan(-4);
+        }
+    }
+
+    /** Bodies that fit no cell of the grid are where cells have no numbers any more: a step had never ended. */
+    @Test
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void largeBodiesMeetFarAway() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setBroadPhase(new CellGrid());
+        for (int k = 0; k < 400; k++) {
+            engine.add(new Body(new Circle(0.1)).at(k, 0));
+        }
+        Body large = engine.add(new Body(new Circle(5)).at(1e12, 0).moving(1, 0));
+        Body other = engine.add(new Body(new Circle(5)).at(1e12 + 20, 0));
+        run(engine, 20);
+        assertThat(engine.getImpacts()).isEqualTo(1);
+        assertThat(other.getX() - large.getX()).isCloseTo(20, within(0.01));
     }
 
     @Test

@@ -11,8 +11,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
+import sim.physics.Scenes;
 import sim.physics.constraint.Constraint;
+import sim.physics.constraint.ConstraintException;
+import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.PulleyJoint;
 import sim.physics.constraint.RodJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
@@ -77,6 +81,49 @@ class RefusalTest {
                 Runnable call = calls(engine).get(name);
                 assertThatThrownBy(call::run).as(name).isInstanceOf(RuntimeException.class);
                 assertThat(Checkpoint.bytes(engine)).as(name).isEqualTo(before);
+            }
+        }
+    }
+
+    /** A pendulum that a motor brakes, a chain of two that swings, and two discs that are held in one another. */
+    private static PhysicsEngine machines(int substeps) {
+        PhysicsEngine engine = scene(substeps);
+        Body arm = engine.add(new Body(new Rectangle(1, 0.2)).at(10.5, 5));
+        engine.add(new PinJoint(arm, 10, 5));
+        engine.add(Motor.turning(arm, null, 0, 0.1));
+        Body upper = engine.add(new Body(new Rectangle(1, 0.2)).at(20.5, 5));
+        Body lower = engine.add(new Body(new Rectangle(1, 0.2)).at(21.5, 5));
+        engine.add(new PinJoint(upper, 20, 5));
+        engine.add(new PinJoint(upper, lower, 21, 5));
+        for (int k = 0; k < 2; k++) {
+            Body disc = engine.add(new Body(new Circle(1)).at(30 + k, 5));
+            engine.add(new PinJoint(disc, 30 + k, 5));
+        }
+        return engine;
+    }
+
+    /** Bit for bit: the workspace of those who tried is not looked at. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 4})
+    void whatCannotBeClosedOrPartedChangesNothing(int substeps) {
+        for (int steps : new int[] {1, 20, 200}) {
+            PhysicsEngine engine = machines(substeps);
+            for (int k = 0; k < steps; k++) {
+                engine.step();
+            }
+            PhysicsEngine twin = Checkpoint.copy(engine);
+            Body arm = engine.bodies().get(5);
+            Body lower = engine.bodies().get(7);
+            for (int k = 0; k < 60; k++) {
+                if (k % 15 == 0) {
+                    assertThatThrownBy(() -> engine.assemble(PinJoint.bodyPoints(arm, 0, 0, lower, 0, 0))).isInstanceOf(ConstraintException.class);
+                    assertThatThrownBy(engine::separate).isInstanceOf(RuntimeException.class);
+                    PulleyJoint.bodyPoints(arm, 0, 0, 10, 9, lower, 0, 0, 20, 9, 1, 8); // is made, but not added
+                }
+                engine.step();
+                twin.step();
+                assertThat(Scenes.hash(engine)).as("%d steps, then %d", steps, k).isEqualTo(Scenes.hash(twin));
+                assertThat(engine.isAsleep(arm)).isEqualTo(twin.isAsleep(twin.bodies().get(5)));
             }
         }
     }

@@ -344,8 +344,8 @@ public final class CellGrid implements BroadPhase {
         int count = size;
         for (int row = 0; row <= rows; row++) {
             int first = low + (lowest + row) * level.rowStep;
-            for (int c = first; c <= first + columns; c++) {
-                for (int other = level.head[c & level.mask]; other != NONE; other = next[other]) {
+            for (int c = 0; c <= columns; c++) { // the numbers of cells may be the last ones there are
+                for (int other = level.head[first + c & level.mask]; other != NONE; other = next[other]) {
                     if (count + USUAL >= list.length) {
                         list = Arrays.copyOf(list, 2 * list.length);
                     }
