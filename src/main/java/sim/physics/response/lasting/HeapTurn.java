@@ -112,6 +112,11 @@ final class HeapTurn implements Serializable {
         turn(after, time, regains);
     }
 
+    /** Takes the velocities that bodies would have at the end of the time if they went on as they have done, to an array. */
+    void foresee(double[] v, int bodies) {
+        System.arraycopy(after, 0, v, 0, 3 * bodies);
+    }
+
     /** Keeps what bodies gain in a time, as they will in the next one. */
     void keep(IntList heap, double[] v, double time) {
         for (int k = 0; k < heap.size; k++) {
@@ -135,6 +140,11 @@ final class HeapTurn implements Serializable {
      */
     void turn(double[] v, double time, boolean regains) {
         aim(v, time);
+        bound(v, time, regains);
+    }
+
+    /** Lets points part as they have to where they are at the end of the time, with velocities that bodies reach then. */
+    void bound(double[] v, double time, boolean regains) {
         for (int p = 0; p < system.contacts(); p++) {
             boolean isFollowed = look(p, v, 0.5 * time, 0.5 * time);
             set(p, end);
