@@ -46,7 +46,7 @@ final class GapBound {
                 return time;
             }
             time = Math.min(ahead, found);
-            if (found < ahead || time >= end) {
+            if (found < ahead || time >= end || fourth == Double.POSITIVE_INFINITY) {
                 return time;
             }
         }

@@ -218,7 +218,7 @@ final class TimeOfImpact {
             advanceToEdge(pose.a, features.featureA >> 1, pose.b, features.featureB >> 1, 1);
         } else {
             advanceToVertex();
-            s = touching || s >= horizon ? s : TurningLine.time(pose, features, s, horizon);
+            s = touching || s >= horizon || !pose.isPushed() ? s : TurningLine.time(pose, features, s, horizon);
         }
     }
 
@@ -338,7 +338,7 @@ final class TimeOfImpact {
             double along = pose.accelerationIsConstant ? -(pose.ax * nx + pose.ay * ny) : pose.maxAcceleration;
             if (pose.isQuadratic()) {
                 third = thirdOfSpin(owner, other);
-                fourth = fourthOfSpin(owner, other);
+                fourth = pose.isPushed() ? fourthOfSpin(owner, other) : INFINITE;
             }
             return Math.max(0, along + turning * other.core);
         }
@@ -361,7 +361,7 @@ final class TimeOfImpact {
                     + 3 * spin * pose.maxAcceleration
                     + 3 * square * speed
                     + spin * (3 * owner.maxAlpha + spin * spin) * reach;
-            fourth = fourthOfSpin(owner, other)
+            fourth = !pose.isPushed() ? INFINITE : fourthOfSpin(owner, other)
                     + 6 * square * pose.maxAcceleration
                     + 4 * spin * (3 * owner.maxAlpha + spin * spin) * speed
                     + GapBound.fourthOfTurn(spin, owner.maxAlpha) * reach;
@@ -462,7 +462,7 @@ final class TimeOfImpact {
 
     /**
      * Lowers s to the first root of g + g' s − M s²/2, or notices a contact. Where the present g″ and a bound T of |g‴|
-     * are known, −g″ + T S/3 is as good as M up to a time S, and often smaller ({@link GapBound}).
+     * are known, −g″ + T S/3 is as good as M up to a time S, and often smaller; where more is known see {@link GapBound}.
      */
     private void limit(double gap, double rate, double bound, double curvature) {
         double g = gap;

@@ -20,7 +20,7 @@ final class TurningLine {
      */
     static double time(Pose pose, ClosestFeatures features, double known, double horizon) {
         boolean isFirst = isDisc(pose.a);
-        if (!pose.isQuadratic() || pose.isLinear() || !isFirst && !isDisc(pose.b) || !(features.gap > 0)) {
+        if (!pose.isQuadratic() || !isFirst && !isDisc(pose.b) || !(features.gap > 0)) {
             return known;
         }
         Pose.Placed disc = isFirst ? pose.a : pose.b;

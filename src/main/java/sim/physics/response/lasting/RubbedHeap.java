@@ -37,7 +37,7 @@ final class RubbedHeap implements Serializable {
     private static final double SETTLED = 1e-8;
 
     /** The same in units of the error that is good enough for contacts. */
-    private static final double ENOUGH = 4;
+    private static final double ENOUGH = 10;
 
     /** How many times faster than at the start and than at first bodies are where the turns lead nowhere. */
     private static final double WILD = 10;

@@ -44,6 +44,7 @@ class PushedPairTest extends MovingPair {
                 continue;
             }
             pose.load(0, 1);
+            pose.lies = k % 2 == 0;
             double found = search.search(0, END, ClosestFeatures.NO_FEATURES);
             boolean isTouching = search.touching;
             double until = Math.min(END, found);
@@ -80,8 +81,9 @@ class PushedPairTest extends MovingPair {
         m[Trajectories.STRIDE + Trajectories.VY] += spin * x;
         m[Trajectories.STRIDE + Trajectories.OMEGA] = spin;
         push(0, pull, 0, 0);
-        push(1, pull - spin * spin * x, -spin * spin * y, 0);
+        push(1, pull - spin * spin * x, -spin * spin * y, 1e-3);
         pose.load(0, 1);
+        pose.lies = true;
         long before = search.evaluations;
         assertThat(search.search(0, h, ClosestFeatures.NO_FEATURES)).isGreaterThanOrEqualTo(h);
         assertThat(search.touching).isFalse();
