@@ -176,6 +176,7 @@ public final class NarrowPhase implements Serializable {
         apart = false;
         load(pair);
         pose.rounding -= slack;
+        pose.lies = true;
         double found = timeOfImpact.search(tau, end, pairs.code(pair));
         pairs.setCode(pair, timeOfImpact.code);
         touching = timeOfImpact.touching;

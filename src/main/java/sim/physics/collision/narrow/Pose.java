@@ -175,6 +175,9 @@ final class Pose {
     /** Whether both angular accelerations are constant. */
     private boolean spinIsQuadratic;
 
+    /** Whether the bodies lie on one another; to be said of each pair anew. */
+    boolean lies;
+
     Pose(ShapeTable shapes, Trajectories trajectories) {
         this.shapes = shapes;
         this.trajectories = trajectories;
@@ -197,6 +200,7 @@ final class Pose {
         oa = bodyA * Trajectories.STRIDE;
         ob = bodyB * Trajectories.STRIDE;
         placedAt = Double.NaN;
+        lies = false;
         a.load(shapes, partA);
         b.load(shapes, partB);
         rounding = a.rounding() + b.rounding();
@@ -283,6 +287,11 @@ final class Pose {
     /** Whether all accelerations of both bodies are constant. */
     boolean isQuadratic() {
         return accelerationIsConstant && spinIsQuadratic;
+    }
+
+    /** Whether bodies that lie on one another are pushed evenly: they stay where they are on one another, where others part. */
+    boolean isPushed() {
+        return lies && (a.alpha != 0 || b.alpha != 0);
     }
 
     private boolean isLinear(int o) {

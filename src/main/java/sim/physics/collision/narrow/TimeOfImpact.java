@@ -39,9 +39,6 @@ final class TimeOfImpact {
 
     private static final double LEEWAY = 1e-10;
 
-    /** How far ahead of the simple bound the finer one looks. */
-    private static final double AHEAD = 3;
-
     private static final double INFINITE = Double.POSITIVE_INFINITY;
 
     /** Parts of the step by which a search moves on that rounding has stopped; a contact is believed after them. */
@@ -85,8 +82,11 @@ final class TimeOfImpact {
 
     private double s;
 
-    /** Bound of |g‴|, or infinite if it is not known. */
+    /** Bounds of |g‴| and of |g⁗|, or infinite if they are not known; and the present g‴, where the latter is. */
     private double third;
+
+    private double fourth;
+    private double jerk;
 
     TimeOfImpact(Pose pose, ClosestFeatures features) {
         this.pose = pose;
@@ -158,7 +158,7 @@ final class TimeOfImpact {
         double height = (other.cx - owner.vx[feature >> 1]) * ex + (other.cy - owner.vy[feature >> 1]) * ey;
         double gap = height - other.core - pose.rounding;
         double pull = pose.accelerationIsConstant ? -side * (pose.ax * ex + pose.ay * ey) : pose.maxAcceleration;
-        return gap > 0 ? root(gap, side * (pose.ux * ex + pose.uy * ey), Math.max(0, pull)) : 0;
+        return gap > 0 ? GapBound.root(gap, side * (pose.ux * ex + pose.uy * ey), Math.max(0, pull)) : 0;
     }
 
     /**
@@ -218,6 +218,7 @@ final class TimeOfImpact {
             advanceToEdge(pose.a, features.featureA >> 1, pose.b, features.featureB >> 1, 1);
         } else {
             advanceToVertex();
+            s = touching || s >= horizon || !pose.isPushed() ? s : TurningLine.time(pose, features, s, horizon);
         }
     }
 
@@ -249,6 +250,7 @@ final class TimeOfImpact {
                     - relative * relative * (rx * ex + ry * ey)
                     - owner.omega * owner.omega * ((qx - rx) * ex + (qy - ry) * ey);
             double rate = wx * ex + wy * ey;
+            jerk = fourth < INFINITE ? jerk(owner, other, side, ex, ey, k) : 0;
             double along = (other.vy[k] - owner.vy[edge]) * ex - (other.vx[k] - owner.vx[edge]) * ey;
             if (j == 0) {
                 closestAlong = along;
@@ -289,6 +291,22 @@ final class TimeOfImpact {
         wholeLine = false;
     }
 
+    /** The present g‴ of a vertex over an edge, under constant accelerations. */
+    private double jerk(Pose.Placed owner, Pose.Placed other, int side, double ex, double ey, int k) {
+        double rx = other.vx[k] - other.cx;
+        double ry = other.vy[k] - other.cy;
+        double spin = owner.omega;
+        double relative = other.omega - spin;
+        double ofCentres = -3 * spin * owner.alpha * (pose.px * ex + pose.py * ey)
+                - spin * spin * spin * (pose.py * ex - pose.px * ey)
+                + 3 * owner.alpha * (pose.uy * ex - pose.ux * ey)
+                - 3 * spin * spin * (pose.ux * ex + pose.uy * ey)
+                + 3 * spin * (pose.ay * ex - pose.ax * ey);
+        return side * ofCentres
+                - 3 * relative * (other.alpha - owner.alpha) * (rx * ex + ry * ey)
+                - relative * relative * relative * (rx * ey - ry * ex);
+    }
+
     /** Like {@link #limit}, without a bound of the third derivative. */
     private void limitSlowly(double gap, double rate, double bound) {
         double known = third;
@@ -300,14 +318,17 @@ final class TimeOfImpact {
     /** Bound M of |g''| of the end of an edge over the flush edge of the other body. */
     private double boundOfEnd(Pose.Placed owner, Pose.Placed other, double nx, double ny) {
         double known = third;
+        double knownOfFourth = fourth;
         double bound = boundNearEdge(other, owner, nx, ny);
         third = known;
+        fourth = knownOfFourth;
         return bound;
     }
 
     /** Bound M of |g''| of the vertices of one body over a spinning edge of the other, until they part. */
     private double boundNearEdge(Pose.Placed owner, Pose.Placed other, double nx, double ny) {
         third = INFINITE;
+        fourth = INFINITE;
         if (pose.isLinear()) {
             return boundInFrame(owner, other);
         }
@@ -317,6 +338,7 @@ final class TimeOfImpact {
             double along = pose.accelerationIsConstant ? -(pose.ax * nx + pose.ay * ny) : pose.maxAcceleration;
             if (pose.isQuadratic()) {
                 third = thirdOfSpin(owner, other);
+                fourth = pose.isPushed() ? fourthOfSpin(owner, other) : INFINITE;
             }
             return Math.max(0, along + turning * other.core);
         }
@@ -339,6 +361,10 @@ final class TimeOfImpact {
                     + 3 * spin * pose.maxAcceleration
                     + 3 * square * speed
                     + spin * (3 * owner.maxAlpha + spin * spin) * reach;
+            fourth = !pose.isPushed() ? INFINITE : fourthOfSpin(owner, other)
+                    + 6 * square * pose.maxAcceleration
+                    + 4 * spin * (3 * owner.maxAlpha + spin * spin) * speed
+                    + GapBound.fourthOfTurn(spin, owner.maxAlpha) * reach;
         }
         return pose.maxAcceleration
                 + turning * other.core
@@ -351,6 +377,11 @@ final class TimeOfImpact {
         double relative = other.maxOmega + owner.maxOmega;
         double twist = Math.abs(other.alpha - owner.alpha);
         return relative * (3 * twist + relative * relative) * other.core;
+    }
+
+    /** The same of |g⁗|. */
+    private static double fourthOfSpin(Pose.Placed owner, Pose.Placed other) {
+        return GapBound.fourthOfTurn(other.maxOmega + owner.maxOmega, Math.abs(other.alpha - owner.alpha)) * other.core;
     }
 
     /**
@@ -431,7 +462,7 @@ final class TimeOfImpact {
 
     /**
      * Lowers s to the first root of g + g' s − M s²/2, or notices a contact. Where the present g″ and a bound T of |g‴|
-     * are known, −g″ + T S/3 is as good as M up to a time S, and often smaller.
+     * are known, −g″ + T S/3 is as good as M up to a time S, and often smaller; where more is known see {@link GapBound}.
      */
     private void limit(double gap, double rate, double bound, double curvature) {
         double g = gap;
@@ -451,31 +482,11 @@ final class TimeOfImpact {
         if (g + s * (rate - 0.5 * s * bound) >= 0 && s < INFINITE) {
             return; // the bound is concave: it is not negative before s
         }
-        double root = root(g, rate, bound);
+        double root = GapBound.root(g, rate, bound);
         if (third < INFINITE && root < s) {
-            double ahead = AHEAD * root;
-            root = Math.max(root, Math.min(ahead, root(g, rate, Math.max(0, ahead * third / 3 - curvature))));
-            root = rate < 0 ? root : Math.max(root, rise(rate, curvature));
+            root = GapBound.ahead(g, rate, curvature, third, jerk, fourth, root, Math.min(s, horizon));
+            root = rate < 0 ? root : Math.max(root, GapBound.rise(rate, curvature, third));
         }
         s = Math.min(s, root);
-    }
-
-    /** The time for which g' s + g″ s²/2 − T s³/6 is surely not negative, for g' ≥ 0: a gap that widens does so for a while. */
-    private double rise(double rate, double curvature) {
-        double half = 0.5 * curvature;
-        double d = Math.sqrt(half * half + 2 * third * rate / 3);
-        if (curvature > 0) {
-            return third == 0 ? INFINITE : 3 * (half + d) / third;
-        }
-        return rate == 0 ? 0 : 2 * rate / (d - half);
-    }
-
-    /** First root of g + g' s − M s²/2 for g ≥ 0 and M ≥ 0. */
-    private static double root(double g, double rate, double bound) {
-        if (bound == 0) {
-            return rate < 0 ? g / -rate : INFINITE;
-        }
-        double d = Math.sqrt(rate * rate + 2 * bound * g);
-        return rate < 0 ? 2 * g / (d - rate) : (rate + d) / bound;
     }
 }

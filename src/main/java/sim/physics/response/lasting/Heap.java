@@ -413,7 +413,7 @@ final class Heap implements Serializable {
             notes.note(given(until - tau), done || !system.isTied());
         }
         if (isRubbed) {
-            rubbing.end();
+            rubbing.end(heap, until - tau);
         }
         if (halts && !isPressed) {
             driving.halt(heap);

@@ -29,11 +29,20 @@ final class RubbedHeap implements Serializable {
     /** Change of the friction of the plane, relative to itself, at which they are right. */
     private static final double SAME = 3e-3;
 
+    /** The same at which it is kept from then on: if it were found anew in each turn, points would follow its last digits. */
+    private static final double RIGHT = 1e-3;
+
     /** Change of a velocity, relative to the largest one, at which points are where they were taken to be. */
     private static final double SETTLED = 1e-8;
 
+    /** The same in units of the error that is good enough for contacts. */
+    private static final double ENOUGH = 10;
+
     /** How many times faster than at the start and than at first bodies are where the turns lead nowhere. */
     private static final double WILD = 10;
+
+    /** Part of a step in which bodies gain as much as they will in the next one. */
+    private static final double LONG = 0.5;
 
     /** Speed of a body that is none, relative to that which the plane takes from it in the time. */
     private static final double NONE = 1e-9;
@@ -96,25 +105,33 @@ final class RubbedHeap implements Serializable {
             notes.start(p, length);
         }
         boolean right = true;
-        double missed = 0;
+        boolean isFound = false;
+        double missed = Double.POSITIVE_INFINITY;
         double most = Math.max(scale, usual);
+        double settled = Math.max(SETTLED * scale, ENOUGH * system.tolerance().enough());
         turning.begin(heap, length, true, true);
-        System.arraycopy(free, 0, system.v, 0, 3 * heap.size); // a first guess of how they move
+        turning.foresee(system.v, heap.size);
         for (int turn = 0, turns = TURNS; turn < turns; turn++) {
-            system.momenta(momenta);
-            double change = ground.find(system, free, momenta);
-            if (turn > 0 && change <= SAME && missed <= SETTLED * scale) {
+            double change = isFound ? 0 : rub();
+            if (turn > 0 && change <= SAME && missed <= settled) {
                 break;
             }
+            isFound |= turn > 0 && change <= RIGHT && !ground.isNew();
             turns = ground.isNew() ? Math.max(turns, turn + 1 + MORE) : turns;
+            if (turn > 0) {
+                turning.bound(system.v, length, true);
+            }
             right = push(heap, scale);
             double fastest = scales.fastest(heap, system.v);
             if (turn > 0 && !(fastest <= WILD * most)) {
                 return solveStraight(heap, scale);
             }
             most = Math.max(most, fastest);
-            turning.turn(system.v, length, true);
+            turning.aim(system.v, length);
             missed = missed(heap);
+            if (isFound && missed <= settled) {
+                break;
+            }
         }
         if (ground.stop(system)) {
             right = push(heap, scale);
@@ -139,6 +156,12 @@ final class RubbedHeap implements Serializable {
         system.straighten();
         system.startFromNothing();
         system.restart();
+    }
+
+    /** Finds the friction of the plane under the impulses of the contacts; returns by how much it has changed, relative to itself. */
+    private double rub() {
+        system.momenta(momenta);
+        return ground.find(system, free, momenta);
     }
 
     /** Solves for the impulses of the contacts, beside what the plane gives; as far as turning changes what these do, with those of before. */
@@ -245,8 +268,11 @@ final class RubbedHeap implements Serializable {
         usual = Math.max(usual, scales.fastest(heap, free));
     }
 
-    /** Gives the bodies back the masses that they have. */
-    void end() {
+    /** Gives the bodies back the masses that they have, and keeps what they gain in the time, as they will in the next one. */
+    void end(IntList heap, double time) {
+        if (time >= LONG * trajectories.h()) { // in less, what it takes to regain a gap is no force that goes on
+            turning.keep(heap, system.v, time);
+        }
         ground.end(system);
     }
 

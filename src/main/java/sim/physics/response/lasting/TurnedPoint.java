@@ -15,10 +15,10 @@ final class TurnedPoint implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /**
-     * Values per point: normal, places relative to both bodies, from centre to centre, gap, radii. The places are those of corners, or of the
-     * centres of discs, which may be parts of their bodies: what touches of a disc is another point each time.
+     * Values per point: normal, places relative to both bodies, from centre to centre, gap, radii, shorter lever. The places are those of
+     * corners, or of the centres of discs, which may be parts of their bodies: what touches of a disc is another point each time.
      */
-    private static final int STRIDE = 11;
+    private static final int STRIDE = 12;
 
     private static final int EDGE_A = 0;
     private static final int EDGE_B = 1;
@@ -72,6 +72,7 @@ final class TurnedPoint implements Serializable {
         data[o + 8] = m.gaps[k];
         data[o + 9] = m.roundA ? length(m.rAx[k], m.rAy[k]) : m.radiusA;
         data[o + 10] = m.roundB ? length(m.rBx[k], m.rBy[k]) : m.radiusB;
+        data[o + 11] = Math.min(length(data[o + 2], data[o + 3]) + data[o + 9], length(data[o + 4], data[o + 5]) + data[o + 10]);
         kinds[p] += (m.roundA ? 8 : 0) + (m.roundB ? 16 : 0);
     }
 
@@ -85,7 +86,7 @@ final class TurnedPoint implements Serializable {
     double slide(int p, double dx, double dy) {
         int o = STRIDE * p;
         double way = data[o] * dy - data[o + 1] * dx;
-        return Math.abs(way) / Math.min(length(data[o + 2], data[o + 3]) + data[o + 9], length(data[o + 4], data[o + 5]) + data[o + 10]);
+        return Math.abs(way) / data[o + 11];
     }
 
     private static double length(double x, double y) {
@@ -104,14 +105,14 @@ final class TurnedPoint implements Serializable {
         int o = STRIDE * p;
         double px = data[o + 6] + dx;
         double py = data[o + 7] + dy;
-        Trig.sinCos(turnA, turns, 0);
-        Trig.sinCos(turnB, turns, 2);
+        isRoundA = (kinds[p] & 8) != 0;
+        isRoundB = (kinds[p] & 16) != 0;
+        Trig.sinCos(isRoundA ? 0 : turnA, turns, 0); // the place of a disc is its centre
+        Trig.sinCos(isRoundB ? 0 : turnB, turns, 2);
         double cosA = turns[0];
         double sinA = turns[1];
         double cosB = turns[2];
         double sinB = turns[3];
-        isRoundA = (kinds[p] & 8) != 0;
-        isRoundB = (kinds[p] & 16) != 0;
         int kind = kinds[p] & 7;
         nx = data[o];
         ny = data[o + 1];
