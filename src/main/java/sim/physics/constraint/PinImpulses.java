@@ -56,9 +56,8 @@ final class PinImpulses implements Serializable {
     private int[] blocks = {};
 
     private double[] data = {};
-    /** Impulses with which the step began, and those of which the sums know. */
-    private double[] kept = {};
 
+    /** Impulses of which the sums know. */
     private double[] noted = {};
 
     /** The substep. */
@@ -88,7 +87,6 @@ final class PinImpulses implements Serializable {
         awake = number;
         blocks = new int[2 * pins.size()];
         data = new double[STRIDE * pins.size()];
-        kept = new double[2 * pins.size()];
         noted = new double[2 * pins.size()];
         turning.clear();
         boolean[] turns = new boolean[state.size()];
@@ -167,7 +165,6 @@ final class PinImpulses implements Serializable {
         for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
             data[o + IMPULSE] *= growth;
             data[o + IMPULSE + 1] *= growth;
-            System.arraycopy(data, o + IMPULSE, kept, 2 * k, 2);
             Arrays.fill(data, o + SUM, o + MOST, 0);
         }
         evaluate(0);
@@ -309,11 +306,11 @@ final class PinImpulses implements Serializable {
         }
     }
 
-    /** Puts the impulses of marked bodies back with which the step began. */
+    /** Puts the impulses of marked bodies back with which the substep began. */
     void putBack(boolean[] marks) {
         for (int k = 0; k < awake; k++) {
             if (TieEquations.isMarked(blocks, k, marks)) {
-                System.arraycopy(kept, 2 * k, data, STRIDE * k + IMPULSE, 2);
+                System.arraycopy(data, STRIDE * k + STARTED, data, STRIDE * k + IMPULSE, 2);
             }
         }
     }

@@ -8,7 +8,7 @@ import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 
 /**
- * Stops as time stepping solves them. In a substep they are rows among others. At the end of a step, those that have been struck in it are solved for
+ * Stops as time stepping solves them. In a substep they are rows among others. At its end, those that have been struck in it are solved for
  * what they gave in all of it, in turn with the joints and contacts of their bodies: first until nothing goes on into them, then until they part at
  * the speed that restitution asks for. A stop alone does not know what joints make of its impulse, and an impact has no second substep.
  */
@@ -43,7 +43,7 @@ public final class StopRows implements Serializable {
     /** Impulses of the substep, of all constraints. */
     private double[] impulse = {};
 
-    /** Two per stop, for its lower and its upper bound: impulses with which the step began, their sums in it, and the speeds of strikes. */
+    /** Two per stop, for its lower and its upper bound: impulses with which the step began, those of the substep, and the speeds of strikes. */
     private double[] loads = {};
 
     private double[] sums = {};
@@ -52,15 +52,13 @@ public final class StopRows implements Serializable {
     /** What each gives back at least, once restitution has begun. */
     private double[] least = {};
 
-    /** By stop, when nothing had yet pressed in the step: coordinate, its speed, the last two accelerations, and the time since the step began. */
+    /** By stop, before the substep: coordinate and its speed, and the last two accelerations while nothing pressed. */
     private double[] coordinate = {};
 
     private double[] speed = {};
     private double[] gain = {};
     private double[] gainBefore = {};
-    private double[] free = {};
 
-    private double elapsed;
     private double h;
 
     /** The stops that have part in what has met, as 2 × stop + bound; and whether each is the only one in its group that is struck. */
@@ -100,7 +98,6 @@ public final class StopRows implements Serializable {
         speed = new double[count];
         gain = new double[count];
         gainBefore = new double[count];
-        free = new double[count];
         met = new int[2 * count];
         areAlone = new boolean[2 * count];
         areImpacts = new boolean[count];
@@ -117,15 +114,12 @@ public final class StopRows implements Serializable {
     /** Begins a step, of substeps h. */
     void begin(double substep) {
         h = substep;
-        elapsed = 0;
-        Arrays.fill(sums, 0);
         for (int s = 0; s < count; s++) {
             int k = places[s];
             loads[2 * s] = impulse[ROWS * k];
             loads[2 * s + 1] = impulse[ROWS * k + 1];
             coordinate[s] = equations.c[ROWS * k];
             speed[s] = areImpacts[s] ? equations.speed(k, 0, state.v()) : 0;
-            free[s] = 0;
         }
     }
 
@@ -210,34 +204,41 @@ public final class StopRows implements Serializable {
         return all > 0 ? Math.max(0, all - held.pressed(bound / ROWS, sign, 0, impulse)) : 0;
     }
 
-    /** Adds the impulses of a substep to those of the step; of what is still free takes note how it moves. */
+    /** Takes note of the impulses of a substep. */
     void add() {
-        elapsed += h;
         for (int s = 0; s < count; s++) {
             int o = ROWS * places[s];
-            sums[2 * s] += borne(o, 1);
-            sums[2 * s + 1] += borne(o + 1, -1);
-            if (areImpacts[s] && sums[2 * s] == 0 && sums[2 * s + 1] == 0) {
+            sums[2 * s] = borne(o, 1);
+            sums[2 * s + 1] = borne(o + 1, -1);
+        }
+    }
+
+    /** Takes note of how all moves when a substep ends, and of what accelerates what is free. */
+    public void note() {
+        for (int s = 0; s < count; s++) {
+            if (areImpacts[s]) {
                 double now = equations.speed(places[s], 0, state.v());
-                gainBefore[s] = gain[s];
-                gain[s] = (now - speed[s]) / h;
+                if (sums[2 * s] == 0 && sums[2 * s + 1] == 0) {
+                    gainBefore[s] = gain[s];
+                    gain[s] = (now - speed[s]) / h;
+                }
                 speed[s] = now;
-                coordinate[s] = equations.c[o];
-                free[s] = elapsed;
+                coordinate[s] = equations.c[ROWS * places[s]];
             }
         }
     }
 
     /**
-     * Finds the stops that were struck in the step, which is over, and those that pressed where something was struck.
+     * Finds the stops that were struck in the substep, which is over, and those that pressed where something was struck.
      *
+     * @param step the step
      * @param groups groups of bodies
      * @param counts what was struck, by group; adds these
      */
-    public void find(int[] groups, int[] counts) {
+    public void find(double step, int[] groups, int[] counts) {
         metCount = 0;
         for (int m = 0; m < 2 * count; m++) {
-            boolean isStruck = sums[m] > 0 && isFast(m, elapsed);
+            boolean isStruck = sums[m] > 0 && isFast(m, step);
             strikes[m] = isStruck ? strike(m) : 0;
             least[m] = 0;
             if (isStruck) {
@@ -290,7 +291,7 @@ public final class StopRows implements Serializable {
             sums[m] = 0;
             least[m] = 0;
             if (!areAlone[m] && strikes[m] > 0) {
-                double after = Math.max(0, pull(m)) * Math.max(0, elapsed - free[m / 2] - Math.max(0, gap(m)) / strikes[m]);
+                double after = Math.max(0, pull(m)) * Math.max(0, h - Math.max(0, gap(m)) / strikes[m]);
                 give(m, stop(m / 2).getRestitution() * taken * strikes[m] / (strikes[m] + after));
                 least[m] = sums[m];
             }

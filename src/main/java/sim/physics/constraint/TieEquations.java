@@ -37,7 +37,7 @@ final class TieEquations implements Serializable {
     static final int J = 2 * BLOCK * ROWS;
 
     /** Speed of a row at which it is right, relative to the speeds of the bodies. */
-    static final double SETTLED = 1e-6;
+    static final double SETTLED = 1e-8;
 
     private final State state;
     private int awake;

@@ -191,7 +191,6 @@ public final class TieRows implements Serializable {
         equations.evaluate(true, h);
         turning.evaluate();
         held.share(impulse, h);
-        System.arraycopy(impulse, 0, kept, 0, ROWS * equations.count());
         Arrays.fill(sum, 0, BLOCK * equations.count(), 0);
         stops.begin(h);
         for (int k = 0; k < equations.count(); k++) {
@@ -217,6 +216,7 @@ public final class TieRows implements Serializable {
     public void start() {
         pinImpulses.start();
         Arrays.fill(equations.given, 0);
+        System.arraycopy(impulse, 0, kept, 0, ROWS * equations.count());
         for (int k = 0; k < equations.count(); k++) {
             boolean isStop = equations.kinds[k] == TieEquations.Kind.STOP;
             for (int o = ROWS * k, r = 0; r < equations.rows[k]; r++) {
@@ -408,7 +408,7 @@ public final class TieRows implements Serializable {
     }
 
     /**
-     * Adds what was given since then, and puts back the impulses with which the step began: what impacts take is no guess for the step to come.
+     * Adds what was given since then, and puts back the impulses with which the substep began: what impacts take is no guess for the next one.
      *
      * @param marks bodies that something has struck
      * @param shares what each body keeps of what it was given

@@ -106,6 +106,16 @@ final class Balance implements Serializable {
         }
     }
 
+    /** {@return the places that were noted} */
+    double[] places() {
+        return places;
+    }
+
+    /** {@return the velocities that were noted} */
+    double[] speeds() {
+        return speeds;
+    }
+
     /** Measures energies: those that were noted, and those of now. */
     private void measure(double[] v) {
         int[] blocks = groups.blocks;
@@ -195,11 +205,11 @@ final class Balance implements Serializable {
         return sum;
     }
 
-    /** Bounds energies by those at the start of a step, or what forces alone would have made of them. */
-    void bound(double[] a, double h) {
-        double[] v = state.v();
+    /** Bounds energies by those at the start of a substep, or what forces alone made of them, which is what others have noted. */
+    void bound(Balance noted, double[] a, double h) {
+        double[] v = noted.speeds;
         for (int g = 0; g < groups.count; g++) {
-            most[g] = product(v, v, g) + Math.max(0, h * (2 * product(v, a, g) + h * product(a, a, g)));
+            most[g] = product(v, v, g) + Math.max(0, h * (h * product(a, a, g) - 2 * product(v, a, g)));
         }
     }
 
@@ -207,7 +217,7 @@ final class Balance implements Serializable {
     void begin(ContactRows rows) {
         note();
         measure(speeds);
-        rows.drive(ContactRows.TANGENT_SUM, groups, most);
+        groups.drive(rows, ContactRows.TANGENT, most);
         for (int g = 0; g < groups.count; g++) {
             most[g] = (1 + ROUNDING) * Math.max(most[g], before[g]);
         }
@@ -239,7 +249,7 @@ final class Balance implements Serializable {
         Arrays.fill(most, 0, groups.count, 0);
         ties.give(groups.slots, most);
         springs.give(groups.slots, most, h);
-        rows.drive(ContactRows.TANGENT, groups, most);
+        groups.drive(rows, ContactRows.TANGENT, most);
         for (int g = 0; g < groups.count; g++) {
             int first = groups.firsts[g];
             boolean isSlow = after[g] < SLOW * h * h * whole(a, a, g);

@@ -65,7 +65,7 @@ final class Belts implements Serializable {
     private void findFastest(ContactRows rows, Groups groups) {
         for (int k = 0; k < rows.count; k++) {
             if (rows.isDriven(k)) {
-                int g = rows.group(k, groups);
+                int g = groups.of(k, rows);
                 fastest[g] = Math.max(fastest[g], Math.abs(rows.normals[ContactRows.PAIR * k + ContactRows.BELT]));
             }
         }
@@ -77,7 +77,7 @@ final class Belts implements Serializable {
             if (rows.isDriven(k)) {
                 double asked = rows.normals[ContactRows.PAIR * k + ContactRows.ASKED];
                 double pressed = asked * rows.sum(k, ContactRows.NORMAL);
-                double bound = most[rows.group(k, groups)];
+                double bound = most[groups.of(k, rows)];
                 rows.normals[ContactRows.PAIR * k + ContactRows.FRICTION] = (pressed > bound ? bound / pressed : 1) * asked;
             }
         }

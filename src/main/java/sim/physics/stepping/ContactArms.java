@@ -7,16 +7,17 @@ import static sim.physics.stepping.ContactRows.ARM_B;
 import static sim.physics.stepping.ContactRows.AX;
 import static sim.physics.stepping.ContactRows.AY;
 import static sim.physics.stepping.ContactRows.BOTH;
-import static sim.physics.stepping.ContactRows.BOUNCE;
 import static sim.physics.stepping.ContactRows.BX;
 import static sim.physics.stepping.ContactRows.BY;
 import static sim.physics.stepping.ContactRows.DISCS;
 import static sim.physics.stepping.ContactRows.FEATURE;
 import static sim.physics.stepping.ContactRows.FRICTION;
+import static sim.physics.stepping.ContactRows.GAP;
 import static sim.physics.stepping.ContactRows.INTS;
 import static sim.physics.stepping.ContactRows.LEVER_A;
 import static sim.physics.stepping.ContactRows.LEVER_B;
 import static sim.physics.stepping.ContactRows.NORMAL;
+import static sim.physics.stepping.ContactRows.NOW;
 import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.RUBBING;
 import static sim.physics.stepping.ContactRows.STEADY;
@@ -62,17 +63,22 @@ final class ContactArms implements Serializable {
         points = rows.points;
     }
 
-    /** Lets all points go along, but those of elastic pairs, as their bounce is the mirror image of all that the step has taken. */
+    /** Lets all points go along. */
     void follow() {
         double[] w = state.w().values();
         for (int k = 0; k < rows.count; k++) {
-            int a = State.BLOCK * rows.first(k);
-            int b = State.BLOCK * rows.second(k);
-            boolean isOnFixed = w[a] == 0 || w[b] == 0;
-            int discs = pairs[INTS * k + DISCS];
-            if (normals[PAIR * k + BOUNCE] < 1 && !(isOnFixed && (discs == 1 || discs == 2) && turns.mode(k) == ContactTurns.STILL)) {
-                follow(k, a, b, isOnFixed, discs);
-            }
+            follow(w, k);
+        }
+    }
+
+    /** Lets the points of a pair go along. */
+    void follow(double[] w, int k) {
+        int a = State.BLOCK * rows.first(k);
+        int b = State.BLOCK * rows.second(k);
+        boolean isOnFixed = w[a] == 0 || w[b] == 0;
+        int discs = pairs[INTS * k + DISCS];
+        if (!(isOnFixed && (discs == 1 || discs == 2) && turns.mode(k) == ContactTurns.STILL)) {
+            follow(k, a, b, isOnFixed, discs);
         }
     }
 
@@ -104,7 +110,7 @@ final class ContactArms implements Serializable {
             if (jx != 0 || jy != 0) {
                 redirect(k, p, a, b, jx, jy, byA, byB, discs);
             }
-            if (isFar) {
+            if (isFar || rows.mayStrike(k)) {
                 rows.weigh(state.w().values(), a, b, p, turns.nx, turns.ny);
             }
         }
@@ -144,22 +150,23 @@ final class ContactArms implements Serializable {
     }
 
     /**
-     * Turns the arm of the body whose corner the point is with it, and moves that of the other one to its end; whether that is far. One that
-     * slides off the other body would have a lever there that is no body's: then both go half of the way.
+     * Turns the corner that the point is of with its body, and moves both arms to half way between it and the other body; whether that is far. One
+     * that slides off the other body would have a lever there that is no body's: then both go half of the way.
      */
     private boolean swing(int k, int p, double turnA, double turnB, double dx, double dy) {
         boolean isOfFirst = Touch.isCornerOfFirst((int) points[p + FEATURE]);
         double nx = turns.startX(k);
         double ny = turns.startY(k);
         double lever = points[p + (isOfFirst ? LEVER_A : LEVER_B)];
-        double arm = points[p + (isOfFirst ? ARM_A : ARM_B)];
+        double toEdge = isOfFirst ? 0.5 : -0.5;
+        double arm = points[p + (isOfFirst ? ARM_A : ARM_B)] - toEdge * points[p + GAP];
         double half = 0.5 * (isOfFirst ? turnA : turnB);
         double cos = (1 - half * half) / (1 + half * half);
         double sin = 2 * half / (1 + half * half);
         double startX = arm * nx + lever * ny;
         double startY = arm * ny - lever * nx;
-        double endX = cos * startX - sin * startY + (isOfFirst ? 0 : dx);
-        double endY = cos * startY + sin * startX + (isOfFirst ? 0 : dy);
+        double endX = cos * startX - sin * startY + toEdge * points[p + NOW] * turns.nx + (isOfFirst ? 0 : dx);
+        double endY = cos * startY + sin * startX + toEdge * points[p + NOW] * turns.ny + (isOfFirst ? 0 : dy);
         double square = arm * arm + lever * lever;
         double wayA = square(endX - points[p + AX], endY - points[p + AY]);
         double wayB = square(endX - dx - points[p + BX], endY - dy - points[p + BY]);
@@ -199,7 +206,7 @@ final class ContactArms implements Serializable {
         } else {
             rows.push(state.v(), state.w().values(), a, b, p, -x, -y);
         }
-        forget(k, 1);
+        turns.forget(k, 1);
     }
 
     /** Gives the bodies an impulse at their centres, which is where that of discs without friction acts. */
@@ -210,15 +217,6 @@ final class ContactArms implements Serializable {
         v[a + 1] -= w[a] * jy;
         v[b] += w[b] * jx;
         v[b + 1] += w[b] * jy;
-    }
-
-    /** Takes a part of what was noted of the last turn back. */
-    void forget(int k, double part) {
-        int o = ContactRows.TURNED * k;
-        for (int m = o; m < o + 2; m++) {
-            rows.turned[m] -= part * rows.turned[m + 2];
-            rows.turned[m + 2] *= 1 - part;
-        }
     }
 
     /** Ends a substep: what does not press in the end has done nothing, though its normal has turned. */

@@ -12,7 +12,7 @@ final class ContactRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values of a point. */
-    static final int STRIDE = 25;
+    static final int STRIDE = 27;
 
     static final int AX = 0;
     static final int AY = 1;
@@ -57,6 +57,11 @@ final class ContactRows implements Serializable {
 
     /** Twice what turns of the bodies will add to the gap in a substep, by its square. */
     static final int BEND = 24;
+
+    /** The gap at the start of the substep, and the speed at which it opened before an impact, of pairs that may strike. */
+    static final int BEFORE = 25;
+
+    static final int OPENING = 26;
 
     /**
      * Values of a pair: normal, friction, restitution, largest speed at which depth is regained, velocity of surfaces on one another, and
@@ -211,7 +216,7 @@ final class ContactRows implements Serializable {
         fast += pairs[o + FAST];
         pairs[o + UNLIKE] = UnlikeRows.presses(state.w().values(), State.BLOCK * a, State.BLOCK * b, touch, forces) ? 1 : 0;
         unlike += pairs[o + UNLIKE];
-        turns.add(count - 1, touch, h, restitution > ContactTurns.ELASTIC || restitution > 0 && isStruck(count - 1));
+        turns.add(count - 1, touch, h);
     }
 
     /** Makes room for one more. */
@@ -412,9 +417,24 @@ final class ContactRows implements Serializable {
         v[b + 2] += w[b + 2] * (points[p + BX] * jy - points[p + BY] * jx);
     }
 
+    /** Whether a pair may strike, whose impact is over in the substep in which the two meet: not one that lies and does not bounce. */
+    boolean mayStrike(int k) {
+        return mayBounce(k) || isFast(k);
+    }
+
+    /** Whether a pair did not press in the step before. */
+    boolean isNew(int k) {
+        return pairs[INTS * k + PRESSED] == 0;
+    }
+
+    /** Whether a pair is fast, and new. */
+    boolean comesToStrike(int k) {
+        return isFast(k) && isNew(k);
+    }
+
     /** Whether a pair has just met, or is fast. */
     boolean isStruck(int k) {
-        return pairs[INTS * k + PRESSED] == 0 || isFast(k);
+        return isNew(k) || isFast(k);
     }
 
     /** The body that strikes a fixed one in a pair, −1 if none does. */
@@ -455,25 +475,6 @@ final class ContactRows implements Serializable {
     /** Whether surfaces that move drive the bodies of a pair. */
     boolean isDriven(int k) {
         return normals[PAIR * k + BELT] != 0 && normals[PAIR * k + ASKED] > 0;
-    }
-
-    /**
-     * Adds what moving surfaces have given bodies, or taken.
-     *
-     * @param which impulses along tangents
-     * @param given takes twice the energy, by group
-     */
-    void drive(int which, Groups groups, double[] given) {
-        for (int k = 0; k < count; k++) {
-            for (int p = begin(k); isDriven(k) && p < end(k); p += STRIDE) {
-                given[group(k, groups)] -= 2 * points[p + which] * normals[PAIR * k + BELT];
-            }
-        }
-    }
-
-    /** The group of a pair: what is fixed has none. */
-    int group(int k, Groups groups) {
-        return groups.slots[state.w().values()[State.BLOCK * first(k)] > 0 ? first(k) : second(k)];
     }
 
     boolean mayBounce(int k) {

@@ -39,6 +39,9 @@ final class ContactSolver implements Serializable {
     /** How many times larger an impulse is than the one of the substep before, if it is that of an impact, and none to begin the next substep with. */
     private static final double SUDDEN = 4;
 
+    /** Part of the depth that may be regained in a substep which is rounding: what lies would give way as soon as its gap of 0 is a little less. */
+    private static final double ROUNDING = 1e-9;
+
     private final State state;
     private final ContactRows rows;
     private final StruckPoints struck;
@@ -51,8 +54,10 @@ final class ContactSolver implements Serializable {
     private transient double[] normals;
     private transient double[] points;
 
-    /** By point: the impulses along the normal and the tangent that will not be taken back. */
+    /** By point: the impulses along the normal and the tangent that will not be taken back; by pair, all that is told of them. */
     private transient double[] noted;
+
+    private transient double[] told;
 
     ContactSolver(State state, ContactRows rows) {
         this.state = state;
@@ -137,11 +142,20 @@ final class ContactSolver implements Serializable {
 
     /** Solves the points of a pair: friction, and then what matters more, but what strikes or has one point only for both at once. */
     private void solve(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
-        if (!regains && (rows.isStruck(k) || rows.pointCount(k) == 1)) {
-            struck.solve(k, h);
+        if (regains ? rows.comesToStrike(k) && isOpen(k) : rows.isStruck(k) || rows.pointCount(k) == 1) {
+            struck.solve(k, h, regains);
         } else {
             solveOnce(v, w, k, softness, regains, h);
         }
+    }
+
+    /** Whether nothing of a pair is to be regained. */
+    private boolean isOpen(int k) {
+        boolean is = true;
+        for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+            is &= points[p + NOW] >= 0;
+        }
+        return is;
     }
 
     /** Solves the points of a pair: friction, and then what matters more; but where nothing is regained any more it is bounded by what presses in the end. */
@@ -210,7 +224,7 @@ final class ContactSolver implements Serializable {
         for (int p = STRIDE * pairs[INTS * k + 3]; p < end; p += STRIDE) {
             double gap = points[p + NOW];
             double bend = regains ? 0.5 * h * points[p + BEND] : 0;
-            boolean isDeep = gap < 0 && gap + h * bend < 0 && regains;
+            boolean isDeep = gap < ROUNDING * h * regain && gap + h * bend < 0 && regains;
             double old = points[p + NORMAL];
             double aim = bend + (isDeep ? Math.max(softness.rate() * gap, regain) : regains || gap >= 0 ? gap / h : 0);
             double apartX = ux - points[p + BY] * turn - vx + points[p + AY] * spin;
@@ -252,7 +266,7 @@ final class ContactSolver implements Serializable {
                 points[STRIDE * m + STEADY] = 0;
                 points[STRIDE * m + RUBBING] = 0;
             }
-            arms.forget(k, isMarked(k, marks) ? 1 : 0);
+            rows.turns.forget(k, isMarked(k, marks) ? 1 : 0);
         }
     }
 
@@ -271,30 +285,49 @@ final class ContactSolver implements Serializable {
         return Math.min(shares[rows.first(k)], shares[rows.second(k)]);
     }
 
-    /** Notes what will not be taken back of the impulses of the step. */
+    /** Notes what will not be taken back of the impulses of the substep. */
     void note() {
         if (noted == null || noted.length < 2 * rows.used) {
             noted = new double[2 * Growth.length(noted == null ? 0 : noted.length / 2, rows.used)];
         }
         for (int m = 0; m < rows.used; m++) {
-            noted[2 * m] = points[STRIDE * m + NORMAL_SUM];
-            noted[2 * m + 1] = points[STRIDE * m + TANGENT_SUM];
+            noted[2 * m] = points[STRIDE * m + NORMAL];
+            noted[2 * m + 1] = points[STRIDE * m + TANGENT];
+        }
+        told = told == null || told.length < 2 * rows.count ? new double[2 * Growth.length(0, rows.count)] : told;
+        for (int k = 0; k < rows.count; k++) {
+            told[2 * k] = told(k, 0);
+            told[2 * k + 1] = told(k, 1);
         }
     }
 
+    /** What a pair is told to have given in the step and in this substep, in x or y. */
+    private double told(int k, int axis) {
+        double along = normals[PAIR * k + axis];
+        double across = axis == 0 ? -normals[PAIR * k + 1] : normals[PAIR * k];
+        double normal = rows.sum(k, NORMAL) + rows.impulse(k);
+        return normal * along + (rows.sum(k, TANGENT) + rows.rubbed(k)) * across + rows.turned[ContactRows.TURNED * k + axis];
+    }
+
     /** Takes a part back of what has been given since. */
-    void limitSums(double[] shares) {
+    void limitNoted(double[] shares) {
         for (int k = 0; k < rows.count; k++) {
             double share = share(k, shares);
-            for (int m = pairs[INTS * k + 3]; share < 1 && m < pairs[INTS * k + 4]; m++) {
-                limit(STRIDE * m + NORMAL_SUM, noted[2 * m], share);
-                limit(STRIDE * m + TANGENT_SUM, noted[2 * m + 1], share);
+            if (share < 1) {
+                double x = between(told[2 * k], told(k, 0), share);
+                double y = between(told[2 * k + 1], told(k, 1), share);
+                for (int m = pairs[INTS * k + 3]; m < pairs[INTS * k + 4]; m++) {
+                    points[STRIDE * m + NORMAL] = between(noted[2 * m], points[STRIDE * m + NORMAL], share);
+                    points[STRIDE * m + TANGENT] = between(noted[2 * m + 1], points[STRIDE * m + TANGENT], share);
+                }
+                rows.turned[ContactRows.TURNED * k] += x - told(k, 0);
+                rows.turned[ContactRows.TURNED * k + 1] += y - told(k, 1);
             }
         }
     }
 
-    private void limit(int sum, double before, double share) {
-        points[sum] = before + share * (points[sum] - before);
+    private static double between(double before, double now, double share) {
+        return before + share * (now - before);
     }
 
     /** Solves the points of marked bodies once. */
@@ -317,6 +350,12 @@ final class ContactSolver implements Serializable {
     void follow() {
         measure();
         arms.follow();
+    }
+
+    /** Lets the points of a pair go along. */
+    void follow(int k) {
+        rows.turns.measure(k);
+        arms.follow(state.w().values(), k);
     }
 
     /** Ends a substep of discs: what does not press in the end has done nothing, though its normal has turned. */

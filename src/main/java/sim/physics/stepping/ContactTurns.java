@@ -60,9 +60,6 @@ final class ContactTurns implements Serializable {
     /** The same that is none: what hardly turns, in piles, costs no more than what does not. */
     private static final double NONE = 2e-5;
 
-    /** Restitution above which pairs are mirrored though they lie: what they gave along other normals would be given once more. */
-    static final double ELASTIC = 0.5;
-
     private final State state;
     private final ContactRows rows;
 
@@ -91,11 +88,8 @@ final class ContactTurns implements Serializable {
         this.rows = rows;
     }
 
-    /**
-     * Adds a pair that has been found. What bounces is mirrored at the end of the step, along the normal of its start; and where bodies turn far in the
-     * step nothing is foreseen.
-     */
-    void add(int k, Touch touch, double h, boolean bounces) {
+    /** Adds a pair that has been found. Where bodies turn far in the step nothing is foreseen. */
+    void add(int k, Touch touch, double h) {
         if (k >= modes.length) {
             modes = Arrays.copyOf(modes, Growth.length(modes.length, k + 1));
             starts = Arrays.copyOf(starts, SIZE * modes.length);
@@ -113,13 +107,13 @@ final class ContactTurns implements Serializable {
         starts[o + 8] = touch.edgeY;
         starts[o + 9] = touch.alongX;
         starts[o + 10] = touch.alongY;
-        modes[k] = touch.isDiscA && touch.isDiscB || !isStill(k, touch, bounces) ? touch.turnsBy : STILL;
+        modes[k] = touch.isDiscA && touch.isDiscB || !isStill(k, touch) ? touch.turnsBy : STILL;
     }
 
-    private boolean isStill(int k, Touch touch, boolean bounces) {
+    private boolean isStill(int k, Touch touch) {
         double[] v = state.v();
         double turn = step * Math.max(Math.abs(v[State.BLOCK * rows.first(k) + 2]), Math.abs(v[State.BLOCK * rows.second(k) + 2]));
-        return bounces || turn > MOST || isPlain(k, touch) || turn < NONE && (touch.turnsBy < BETWEEN || goesRound(k) < NONE);
+        return turn > MOST || isPlain(k, touch) || turn < NONE && (touch.turnsBy < BETWEEN || goesRound(k) < NONE);
     }
 
     /** By how much the way between two middles turns in the step at most, apart from what the bodies turn by. */
@@ -367,6 +361,15 @@ final class ContactTurns implements Serializable {
         turned[o + 1] += turned[o + 3] + dy * normalSum + dx * tangentSum;
         normals[PAIR * k] = nx;
         normals[PAIR * k + 1] = ny;
+    }
+
+    /** Takes a part of what was noted of the last turn back. */
+    void forget(int k, double part) {
+        int o = ContactRows.TURNED * k;
+        for (int m = o; m < o + 2; m++) {
+            rows.turned[m] -= part * rows.turned[m + 2];
+            rows.turned[m + 2] *= 1 - part;
+        }
     }
 
     /** Puts both arms of what is round to the point half way between the surfaces, after its normal was found. */

@@ -138,10 +138,39 @@ final class Groups implements Serializable {
         return marks[rows.first(row)] || marks[rows.second(row)];
     }
 
+    /** The group of a pair: what is fixed has none. */
+    int of(int row, ContactRows rows) {
+        return slots[isMovable(rows.first(row)) ? rows.first(row) : rows.second(row)];
+    }
+
+    /**
+     * Adds what moving surfaces have given bodies, or taken.
+     *
+     * @param which impulses along tangents
+     * @param given takes twice the energy, by group
+     */
+    void drive(ContactRows rows, int which, double[] given) {
+        for (int k = 0; k < rows.count; k++) {
+            for (int p = rows.begin(k); rows.isDriven(k) && p < rows.end(k); p += ContactRows.STRIDE) {
+                given[of(k, rows)] -= 2 * rows.points[p + which] * rows.normals[ContactRows.PAIR * k + ContactRows.BELT];
+            }
+        }
+    }
+
     /** Marks the groups with joints and springs. */
     void markTied(boolean[] those) {
         for (int k = 0; k < tied.size; k++) {
             those[slots[tied.values[k]]] = true;
+        }
+    }
+
+    /** Clears what is said of the groups with joints and springs, and of all if friction with the plane acts. */
+    void clearTied(boolean[] those) {
+        for (int k = 0; k < tied.size; k++) {
+            those[slots[tied.values[k]]] = false;
+        }
+        if (rubs) {
+            Arrays.fill(those, 0, count, false);
         }
     }
 

@@ -2,22 +2,24 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.stepping;
 
-import static sim.physics.stepping.ContactRows.APPROACH;
+import static sim.physics.stepping.ContactRows.BEFORE;
 import static sim.physics.stepping.ContactRows.BOUNCE;
 import static sim.physics.stepping.ContactRows.BOUNCED;
 import static sim.physics.stepping.ContactRows.FORCED;
 import static sim.physics.stepping.ContactRows.FRICTION;
-import static sim.physics.stepping.ContactRows.GAP;
 import static sim.physics.stepping.ContactRows.INTS;
+import static sim.physics.stepping.ContactRows.LAST;
 import static sim.physics.stepping.ContactRows.LOAD;
 import static sim.physics.stepping.ContactRows.NORMAL;
 import static sim.physics.stepping.ContactRows.NORMAL_MASS;
 import static sim.physics.stepping.ContactRows.NORMAL_SUM;
 import static sim.physics.stepping.ContactRows.NOW;
+import static sim.physics.stepping.ContactRows.OPENING;
 import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.PRESSED;
 import static sim.physics.stepping.ContactRows.REGAIN;
 import static sim.physics.stepping.ContactRows.RESTORED;
+import static sim.physics.stepping.ContactRows.RUBBING;
 import static sim.physics.stepping.ContactRows.STRIDE;
 import static sim.physics.stepping.ContactRows.TANGENT;
 import static sim.physics.stepping.ContactRows.TANGENT_MASS;
@@ -32,8 +34,7 @@ import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
 /**
- * What has met in a step, at its end: gaps are of no more use, and all that it takes and gives is known, in sums. First, what has met is compressed in
- * turn until it approaches no more. One point that bounces alone, among all that touch or are tied to one another, then parts at the speed of Newton's
+ * What has met in a substep, at its end: its gap is used up. First, what has met is compressed in turn until it approaches no more. One point that bounces alone, among all that touch or are tied to one another, then parts at the speed of Newton's
  * law, and rubs on the way: the impulse by events ({@link sim.physics.response.TwoBodyImpulse}). Of several, each gives back a part of what it has
  * taken (Poisson), and rubs once more. What does not bounce is compressed, too, where joints have part in it: solved once a substep, they are far off.
  */
@@ -59,12 +60,13 @@ final class Impacts implements Serializable {
     private static final int RUBS = 32;
 
     /** What a point gives back that gives nothing back, but takes part. */
-    private static final double PLASTIC = Double.MIN_VALUE;
+    static final double PLASTIC = Double.MIN_VALUE;
 
     private final State state;
     private final ContactRows rows;
     private final Groups groups;
     private final StruckPoints struck;
+    private final FreeImpacts free;
 
     /** The points that have met: row and first value of each. */
     private final IntList met = new IntList();
@@ -85,18 +87,45 @@ final class Impacts implements Serializable {
 
     private double[] loads = {};
 
+    private double substep;
+
     /** By body: the number of pairs in which it presses. */
     private int[] touched = {};
 
-    Impacts(State state, ContactRows rows, Groups groups) {
+    Impacts(State state, ContactRows rows, Groups groups, FreeImpacts free) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
         struck = new StruckPoints(state, rows);
+        this.free = free;
     }
 
-    /** Notes which points have met, and which stops were struck; false if none. */
-    boolean find(double h, StopRows stops) {
+    /** Notes the gaps of what may strike, before a substep begins. */
+    void approach() {
+        for (int k = 0; k < rows.count; k++) {
+            for (int p = rows.begin(k); rows.mayStrike(k) && p < rows.end(k); p += STRIDE) {
+                rows.points[p + BEFORE] = rows.points[p + NOW];
+            }
+        }
+    }
+
+    /** Notes the groups of tied bodies that something presses which comes to strike; false if none. */
+    boolean findStruck() {
+        reserve();
+        Arrays.fill(counts, 0, groups.count, 0);
+        Arrays.fill(areTied, 0, groups.count, false);
+        groups.markTied(areTied);
+        boolean any = false;
+        for (int k = 0; k < rows.count; k++) {
+            if (rows.comesToStrike(k) && groups.has(k, rows) && isTied(k) && rows.sum(k, NORMAL) > 0) {
+                counts[groups.of(k, rows)]++;
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    private void reserve() {
         if (counts.length < groups.count) {
             counts = new int[groups.slots.length];
             areTied = new boolean[groups.slots.length];
@@ -104,6 +133,18 @@ final class Impacts implements Serializable {
             fastest = new double[groups.slots.length];
             loads = new double[groups.slots.length];
         }
+    }
+
+    /**
+     * Notes which points have met, and which stops were struck; false if none.
+     *
+     * @param h the step, in which forces make what is no bounce
+     * @param d the substep
+     * @param before velocities with all that forces give in it, and nothing else
+     */
+    boolean find(double h, double d, double[] before, StopRows stops) {
+        substep = d;
+        reserve();
         Arrays.fill(counts, 0, groups.count, 0);
         Arrays.fill(areTied, 0, groups.count, false);
         Arrays.fill(fastest, 0, groups.count, 0);
@@ -113,18 +154,19 @@ final class Impacts implements Serializable {
         measure();
         for (int k = 0; k < rows.count; k++) {
             for (int p = rows.begin(k); mayMeet(k) && p < rows.end(k); p += STRIDE) {
-                boolean meets = rows.points[p + NORMAL_SUM] > 0 && isImpact(k, p, h);
+                rows.points[p + OPENING] = rows.opening(k, p, before) - d * rows.points[p + FORCED];
+                boolean meets = rows.points[p + NORMAL] > 0 && isImpact(k, p, h);
                 rows.points[p + RESTORED] = meets ? Math.max(PLASTIC, rows.normals[PAIR * k + BOUNCE]) : 0;
-                int group = rows.group(k, groups);
+                int group = groups.of(k, rows);
                 counts[group] += meets ? 1 : 0;
-                fastest[group] = meets ? Math.max(fastest[group], -rows.points[p + APPROACH]) : fastest[group];
+                fastest[group] = meets ? Math.max(fastest[group], -rows.points[p + OPENING]) : fastest[group];
                 loads[group] = meets ? Math.max(loads[group], h * rows.normals[PAIR * k + WEIGHT]) : loads[group];
             }
         }
         for (int g = 0; g < groups.count; g++) {
             counts[g] = fastest[g] < BRIEF * loads[g] ? 0 : counts[g];
         }
-        stops.find(groups.slots, counts);
+        stops.find(h, groups.slots, counts);
         collect(h);
         return met.size > 0 || stops.haveMet();
     }
@@ -137,7 +179,7 @@ final class Impacts implements Serializable {
             for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
                 double restored = hasMet ? rows.points[p + RESTORED] : 0;
                 rows.pairs[INTS * k + BOUNCED] |= restored > PLASTIC ? 1 : 0;
-                boolean takesPart = hasMet && (isTied(k) && rows.points[p + NORMAL_SUM] > 0 || isPlastic(k) && isClosed(k, p, h));
+                boolean takesPart = hasMet && (isTied(k) && rows.points[p + NORMAL] > 0 || isPlastic(k) && isClosed(k, p, h));
                 rows.points[p + RESTORED] = takesPart ? Math.max(PLASTIC, restored) : restored;
                 if (rows.points[p + RESTORED] > 0) {
                     met.add(k);
@@ -154,20 +196,20 @@ final class Impacts implements Serializable {
 
     /** Whether a pair is of a small group in which nothing bounces. */
     private boolean isPlastic(int k) {
-        return sizes[rows.group(k, groups)] <= FEW;
+        return sizes[groups.of(k, rows)] <= FEW;
     }
 
     private boolean isClosed(int k, int p, double h) {
-        return rows.points[p + NORMAL_SUM] > 0 || rows.points[p + NOW] <= CLOSED * h * rows.normals[PAIR * k + REGAIN];
+        return rows.points[p + NORMAL] > 0 || rows.points[p + NOW] <= CLOSED * h * rows.normals[PAIR * k + REGAIN];
     }
 
     private boolean isTied(int k) {
-        return areTied[rows.group(k, groups)];
+        return areTied[groups.of(k, rows)];
     }
 
     /** Whether a pair is of a group in which something has met. */
     private boolean hasMet(int k) {
-        return groups.has(k, rows) && counts[rows.group(k, groups)] > 0;
+        return groups.has(k, rows) && counts[groups.of(k, rows)] > 0;
     }
 
     /** Marks the bodies of groups in which something has met, or takes the marks back. */
@@ -184,7 +226,8 @@ final class Impacts implements Serializable {
         boolean lies = touched[rows.first(k)] > 1 || touched[rows.second(k)] > 1;
         double apart = lies ? rows.normals[PAIR * k + LOAD] : Math.max(0, -rows.points[p + FORCED]);
         double pull = h * (hasPressed ? rows.normals[PAIR * k + WEIGHT] : apart);
-        return rows.points[p + APPROACH] < -2 * pull || !hasPressed && pull == 0;
+        boolean isDriven = rows.points[p + OPENING] <= CLOSED * rows.normals[PAIR * k + REGAIN]; // by others that strike, if it does not come nearer itself
+        return rows.points[p + OPENING] < -2 * pull || !hasPressed && pull == 0 && isDriven;
     }
 
     /** Counts the points of each group. */
@@ -192,23 +235,9 @@ final class Impacts implements Serializable {
         Arrays.fill(sizes, 0, groups.count, 0);
         for (int k = 0; k < rows.count; k++) {
             if (groups.has(k, rows)) {
-                sizes[rows.group(k, groups)] += rows.mayBounce(k) || hasTurned(k) ? FEW + 1 : rows.pointCount(k);
+                sizes[groups.of(k, rows)] += rows.mayBounce(k) ? FEW + 1 : rows.pointCount(k);
             }
         }
-    }
-
-    /** Whether the normal of a pair of discs has turned under its impulses, of which a part would be left if nothing pressed in the end. */
-    private boolean hasTurned(int k) {
-        return areDiscs(k) && isTurned(k);
-    }
-
-    private boolean isTurned(int k) {
-        int o = ContactRows.TURNED * k;
-        return rows.turned[o] != 0 || rows.turned[o + 1] != 0;
-    }
-
-    private boolean areDiscs(int k) {
-        return rows.pairs[INTS * k + ContactRows.DISCS] == ContactRows.BOTH;
     }
 
     /** Counts the pairs in which each body presses. */
@@ -218,7 +247,7 @@ final class Impacts implements Serializable {
         }
         Arrays.fill(touched, 0, state.size(), 0);
         for (int k = 0; k < rows.count; k++) {
-            int one = rows.impulse(k) > 0 ? 1 : 0;
+            int one = rows.sum(k, NORMAL) > 0 ? 1 : 0;
             touched[rows.first(k)] += one;
             touched[rows.second(k)] += one;
         }
@@ -226,13 +255,28 @@ final class Impacts implements Serializable {
 
     /** Without friction the two laws say the same, and Poisson's keeps the energy also where turns among joints do not reach their end. */
     private boolean isAlone(int k) {
-        int group = rows.group(k, groups);
+        int group = groups.of(k, rows);
         return isLoaded(group) || counts[group] == 1 && (rows.normals[PAIR * k + FRICTION] > 0 || !isTied(k));
     }
 
     /** Whether nothing in a group strikes faster than forces could make it: most of what it takes is a load, which Poisson's law would give back. */
     private boolean isLoaded(int group) {
         return fastest[group] < SLOW * loads[group];
+    }
+
+    /** Ends a substep: what an impact gave is no guess for the next one; what bears something may bear as much as before. */
+    void end() {
+        double[] points = rows.points;
+        for (int m = 0; m < met.size; m += 2) {
+            int p = met.values[m + 1];
+            boolean bears = points[p + RESTORED] == PLASTIC && points[p + NORMAL] > 0;
+            double normal = bears ? Math.min(points[p + NORMAL], points[p + LAST]) : 0;
+            double tangent = bears && points[p + LAST] > 0 ? points[p + RUBBING] * normal / points[p + LAST] : 0;
+            points[p + NORMAL_SUM] += points[p + NORMAL] - normal;
+            points[p + TANGENT_SUM] += points[p + TANGENT] - tangent;
+            points[p + NORMAL] = normal;
+            points[p + TANGENT] = tangent;
+        }
     }
 
     /** Whether a point that has met has given back what it took by {@link Reflections}. */
@@ -244,48 +288,45 @@ final class Impacts implements Serializable {
     boolean compress(double part) {
         boolean goesOn = false;
         for (int m = 0; m < met.size; m += 2) {
-            goesOn |= struck.solve(met.values[m], met.values[m + 1], NORMAL_SUM, 0, 0, part, false) > SETTLED;
+            goesOn |= struck.solve(met.values[m], met.values[m + 1], 0, 0, part, false) > SETTLED;
         }
         return goesOn;
     }
 
-    /** Takes back what pairs of which nothing is left have given along normals that have turned since. */
-    void straighten() {
-        for (int m = 0; m < met.size; m += 2) {
-            int k = met.values[m];
-            int o = ContactRows.TURNED * k;
-            double[] turned = rows.turned;
-            if (isTurned(k) && !areDiscs(k) && rows.impulse(k) == 0) {
-                rows.push(state.v(), state.w().values(), State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), rows.begin(k), -turned[o], -turned[o + 1]);
-                turned[o] = 0;
-                turned[o + 1] = 0;
-            }
-        }
-    }
-
     /** Lets what bounces alone part; whether something has changed. */
-    boolean part(double part, double h) {
+    boolean part(double part) {
         boolean goesOn = false;
         for (int m = 0; m < met.size; m += 2) {
             int k = met.values[m];
             int p = met.values[m + 1];
             if (isAlone(k) && !isReflected(p)) {
-                double speed = Math.max(0, -rows.points[p + APPROACH] - time(p, h) * rows.points[p + FORCED]);
-                goesOn |= struck.solve(k, p, NORMAL_SUM, 0, rows.points[p + RESTORED] * speed, part, !isTied(k)) > SETTLED;
+                double forced = free.has(k) ? 0 : time(p) * rows.points[p + FORCED];
+                double speed = Math.max(0, -rows.points[p + OPENING] - forced);
+                goesOn |= struck.solve(k, p, 0, rows.points[p + RESTORED] * speed, part, !isTied(k)) > SETTLED;
             }
         }
         return goesOn;
     }
 
     /** How long a point took to use its gap up. */
-    private double time(int p, double h) {
-        double approach = -rows.points[p + APPROACH];
-        double gap = Math.max(0, rows.points[p + GAP]);
-        return gap < h * approach ? gap / approach : h;
+    private double time(int p) {
+        return time(rows.points, p, substep);
+    }
+
+    /** Whether a point has met, or was so near that a wave goes through it. */
+    static boolean touches(ContactRows rows, int k, int p, double h) {
+        return rows.points[p + RESTORED] > 0 || rows.mayStrike(k) && rows.points[p + BEFORE] <= CLOSED * h * rows.normals[PAIR * k + REGAIN];
+    }
+
+    /** The same, of a substep's points. */
+    static double time(double[] points, int p, double substep) {
+        double approach = -points[p + OPENING];
+        double gap = Math.max(0, points[p + BEFORE]);
+        return gap < substep * approach ? gap / approach : substep;
     }
 
     /** Gives what compression has taken of several once more, in part: first along normals, and then what rubs. */
-    void restore(double h) {
+    void restore() {
         if (limits.length < met.size) {
             limits = new double[Growth.length(limits.length, met.size)];
         }
@@ -294,10 +335,8 @@ final class Impacts implements Serializable {
             int k = met.values[m];
             int p = met.values[m + 1];
             if (!isReflected(p)) {
-                rows.points[p + NORMAL] = 0; // the two part, or what they will bear is not known
-                rows.points[p + TANGENT] = 0;
                 if (!isAlone(k) || isTied(k)) {
-                    limits[m] = rows.normals[PAIR * k + FRICTION] * restore(k, p, h);
+                    limits[m] = rows.normals[PAIR * k + FRICTION] * restore(k, p);
                 }
             }
         }
@@ -311,11 +350,11 @@ final class Impacts implements Serializable {
     }
 
     /** Gives a part of what a point has taken once more. What forces alone give in the step does not bounce. */
-    private double restore(int k, int p, double h) {
+    private double restore(int k, int p) {
         double[] points = rows.points;
-        double pull = (h - time(p, h)) * Math.max(0, -points[p + FORCED]) * points[p + NORMAL_MASS];
-        double by = points[p + RESTORED] > PLASTIC ? points[p + RESTORED] * Math.max(0, points[p + NORMAL_SUM] - pull) : 0;
-        points[p + NORMAL_SUM] += by;
+        double pull = free.has(k) ? 0 : (substep - time(p)) * Math.max(0, -points[p + FORCED]) * points[p + NORMAL_MASS];
+        double by = points[p + RESTORED] > PLASTIC ? points[p + RESTORED] * Math.max(0, points[p + NORMAL] - pull) : 0;
+        points[p + NORMAL] += by;
         rows.give(k, p, state.v(), by, 0);
         return by;
     }
@@ -326,7 +365,7 @@ final class Impacts implements Serializable {
         double wanted = old - rows.points[p + TANGENT_MASS] * rows.slip(k, p, state.v());
         limits[m + 1] = Math.max(-limits[m], Math.min(limits[m], wanted));
         double by = limits[m + 1] - old;
-        rows.points[p + TANGENT_SUM] += by;
+        rows.points[p + TANGENT] += by;
         rows.give(k, p, state.v(), 0, by);
         return Math.abs(by) > SETTLED * limits[m];
     }

@@ -2,14 +2,16 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.stepping;
 
-import static sim.physics.stepping.ContactRows.APPROACH;
+import static sim.physics.stepping.ContactRows.BOUNCE;
 import static sim.physics.stepping.ContactRows.FORCED;
 import static sim.physics.stepping.ContactRows.NORMAL;
 import static sim.physics.stepping.ContactRows.NORMAL_MASS;
-import static sim.physics.stepping.ContactRows.NORMAL_SUM;
+import static sim.physics.stepping.ContactRows.OPENING;
+import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.RESTORED;
+import static sim.physics.stepping.ContactRows.STEADY;
 import static sim.physics.stepping.ContactRows.STRIDE;
-import static sim.physics.stepping.ContactRows.TANGENT_SUM;
+import static sim.physics.stepping.ContactRows.TANGENT;
 
 import java.io.Serializable;
 import java.util.Arrays;
@@ -17,7 +19,7 @@ import sim.physics.motion.State;
 
 /**
  * Bounces in groups that nothing ties, pulls, rubs or supports, as in gases and cradles: generalized reflections (Smith, Kaufman, Vouga,
- * Tamstorf and Grinspun, <i>Reflections on simultaneous impact</i>, 2012). What the contacts took in the step is taken back; then of all points
+ * Tamstorf and Grinspun, <i>Reflections on simultaneous impact</i>, 2012). What the contacts took in the substep is taken back; then of all points
  * those that approach are mirrored together, those that approach after that, and so on, until none does: a wave goes through a row of
  * bodies at once, symmetric scenes stay so, and elastic bodies keep their energy.
  */
@@ -38,24 +40,35 @@ final class Reflections implements Serializable {
     private final State state;
     private final ContactRows rows;
     private final Groups groups;
+    private final FreeImpacts free;
 
     /** By group: whether something else than bounces has part in its impacts. */
     private boolean[] isBound = {};
 
+    /** The fastest approach, and the step. */
     private double fastest;
 
-    Reflections(State state, ContactRows rows, Groups groups) {
+    private double h;
+
+    Reflections(State state, ContactRows rows, Groups groups, FreeImpacts free) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
+        this.free = free;
     }
 
-    /** Finds the groups that are reflected; their points give nothing back otherwise. */
-    void reflect() {
+    /**
+     * Finds the groups that are reflected; their points give nothing back otherwise.
+     *
+     * @param step the step
+     */
+    void reflect(double step) {
+        h = step;
         find();
         if (fastest == 0) {
             return;
         }
+        takeBack();
         boolean goesOn = true;
         for (int round = 0; goesOn && round < ROUNDS; round++) {
             goesOn = choose();
@@ -68,33 +81,42 @@ final class Reflections implements Serializable {
         end();
     }
 
-    private int group(int row) {
-        int body = rows.first(row);
-        return groups.slots[state.w().values()[State.BLOCK * body] > 0 ? body : rows.second(row)];
-    }
-
     private boolean isReflected(int row) {
-        return rows.hasBounced(row) && !isBound[group(row)];
+        return groups.has(row, rows) && !isBound[groups.of(row, rows)];
     }
 
     private void find() {
         if (isBound.length < groups.count) {
             isBound = new boolean[groups.slots.length];
         }
-        Arrays.fill(isBound, 0, groups.count, false);
-        groups.markTied(isBound);
-        for (int row = 0; row < rows.count; row++) {
-            for (int p = rows.begin(row); groups.has(row, rows) && p < rows.end(row); p += STRIDE) {
-                boolean isBounce = rows.points[p + RESTORED] > 0 && rows.points[p + TANGENT_SUM] == 0;
-                isBound[group(row)] |= rows.points[p + FORCED] != 0 || !isBounce && rows.points[p + NORMAL_SUM] > 0;
-            }
-        }
+        Arrays.fill(isBound, 0, groups.count, true);
         fastest = 0;
         for (int row = 0; row < rows.count; row++) {
+            for (int p = rows.begin(row); groups.has(row, rows) && p < rows.end(row); p += STRIDE) {
+                if (rows.points[p + RESTORED] > Impacts.PLASTIC) {
+                    isBound[groups.of(row, rows)] = !free.isOne(groups.of(row, rows));
+                    fastest = Math.max(fastest, -rows.points[p + OPENING]);
+                }
+            }
+        }
+        for (int row = 0; row < rows.count; row++) {
+            for (int p = rows.begin(row); groups.has(row, rows) && p < rows.end(row); p += STRIDE) {
+                boolean isBounce = rows.points[p + RESTORED] > Impacts.PLASTIC && rows.points[p + TANGENT] == 0;
+                isBound[groups.of(row, rows)] |= rows.points[p + FORCED] != 0 || !isBounce && rows.points[p + NORMAL] > 0;
+            }
+        }
+    }
+
+    private void takeBack() {
+        for (int k = 0; k < groups.bodies; k++) {
+            int b = groups.blocks[k];
+            if (!isBound[groups.slots[b / State.BLOCK]]) {
+                System.arraycopy(free.velocities(), b, state.v(), b, State.BLOCK);
+            }
+        }
+        for (int row = 0; row < rows.count; row++) {
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                rows.give(row, p, state.v(), -rows.points[p + NORMAL_SUM], 0);
-                rows.points[p + NORMAL_SUM] = 0;
-                fastest = Math.max(fastest, -rows.points[p + APPROACH]);
+                rows.points[p + NORMAL] = 0;
             }
         }
     }
@@ -104,9 +126,9 @@ final class Reflections implements Serializable {
         boolean any = false;
         for (int row = 0; row < rows.count; row++) {
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                boolean approaches = rows.opening(row, p, state.v()) < -NEGLIGIBLE * fastest;
-                rows.points[p + NORMAL] = approaches && rows.points[p + RESTORED] > 0 ? 0 : -1;
-                any |= rows.points[p + NORMAL] == 0;
+                boolean touches = Impacts.touches(rows, row, p, h);
+                rows.points[p + STEADY] = touches && rows.opening(row, p, state.v()) < -NEGLIGIBLE * fastest ? 0 : -1;
+                any |= rows.points[p + STEADY] == 0;
             }
         }
         return any;
@@ -116,7 +138,7 @@ final class Reflections implements Serializable {
         boolean goesOn = false;
         for (int row = 0; row < rows.count; row++) {
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                goesOn |= rows.points[p + NORMAL] >= 0 && compress(row, p);
+                goesOn |= rows.points[p + STEADY] >= 0 && compress(row, p);
             }
         }
         return goesOn;
@@ -124,9 +146,9 @@ final class Reflections implements Serializable {
 
     /** Takes what is left of a point's approach; whether there was anything. */
     private boolean compress(int row, int p) {
-        double old = rows.points[p + NORMAL];
+        double old = rows.points[p + STEADY];
         double now = Math.max(0, old - rows.points[p + NORMAL_MASS] * rows.opening(row, p, state.v()));
-        rows.points[p + NORMAL] = now;
+        rows.points[p + STEADY] = now;
         rows.give(row, p, state.v(), now - old, 0);
         return Math.abs(now - old) > SETTLED * (now + old);
     }
@@ -134,11 +156,11 @@ final class Reflections implements Serializable {
     private void restore() {
         for (int row = 0; row < rows.count; row++) {
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                double taken = Math.max(0, rows.points[p + NORMAL]);
-                double given = rows.points[p + RESTORED] * taken;
+                double taken = Math.max(0, rows.points[p + STEADY]);
+                double given = rows.normals[PAIR * row + BOUNCE] * taken;
                 rows.give(row, p, state.v(), given, 0);
-                rows.points[p + NORMAL_SUM] += taken + given;
-                rows.points[p + NORMAL] = -1;
+                rows.points[p + NORMAL] += taken + given;
+                rows.points[p + STEADY] = -1;
             }
         }
     }
@@ -146,8 +168,7 @@ final class Reflections implements Serializable {
     private void end() {
         for (int row = 0; row < rows.count; row++) {
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                rows.points[p + NORMAL] = 0; // the two part
-                rows.points[p + RESTORED] = 0;
+                rows.points[p + RESTORED] = 0; // the two part
             }
         }
     }

@@ -37,6 +37,7 @@ final class Retake implements Serializable {
     private final Balance bounced;
 
     private final Impacts impacts;
+    private final FreeImpacts free;
     private final Reflections reflections;
     private final Belts belts;
 
@@ -52,8 +53,9 @@ final class Retake implements Serializable {
         groups = new Groups(state);
         balance = new Balance(state, groups);
         bounced = new Balance(state, groups);
-        impacts = new Impacts(state, rows, groups);
-        reflections = new Reflections(state, rows, groups);
+        free = new FreeImpacts(state, rows, groups, contacts);
+        impacts = new Impacts(state, rows, groups, free);
+        reflections = new Reflections(state, rows, groups, free);
         belts = new Belts(state, poses);
     }
 
@@ -73,6 +75,7 @@ final class Retake implements Serializable {
         if (isNeeded) {
             groups.find(rows, ties, springs, isStale, !surface.isEmpty());
             balance.open();
+            bounced.open();
             isStale = false;
         }
     }
@@ -85,6 +88,19 @@ final class Retake implements Serializable {
     /** Takes note of what forces that change within the substep have given in its second half; see {@link Halves#reload}. */
     void reload(double[] now, double[] then, double h) {
         balance.force(now, then, 0.5 * h);
+    }
+
+    /** Solves the tied bodies that something strikes in this substep some times more: else joints and stops would give way to it, and turn its impact. */
+    void bear(Softness contact, Softness joint, double h) {
+        boolean[] marks = balance.marks();
+        if (impacts.findStruck()) {
+            impacts.mark(marks, true);
+            for (int k = 0; k < TURNS; k++) {
+                ties.solve(marks, joint, h);
+                contacts.solve(marks, contact, true, h);
+            }
+            impacts.mark(marks, false);
+        }
     }
 
     /**
@@ -123,22 +139,27 @@ final class Retake implements Serializable {
         belts.bound(rows, groups, ties, springs, a, h);
     }
 
-    /** Says that there may be bounces in this step, which begins: they may give back what bodies have now. */
-    void bound(double[] a, double h) {
-        bounced.open();
-        bounced.bound(a, h);
+    /** Notes the gaps of what may strike, before a substep begins. */
+    void approach() {
+        impacts.approach();
     }
 
     /**
-     * Lets bodies that have met bounce. What compression has taken, restitution gives once more, in part: of what meets at the same time, joints
+     * Lets bodies that have met in a substep bounce. What compression has taken, restitution gives once more, in part: of what meets at the same time, joints
      * included, that keeps the energy of elastic bodies, as v⁺ = 2 v − v⁻ is the mirror image of v⁻ in the projection v.
+     *
+     * @param a accelerations by forces
+     * @param step the step, in which forces make what is no bounce
+     * @param h substep
      */
-    void bounce(boolean isTied, double h) {
+    void bounce(boolean isTied, double[] a, double step, double h) {
         StopRows stops = ties.stops();
-        boolean goesOn = impacts.find(h, stops);
+        boolean goesOn = impacts.find(step, h, balance.speeds(), stops);
         if (!goesOn) {
             return;
         }
+        bounced.bound(balance, a, h);
+        free.begin(balance, a, step, h);
         boolean[] marks = balance.marks();
         double part = isTied ? Softness.EAGER.mass() : 1;
         impacts.mark(marks, true);
@@ -146,24 +167,26 @@ final class Retake implements Serializable {
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
             goesOn = ties.settle(marks) | stops.compress(part) | impacts.compress(part);
         }
-        impacts.straighten();
+        contacts.straighten();
         bounced.begin(rows);
         contacts.note();
         ties.note();
-        reflections.reflect();
-        impacts.restore(h);
+        reflections.reflect(step);
+        impacts.restore();
         stops.restore();
         goesOn = true;
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            goesOn = impacts.part(part, h) | stops.part(part) | ties.settle(marks);
+            goesOn = impacts.part(part) | stops.part(part) | ties.settle(marks);
         }
         stops.part(1); // as what is solved last is right
-        impacts.straighten();
+        contacts.straighten();
         if (bounced.limit()) {
-            contacts.limitSums(bounced.shares());
+            contacts.limitNoted(bounced.shares());
         }
         ties.putBack(marks, bounced.shares());
         bounced.forget();
+        free.end(balance, a);
+        impacts.end();
         impacts.mark(marks, false);
     }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.stepping;
 
+import static sim.physics.stepping.ContactRows.BEND;
 import static sim.physics.stepping.ContactRows.COUPLING;
 import static sim.physics.stepping.ContactRows.FRICTION;
 import static sim.physics.stepping.ContactRows.NORMAL;
@@ -9,6 +10,7 @@ import static sim.physics.stepping.ContactRows.NORMAL_MASS;
 import static sim.physics.stepping.ContactRows.NOW;
 import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.STRIDE;
+import static sim.physics.stepping.ContactRows.TANGENT;
 import static sim.physics.stepping.ContactRows.TANGENT_MASS;
 
 import java.io.Serializable;
@@ -41,7 +43,7 @@ final class StruckPoints implements Serializable {
     }
 
     /** Solves the points of a pair in turn, each so that it uses up what is left of its gap. All that is fixed is one to the body that strikes it. */
-    void solve(int k, double h) {
+    void solve(int k, double h, boolean regains) {
         int body = rows.strikesFixed(k);
         int first = body < 0 ? k : rest(rows.byBody.first(body), body);
         if (first < k) {
@@ -52,7 +54,7 @@ final class StruckPoints implements Serializable {
             goesOn = false;
             int points = 0;
             for (int row = k; row >= 0; row = body < 0 ? -1 : rest(rows.byBody.next(row, body), body)) {
-                goesOn |= solveInTurn(row, h);
+                goesOn |= solveInTurn(row, h, regains);
                 points += rows.pointCount(row);
             }
             goesOn &= points > 1;
@@ -68,10 +70,16 @@ final class StruckPoints implements Serializable {
         return k;
     }
 
-    private boolean solveInTurn(int k, double h) {
+    private boolean solveInTurn(int k, double h, boolean regains) {
         boolean changes = false;
         for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
-            changes |= solve(k, p, NORMAL, Math.max(0, rows.points[p + NOW]) / h, 0, 1, false) > SETTLED;
+            double gap = Math.max(0, rows.points[p + NOW]);
+            boolean meets = rows.points[p + NORMAL] > 0;
+            boolean isOver = !regains && rows.comesToStrike(k) && (meets || gap == 0); // its gap was used up in this substep
+            if (isOver || regains || !rows.comesToStrike(k)) {
+                double bend = regains ? 0.5 * h * rows.points[p + BEND] : 0;
+                changes |= solve(k, p, isOver ? 0 : Math.max(0, gap / h + bend), 0, 1, false) > SETTLED;
+            }
         }
         return changes;
     }
@@ -79,18 +87,17 @@ final class StruckPoints implements Serializable {
     /**
      * Solves a point.
      *
-     * @param kept where its impulses are: along the normal, and after that along the tangent
      * @param closing the speed at which it may approach
      * @param opening the speed at which it is to part
      * @param part of what this asks for that is given
      * @param isLimited whether it may create no energy
      * @return by how much its impulses have changed, relative to them
      */
-    double solve(int k, int p, int kept, double closing, double opening, double part, boolean isLimited) {
+    double solve(int k, int p, double closing, double opening, double part, boolean isLimited) {
         double[] points = rows.points;
         double[] v = state.v();
-        double normal = points[p + kept];
-        double tangent = points[p + kept + 1];
+        double normal = points[p + NORMAL];
+        double tangent = points[p + TANGENT];
         double speed = rows.opening(k, p, v);
         if (normal == 0 && tangent == 0 && speed + closing >= 0) {
             return 0; // it is open, and stays so
@@ -114,8 +121,8 @@ final class StruckPoints implements Serializable {
         double now = Math.max(0, normal + byNormal);
         byNormal = now - normal;
         byTangent = now > 0 ? byTangent : -tangent;
-        points[p + kept] = now;
-        points[p + kept + 1] = tangent + byTangent;
+        points[p + NORMAL] = now;
+        points[p + TANGENT] = tangent + byTangent;
         rows.give(k, p, v, byNormal, byTangent);
         return (Math.abs(byNormal) + Math.abs(byTangent)) / (now + normal + Double.MIN_NORMAL);
     }

@@ -344,15 +344,9 @@ public final class TimeStepping implements Serializable {
         boolean bounces = rows.bounces > 0 || rows.fast > 0 || isTied && ties.stops().mayStrike(h);
         boolean isBalanced = bounces || isTied || rows.unlike > 0;
         retake.begin(rows, isCold || areOthers, isBalanced || rows.driven > 0);
-        if (bounces) {
-            retake.bound(a, h);
-        }
         soften(Math.max(d, pace - h / PATIENCE));
         for (int k = 0; k < substeps; k++) {
-            substep(time + (k + 1) * d, d, isTied, isRubbed, isBalanced);
-        }
-        if (bounces) {
-            retake.bounce(isTied, h);
+            substep(time + (k + 1) * d, d, isTied, isRubbed, isBalanced, bounces);
         }
         near.keep(rows, contacts);
         sleep.watch(h, a);
@@ -361,8 +355,11 @@ public final class TimeStepping implements Serializable {
         forces.end(isLast);
     }
 
-    private void substep(double end, double d, boolean isTied, boolean isRubbed, boolean isBalanced) {
+    private void substep(double end, double d, boolean isTied, boolean isRubbed, boolean isBalanced, boolean bounces) {
         int turns = isCold ? COLD : 1;
+        if (bounces) {
+            retake.approach();
+        }
         halves.accelerate(a, d);
         forces.springs().evaluate(d);
         if (isBalanced) {
@@ -375,6 +372,9 @@ public final class TimeStepping implements Serializable {
         halves.halve();
         for (int m = 0; m < turns; m++) {
             solve(isTied, isRubbed, true, d);
+        }
+        if (bounces && isTied) {
+            retake.bear(contact, joint, d);
         }
         halves.move(d);
         if (forces.areUneven()) {
@@ -394,9 +394,15 @@ public final class TimeStepping implements Serializable {
         if (isBalanced) {
             retake.close(a, contact, joint, d);
         }
-        contacts.add();
         if (isTied) {
             ties.add();
+        }
+        if (bounces) {
+            retake.bounce(isTied, a, h, d);
+        }
+        contacts.add();
+        if (isTied) {
+            ties.stops().note();
         }
     }
 

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import static sim.physics.stepping.ContactRows.BEFORE;
+import static sim.physics.stepping.ContactRows.NORMAL;
+import static sim.physics.stepping.ContactRows.NOW;
+import static sim.physics.stepping.ContactRows.OPENING;
+import static sim.physics.stepping.ContactRows.RESTORED;
+import static sim.physics.stepping.ContactRows.RUBBING;
+import static sim.physics.stepping.ContactRows.STEADY;
+import static sim.physics.stepping.ContactRows.STRIDE;
+import static sim.physics.stepping.ContactRows.TANGENT;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.motion.State;
+
+/**
+ * Groups whose bodies nothing but bounces and even forces have part in within a substep: each body flies to where it meets another one, and on from there
+ * with what the bounce gave it. What bounded its way meanwhile is taken back: it has turned the body, too, by up to a half of what the impact gives, and
+ * the arms of the impact with it.
+ */
+final class FreeImpacts implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** How often the poses in which two bodies meet are looked for. */
+    private static final int LOOKS = 2;
+
+    private final State state;
+    private final ContactRows rows;
+    private final Groups groups;
+    private final ContactSolver contacts;
+
+    /** By group: whether it is one. */
+    private boolean[] areFree = {};
+
+    /** By body: when it has its impact, infinite if it has none; and the velocities before it. */
+    private double[] meets = {};
+
+    private double[] velocities = {};
+
+    private double h;
+
+    FreeImpacts(State state, ContactRows rows, Groups groups, ContactSolver contacts) {
+        this.state = state;
+        this.rows = rows;
+        this.groups = groups;
+        this.contacts = contacts;
+    }
+
+    /** Whether a group is one. */
+    boolean isOne(int group) {
+        return areFree[group];
+    }
+
+    /** Whether a pair that has met is of one. */
+    boolean has(int row) {
+        return areFree[groups.of(row, rows)];
+    }
+
+    /** {@return velocities before the impacts, of the bodies of such groups} */
+    double[] velocities() {
+        return velocities;
+    }
+
+    /**
+     * Finds these groups, and takes back what their bodies were given.
+     *
+     * @param before where the bodies were, and their velocities after all that forces give in the substep
+     * @param a accelerations by forces
+     * @param step the step
+     * @param substep the substep
+     */
+    void begin(Balance before, double[] a, double step, double substep) {
+        h = substep;
+        find();
+        meet(before, a, step);
+        for (int k = 0; k < groups.bodies; k++) {
+            int b = groups.blocks[k];
+            for (int o = b; isOfOne(b) && o < b + State.BLOCK; o++) {
+                velocities[o] = before.speeds()[o] - (h - time(b)) * a[o];
+                state.v()[o] = velocities[o];
+            }
+        }
+        for (int row = 0; row < rows.count; row++) {
+            for (int p = rows.begin(row); isOf(row) && p < rows.end(row); p += STRIDE) {
+                rows.points[p + OPENING] = rows.opening(row, p, state.v());
+            }
+        }
+    }
+
+    private void find() {
+        if (areFree.length < groups.count) {
+            areFree = new boolean[groups.slots.length];
+        }
+        if (velocities.length < state.v().length) {
+            meets = new double[state.v().length / State.BLOCK];
+            velocities = new double[state.v().length];
+        }
+        Arrays.fill(areFree, 0, groups.count, false);
+        for (int row = 0; row < rows.count; row++) {
+            for (int p = rows.begin(row); groups.has(row, rows) && p < rows.end(row); p += STRIDE) {
+                areFree[groups.of(row, rows)] |= rows.points[p + RESTORED] > 0;
+            }
+        }
+        for (int row = 0; row < rows.count; row++) {
+            for (int p = rows.begin(row); groups.has(row, rows) && p < rows.end(row); p += STRIDE) {
+                boolean isBounce = rows.points[p + RESTORED] > 0 && rows.isNew(row);
+                areFree[groups.of(row, rows)] &= isBounce || rows.points[p + NORMAL] == 0;
+            }
+        }
+        groups.clearTied(areFree);
+    }
+
+    /**
+     * Finds when bodies have their impacts, and the normals and points of these there; and takes back what was given. What has part in one impact has it
+     * at one time, the first: else it would act at two points, and give angular momentum.
+     */
+    private void meet(Balance before, double[] a, double step) {
+        for (int k = 0; k < groups.bodies; k++) {
+            meets[groups.blocks[k] / State.BLOCK] = Double.POSITIVE_INFINITY;
+        }
+        for (int row = 0; row < rows.count; row++) {
+            if (isOf(row)) {
+                meet(row, before, a);
+            }
+        }
+        boolean goesOn = true;
+        for (int turn = 0; goesOn && turn < rows.count; turn++) {
+            goesOn = false;
+            for (int row = 0; row < rows.count; row++) {
+                goesOn |= isOf(row) && links(row, step) && share(rows.first(row), rows.second(row));
+            }
+        }
+        for (int row = 0; row < rows.count; row++) {
+            if (isOf(row) && links(row, step)) {
+                double time = Math.min(h, Math.min(meets(rows.first(row)), meets(rows.second(row))));
+                fly(rows.first(row), time, before, a);
+                fly(rows.second(row), time, before, a);
+                follow(row);
+            }
+        }
+    }
+
+    /** Whether a pair may have part in an impact: it strikes, or a wave may go through it. */
+    private boolean links(int row, double step) {
+        boolean yes = false;
+        for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
+            yes |= Impacts.touches(rows, row, p, step);
+        }
+        return yes;
+    }
+
+    /** Lets two bodies have the time of the first of them; whether it was another. */
+    private boolean share(int first, int second) {
+        if (!isMovable(first) || !isMovable(second) || meets[first] == meets[second]) {
+            return false;
+        }
+        meets[first] = Math.min(meets[first], meets[second]);
+        meets[second] = meets[first];
+        return true;
+    }
+
+    private double meets(int body) {
+        return isMovable(body) ? meets[body] : Double.POSITIVE_INFINITY;
+    }
+
+    private boolean isMovable(int body) {
+        return state.w().values()[State.BLOCK * body] > 0;
+    }
+
+    private void meet(int row, Balance before, double[] a) {
+        double time = Double.POSITIVE_INFINITY;
+        for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
+            time = rows.points[p + RESTORED] > 0 ? Math.min(time, Impacts.time(rows.points, p, h)) : time;
+            rows.points[p + NORMAL] = 0;
+            rows.points[p + TANGENT] = 0;
+        }
+        rows.turns.forget(row, 1);
+        for (int look = 0; time < h && look < LOOKS; look++) { // else a wave has driven them together
+            fly(rows.first(row), time, before, a);
+            fly(rows.second(row), time, before, a);
+            follow(row);
+            time = refine(row, time, before.speeds());
+        }
+        if (time < h) {
+            meets[rows.first(row)] = Math.min(meets[rows.first(row)], time);
+            meets[rows.second(row)] = Math.min(meets[rows.second(row)], time);
+        }
+    }
+
+    /** When two bodies meet, by what is left of their gap: ways are bent. */
+    private double refine(int row, double time, double[] v) {
+        double left = Double.POSITIVE_INFINITY;
+        for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
+            double opening = rows.opening(row, p, v);
+            boolean meets = rows.points[p + RESTORED] > 0 && opening < 0 && !(rows.points[p + BEFORE] < 0);
+            left = meets ? Math.min(left, -rows.points[p + NOW] / opening) : left;
+        }
+        return left < h ? Math.max(0, Math.min(h, time + left)) : time;
+    }
+
+    private void fly(int body, double time, Balance before, double[] a) {
+        int b = State.BLOCK * body;
+        for (int o = b; isMovable(body) && o < b + State.BLOCK; o++) {
+            state.x()[o] = before.places()[o] + time * (before.speeds()[o] - (h - 0.5 * time) * a[o]);
+        }
+    }
+
+    /** Lets the points of a pair of which nothing is steady go along. */
+    private void follow(int row) {
+        for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
+            rows.points[p + STEADY] = 0;
+            rows.points[p + RUBBING] = 0;
+        }
+        contacts.follow(row);
+    }
+
+    /** Lets the bodies go on from where they have met. */
+    void end(Balance before, double[] a) {
+        double[] v = state.v();
+        for (int k = 0; k < groups.bodies; k++) {
+            int b = groups.blocks[k];
+            double time = time(b);
+            double left = h - time;
+            for (int o = b; isOfOne(b) && o < b + State.BLOCK; o++) {
+                double there = before.places()[o] + time * (before.speeds()[o] - (h - 0.5 * time) * a[o]);
+                state.x()[o] = there + left * (v[o] + 0.5 * left * a[o]);
+                v[o] += left * a[o];
+            }
+        }
+        for (int row = 0; row < rows.count; row++) {
+            if (isOf(row)) {
+                follow(row);
+            }
+        }
+    }
+
+    private boolean isOf(int row) {
+        return groups.has(row, rows) && has(row);
+    }
+
+    private boolean isOfOne(int block) {
+        return areFree[groups.slots[block / State.BLOCK]];
+    }
+
+    private double time(int block) {
+        return Math.min(h, meets[block / State.BLOCK]);
+    }
+}
