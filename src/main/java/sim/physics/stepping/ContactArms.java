@@ -160,7 +160,9 @@ final class ContactArms implements Serializable {
         double lever = points[p + (isOfFirst ? LEVER_A : LEVER_B)];
         double toEdge = isOfFirst ? 0.5 : -0.5;
         double arm = points[p + (isOfFirst ? ARM_A : ARM_B)] - toEdge * points[p + GAP];
-        double half = 0.5 * (isOfFirst ? turnA : turnB);
+        double middle = 0.5 * (isOfFirst ? turnA : turnB);
+        double by = middle * middle;
+        double half = middle * (1 + by * (1.0 / 3 + by * (2.0 / 15 + by * (17.0 / 315)))); // its tangent
         double cos = (1 - half * half) / (1 + half * half);
         double sin = 2 * half / (1 + half * half);
         double startX = arm * nx + lever * ny;

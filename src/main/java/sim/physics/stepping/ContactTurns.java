@@ -201,8 +201,8 @@ final class ContactTurns implements Serializable {
     /** Turns a vector by an angle of up to some half a radian, and leaves it in the normal: series, as divisions and sines cost more than all the rest. */
     private void turn(double x, double y, double angle) {
         double square = angle * angle;
-        double cos = 1 - square * (0.5 - square * (1.0 / 24 - square * (1.0 / 720)));
-        double sin = angle * (1 - square * (1.0 / 6 - square * (1.0 / 120)));
+        double cos = 1 - square * (0.5 - square * (1.0 / 24 - square * (1.0 / 720 - square * (1.0 / 40320 - square * (1.0 / 3628800)))));
+        double sin = angle * (1 - square * (1.0 / 6 - square * (1.0 / 120 - square * (1.0 / 5040 - square * (1.0 / 362880)))));
         nx = cos * x - sin * y;
         ny = sin * x + cos * y;
     }

@@ -74,7 +74,7 @@ final class FreeImpacts implements Serializable {
      */
     void begin(Balance before, double[] a, double step, double substep) {
         h = substep;
-        find();
+        find(step);
         meet(before, a, step);
         for (int k = 0; k < groups.bodies; k++) {
             int b = groups.blocks[k];
@@ -90,7 +90,7 @@ final class FreeImpacts implements Serializable {
         }
     }
 
-    private void find() {
+    private void find(double step) {
         if (areFree.length < groups.count) {
             areFree = new boolean[groups.slots.length];
         }
@@ -106,7 +106,10 @@ final class FreeImpacts implements Serializable {
         }
         for (int row = 0; row < rows.count; row++) {
             for (int p = rows.begin(row); groups.has(row, rows) && p < rows.end(row); p += STRIDE) {
-                boolean isBounce = rows.points[p + RESTORED] > 0 && rows.isNew(row);
+                double closed = Impacts.closed(rows, row, step);
+                boolean regains = rows.points[p + BEFORE] < -closed && h * rows.points[p + OPENING] > -closed;
+                boolean isDeep = regains && rows.normals[ContactRows.PAIR * row + ContactRows.BOUNCE] < 1; // what is elastic does not stay there
+                boolean isBounce = rows.points[p + RESTORED] > 0 && rows.isNew(row) && !isDeep;
                 areFree[groups.of(row, rows)] &= isBounce || rows.points[p + NORMAL] == 0;
             }
         }

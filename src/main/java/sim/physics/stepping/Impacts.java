@@ -200,7 +200,7 @@ final class Impacts implements Serializable {
     }
 
     private boolean isClosed(int k, int p, double h) {
-        return rows.points[p + NORMAL] > 0 || rows.points[p + NOW] <= CLOSED * h * rows.normals[PAIR * k + REGAIN];
+        return rows.points[p + NORMAL] > 0 || rows.points[p + NOW] <= closed(rows, k, h);
     }
 
     private boolean isTied(int k) {
@@ -226,7 +226,7 @@ final class Impacts implements Serializable {
         boolean lies = touched[rows.first(k)] > 1 || touched[rows.second(k)] > 1;
         double apart = lies ? rows.normals[PAIR * k + LOAD] : Math.max(0, -rows.points[p + FORCED]);
         double pull = h * (hasPressed ? rows.normals[PAIR * k + WEIGHT] : apart);
-        boolean isDriven = rows.points[p + OPENING] <= CLOSED * rows.normals[PAIR * k + REGAIN]; // by others that strike, if it does not come nearer itself
+        boolean isDriven = rows.mayBounce(k) || rows.points[p + OPENING] <= CLOSED * rows.normals[PAIR * k + REGAIN]; // by others that strike, if it does not come nearer itself
         return rows.points[p + OPENING] < -2 * pull || !hasPressed && pull == 0 && isDriven;
     }
 
@@ -315,7 +315,12 @@ final class Impacts implements Serializable {
 
     /** Whether a point has met, or was so near that a wave goes through it. */
     static boolean touches(ContactRows rows, int k, int p, double h) {
-        return rows.points[p + RESTORED] > 0 || rows.mayStrike(k) && rows.points[p + BEFORE] <= CLOSED * h * rows.normals[PAIR * k + REGAIN];
+        return rows.points[p + RESTORED] > 0 || rows.mayStrike(k) && rows.points[p + BEFORE] <= closed(rows, k, h);
+    }
+
+    /** The gap of a pair that is none. */
+    static double closed(ContactRows rows, int k, double h) {
+        return CLOSED * h * rows.normals[PAIR * k + REGAIN];
     }
 
     /** The same, of a substep's points. */

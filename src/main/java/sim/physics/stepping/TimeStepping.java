@@ -104,6 +104,8 @@ public final class TimeStepping implements Serializable {
     private boolean isJudged = true;
 
     private double deepest;
+    private double meanX;
+    private double meanY;
     private double deepestTied;
     private long looks;
 
@@ -269,6 +271,7 @@ public final class TimeStepping implements Serializable {
     }
 
     private void look() {
+        average();
         Pairs pairs = near.pairs();
         for (int word = 0; word < near.live.length; word++) {
             for (long left = near.live[word]; left != 0; left &= left - 1) {
@@ -284,7 +287,9 @@ public final class TimeStepping implements Serializable {
         double size = Math.min(poses.hull(first).bounding, poses.hull(second).bounding);
         looks++;
         Pairs pairs = near.pairs();
-        touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + h * speed(State.BLOCK * first, State.BLOCK * second, first, second));
+        double bounced = laws.restitution(first, second) > 0 ? speed(first) + speed(second) : 0;
+        double reach = h * Math.max(bounced, speed(State.BLOCK * first, State.BLOCK * second, first, second));
+        touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + reach);
         if (touch.count == 0) {
             near.flags[pair] = 0;
             if (sleep.isIdle(first, second)) {
@@ -309,6 +314,26 @@ public final class TimeStepping implements Serializable {
             deepestTied = areTied ? Math.max(deepestTied, -touch.gap[k] / size) : deepestTied;
         }
         near.remember(pair, touch, rows, growth);
+    }
+
+    /** A speed that a body may come to have towards another one, as it bounces off a third one within the step. */
+    private double speed(int body) {
+        double[] v = state.v();
+        int b = State.BLOCK * body;
+        double x = v[b] - meanX;
+        double y = v[b + 1] - meanY;
+        return Math.sqrt(x * x + y * y) + Math.abs(v[b + 2]) * poses.hull(body).bounding;
+    }
+
+    /** Finds the mean velocity, against which bodies that bounce come towards others: whoever watches from elsewhere sees the same. */
+    private void average() {
+        double[] v = state.v();
+        meanX = 0;
+        meanY = 0;
+        for (int k = 0; k < poses.awake.size; k++) {
+            meanX += v[State.BLOCK * poses.awake.values[k]] / poses.awake.size;
+            meanY += v[State.BLOCK * poses.awake.values[k] + 1] / poses.awake.size;
+        }
     }
 
     /** A bound of the speed at which two bodies may come nearer. */
