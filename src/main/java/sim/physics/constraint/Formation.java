@@ -9,23 +9,37 @@ import java.util.List;
 /** The islands of some constraints, kept for when what is tried between steps is refused: they know more than how to form them. */
 public final class Formation {
     private final Constraints constraints;
-    private final List<TiedGroup> groups;
-    private final TiedGroup[] of;
-    private final long grouping;
-    private final LinkedHashSet<Constraint> changed;
-    private final boolean isSomeDissolved;
+    private final List<TiedGroup> groups = new ArrayList<>();
+    private final LinkedHashSet<Constraint> changed = new LinkedHashSet<>();
+    private TiedGroup[] of = {};
+    private long grouping;
+    private boolean isSomeDissolved;
+
+    private Formation(Constraints constraints) {
+        this.constraints = constraints;
+    }
 
     /**
-     * Keeps those of the moment.
+     * Keeps those of the moment, until others are kept.
      *
      * @param constraints whose
+     * @return what puts them back
      */
-    public Formation(Constraints constraints) {
-        this.constraints = constraints;
-        groups = new ArrayList<>(constraints.groups);
-        of = constraints.of.clone();
+    public static Formation keep(Constraints constraints) {
+        Register register = constraints.register;
+        register.formation = register.formation == null ? new Formation(constraints) : register.formation;
+        register.formation.keep();
+        return register.formation;
+    }
+
+    private void keep() {
+        groups.clear();
+        groups.addAll(constraints.groups);
+        of = of.length == constraints.of.length ? of : new TiedGroup[constraints.of.length];
+        System.arraycopy(constraints.of, 0, of, 0, of.length);
         grouping = constraints.grouping;
-        changed = new LinkedHashSet<>(constraints.register.changed);
+        changed.clear();
+        changed.addAll(constraints.register.changed);
         isSomeDissolved = constraints.register.isSomeDissolved;
     }
 
@@ -39,8 +53,8 @@ public final class Formation {
             constraints.remove(c);
         }
         constraints.changeIslands();
-        constraints.groups = groups;
-        constraints.of = of;
+        constraints.groups = new ArrayList<>(groups);
+        constraints.of = of.clone();
         constraints.grouping = grouping; // nobody has asked for the others
         constraints.register.changed.clear();
         constraints.register.changed.addAll(changed);

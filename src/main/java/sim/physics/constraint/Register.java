@@ -16,6 +16,9 @@ import sim.physics.motion.Body;
 final class Register implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** The islands that were kept when something was tried. */
+    transient Formation formation;
+
     final LinkedHashSet<Constraint> all = new LinkedHashSet<>();
     final LinkedHashSet<Constraint> changed = new LinkedHashSet<>();
 

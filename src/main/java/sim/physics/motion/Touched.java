@@ -23,6 +23,9 @@ final class Touched implements Serializable {
     private int count;
     private int quiet;
 
+    /** Those that were kept. */
+    private transient Touched kept;
+
     /** How often something was noted in all. */
     transient long writes;
 
@@ -64,18 +67,23 @@ final class Touched implements Serializable {
         how[index] = isForce ? how[index] : WRITTEN;
     }
 
-    /** {@return the same notes once more} */
-    Touched copy() {
-        Touched copy = new Touched(how.length);
-        copy.take(this);
-        return copy;
+    /** Keeps the notes of the moment. */
+    void keep() {
+        kept = kept == null ? new Touched(0) : kept;
+        kept.take(this);
     }
 
-    /** Replaces all notes by others, of the same blocks. */
-    void take(Touched other) {
-        list = other.list.clone();
-        how = other.how.clone();
+    /** Puts those back that were kept. */
+    void putBack() {
+        take(kept);
+    }
+
+    private void take(Touched other) {
         count = other.count;
+        list = list.length < count ? Arrays.copyOf(other.list, count) : list;
+        System.arraycopy(other.list, 0, list, 0, count);
+        how = how.length == other.how.length ? how : new byte[other.how.length];
+        System.arraycopy(other.how, 0, how, 0, how.length);
         quiet = other.quiet;
         writes++;
     }

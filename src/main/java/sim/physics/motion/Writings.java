@@ -5,21 +5,20 @@ package sim.physics.motion;
 /** Which bodies have been written or pushed since the last step, kept for when what is tried between steps is refused. */
 public final class Writings {
     private final State state;
-    private final Touched kept;
 
     /**
-     * Keeps those of the moment.
+     * Keeps those of the moment, until others are kept.
      *
      * @param state the state vectors
      */
     public Writings(State state) {
         this.state = state;
-        kept = state.touched.copy();
+        state.touched.keep();
     }
 
     /** Forgets that others have been written since. Where they are has been put back before. */
     public void putBack() {
-        state.touched.take(kept);
+        state.touched.putBack();
         state.placedAll();
     }
 }
