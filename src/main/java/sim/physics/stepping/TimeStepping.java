@@ -67,6 +67,7 @@ public final class TimeStepping implements Serializable {
     private final ContactRows rows;
     private final ContactSolver contacts;
     private final TieRows ties;
+    private final Speeds speeds;
     private final Decisions decisions;
     private final Sleep sleep;
     private final Retake retake;
@@ -104,8 +105,6 @@ public final class TimeStepping implements Serializable {
     private boolean isJudged = true;
 
     private double deepest;
-    private double meanX;
-    private double meanY;
     private double deepestTied;
     private long looks;
 
@@ -126,6 +125,7 @@ public final class TimeStepping implements Serializable {
         rows = new ContactRows(state);
         contacts = new ContactSolver(state, rows);
         ties = new TieRows(state);
+        speeds = new Speeds(state, poses);
         decisions = new Decisions(state, laws, rows);
         near = new NearPairs(state, poses, filter);
         sleep = new Sleep(state, poses, near, forces, rows);
@@ -271,7 +271,7 @@ public final class TimeStepping implements Serializable {
     }
 
     private void look() {
-        average();
+        speeds.average();
         Pairs pairs = near.pairs();
         for (int word = 0; word < near.live.length; word++) {
             for (long left = near.live[word]; left != 0; left &= left - 1) {
@@ -287,9 +287,8 @@ public final class TimeStepping implements Serializable {
         double size = Math.min(poses.hull(first).bounding, poses.hull(second).bounding);
         looks++;
         Pairs pairs = near.pairs();
-        double bounced = laws.restitution(first, second) > 0 ? speed(first) + speed(second) : 0;
-        double reach = h * Math.max(bounced, speed(State.BLOCK * first, State.BLOCK * second, first, second));
-        touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + reach);
+        double way = speeds.way(first, second, laws.restitution(first, second) > 0, a, h);
+        touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + way);
         if (touch.count == 0) {
             near.flags[pair] = 0;
             if (sleep.isIdle(first, second)) {
@@ -314,35 +313,6 @@ public final class TimeStepping implements Serializable {
             deepestTied = areTied ? Math.max(deepestTied, -touch.gap[k] / size) : deepestTied;
         }
         near.remember(pair, touch, rows, growth);
-    }
-
-    /** A speed that a body may come to have towards another one, as it bounces off a third one within the step. */
-    private double speed(int body) {
-        double[] v = state.v();
-        int b = State.BLOCK * body;
-        double x = v[b] - meanX;
-        double y = v[b + 1] - meanY;
-        return Math.sqrt(x * x + y * y) + Math.abs(v[b + 2]) * poses.hull(body).bounding;
-    }
-
-    /** Finds the mean velocity, against which bodies that bounce come towards others: whoever watches from elsewhere sees the same. */
-    private void average() {
-        double[] v = state.v();
-        meanX = 0;
-        meanY = 0;
-        for (int k = 0; k < poses.awake.size; k++) {
-            meanX += v[State.BLOCK * poses.awake.values[k]] / poses.awake.size;
-            meanY += v[State.BLOCK * poses.awake.values[k] + 1] / poses.awake.size;
-        }
-    }
-
-    /** A bound of the speed at which two bodies may come nearer. */
-    private double speed(int i, int k, int first, int second) {
-        double[] v = state.v();
-        double x = Math.abs(v[k] - v[i]) + h * Math.abs(a[k] - a[i]);
-        double y = Math.abs(v[k + 1] - v[i + 1]) + h * Math.abs(a[k + 1] - a[i + 1]);
-        double turn = Math.abs(v[i + 2]) * poses.hull(first).bounding + Math.abs(v[k + 2]) * poses.hull(second).bounding;
-        return Math.sqrt(x * x + y * y) + turn;
     }
 
     /**
