@@ -157,7 +157,7 @@ final class FreeImpacts implements Serializable {
 
     /** Lets two bodies have the time of the first of them; whether it was another. */
     private boolean share(int first, int second) {
-        if (!isMovable(first) || !isMovable(second) || meets[first] == meets[second]) {
+        if (!groups.isMovable(first) || !groups.isMovable(second) || meets[first] == meets[second]) {
             return false;
         }
         meets[first] = Math.min(meets[first], meets[second]);
@@ -166,11 +166,7 @@ final class FreeImpacts implements Serializable {
     }
 
     private double meets(int body) {
-        return isMovable(body) ? meets[body] : Double.POSITIVE_INFINITY;
-    }
-
-    private boolean isMovable(int body) {
-        return state.w().values()[State.BLOCK * body] > 0;
+        return groups.isMovable(body) ? meets[body] : Double.POSITIVE_INFINITY;
     }
 
     private void meet(int row, Balance before, double[] a) {
@@ -204,9 +200,10 @@ final class FreeImpacts implements Serializable {
         return left < h ? Math.max(0, Math.min(h, time + left)) : time;
     }
 
+    /** Puts a body where it is at a time of the substep if it has met nobody. */
     private void fly(int body, double time, Balance before, double[] a) {
         int b = State.BLOCK * body;
-        for (int o = b; isMovable(body) && o < b + State.BLOCK; o++) {
+        for (int o = b; groups.isMovable(body) && o < b + State.BLOCK; o++) {
             state.x()[o] = before.places()[o] + time * (before.speeds()[o] - (h - 0.5 * time) * a[o]);
         }
     }
@@ -225,11 +222,13 @@ final class FreeImpacts implements Serializable {
         double[] v = state.v();
         for (int k = 0; k < groups.bodies; k++) {
             int b = groups.blocks[k];
-            double time = time(b);
-            double left = h - time;
-            for (int o = b; isOfOne(b) && o < b + State.BLOCK; o++) {
-                double there = before.places()[o] + time * (before.speeds()[o] - (h - 0.5 * time) * a[o]);
-                state.x()[o] = there + left * (v[o] + 0.5 * left * a[o]);
+            if (!isOfOne(b)) {
+                continue;
+            }
+            fly(b / State.BLOCK, time(b), before, a);
+            double left = h - time(b);
+            for (int o = b; o < b + State.BLOCK; o++) {
+                state.x()[o] += left * (v[o] + 0.5 * left * a[o]);
                 v[o] += left * a[o];
             }
         }

@@ -255,7 +255,7 @@ final class Groups implements Serializable {
         Arrays.fill(marks, false);
     }
 
-    private boolean isMovable(int body) {
+    boolean isMovable(int body) {
         return state.w().values()[BLOCK * body] > 0;
     }
 

@@ -34,8 +34,8 @@ import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
 /**
- * What has met in a substep, at its end: its gap is used up. First, what has met is compressed in turn until it approaches no more. One point that bounces alone, among all that touch or are tied to one another, then parts at the speed of Newton's
- * law, and rubs on the way: the impulse by events ({@link sim.physics.response.TwoBodyImpulse}). Of several, each gives back a part of what it has
+ * What has met in a substep, at its end: its gap is used up. First, what has met is compressed in turn until it approaches no more. One point that
+ * bounces alone, among all that touch or are tied to one another, then parts at the speed of Newton's law, and rubs on the way: the impulse by events ({@link sim.physics.response.TwoBodyImpulse}). Of several, each gives back a part of what it has
  * taken (Poisson), and rubs once more. What does not bounce is compressed, too, where joints have part in it: solved once a substep, they are far off.
  */
 final class Impacts implements Serializable {
@@ -111,10 +111,7 @@ final class Impacts implements Serializable {
 
     /** Notes the groups of tied bodies that something presses which comes to strike; false if none. */
     boolean findStruck() {
-        reserve();
-        Arrays.fill(counts, 0, groups.count, 0);
-        Arrays.fill(areTied, 0, groups.count, false);
-        groups.markTied(areTied);
+        begin();
         boolean any = false;
         for (int k = 0; k < rows.count; k++) {
             if (rows.comesToStrike(k) && groups.has(k, rows) && isTied(k) && rows.sum(k, NORMAL) > 0) {
@@ -125,7 +122,8 @@ final class Impacts implements Serializable {
         return any;
     }
 
-    private void reserve() {
+    /** Begins to count what has met, by group. */
+    private void begin() {
         if (counts.length < groups.count) {
             counts = new int[groups.slots.length];
             areTied = new boolean[groups.slots.length];
@@ -133,6 +131,9 @@ final class Impacts implements Serializable {
             fastest = new double[groups.slots.length];
             loads = new double[groups.slots.length];
         }
+        Arrays.fill(counts, 0, groups.count, 0);
+        Arrays.fill(areTied, 0, groups.count, false);
+        groups.markTied(areTied);
     }
 
     /**
@@ -144,12 +145,9 @@ final class Impacts implements Serializable {
      */
     boolean find(double h, double d, double[] before, StopRows stops) {
         substep = d;
-        reserve();
-        Arrays.fill(counts, 0, groups.count, 0);
-        Arrays.fill(areTied, 0, groups.count, false);
+        begin();
         Arrays.fill(fastest, 0, groups.count, 0);
         Arrays.fill(loads, 0, groups.count, 0);
-        groups.markTied(areTied);
         count();
         measure();
         for (int k = 0; k < rows.count; k++) {

@@ -42,11 +42,13 @@ final class Speeds implements Serializable {
      */
     double way(int first, int second, boolean bounces, double[] a, double h) {
         double bounced = bounces ? speed(first) + speed(second) : 0;
-        return h * Math.max(bounced, speed(State.BLOCK * first, State.BLOCK * second, first, second, a, h));
+        return h * Math.max(bounced, speed(first, second, a, h));
     }
 
-    private double speed(int i, int k, int first, int second, double[] a, double h) {
+    private double speed(int first, int second, double[] a, double h) {
         double[] v = state.v();
+        int i = State.BLOCK * first;
+        int k = State.BLOCK * second;
         double x = Math.abs(v[k] - v[i]) + h * Math.abs(a[k] - a[i]);
         double y = Math.abs(v[k + 1] - v[i + 1]) + h * Math.abs(a[k + 1] - a[i + 1]);
         double turn = Math.abs(v[i + 2]) * poses.hull(first).bounding + Math.abs(v[k + 2]) * poses.hull(second).bounding;

@@ -287,7 +287,8 @@ public final class TimeStepping implements Serializable {
         double size = Math.min(poses.hull(first).bounding, poses.hull(second).bounding);
         looks++;
         Pairs pairs = near.pairs();
-        double way = speeds.way(first, second, laws.restitution(first, second) > 0, a, h);
+        double bounce = laws.restitution(first, second);
+        double way = speeds.way(first, second, bounce > 0, a, h);
         touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + way);
         if (touch.count == 0) {
             near.flags[pair] = 0;
@@ -300,7 +301,7 @@ public final class TimeStepping implements Serializable {
             return; // if a body wakes, the step begins anew
         }
         double friction = near.is(pair, NearPairs.STICKY) ? STICKS : laws.friction(first, second);
-        double restitution = near.is(pair, NearPairs.STICKY) ? 0 : laws.restitution(first, second);
+        double restitution = near.is(pair, NearPairs.STICKY) ? 0 : bounce;
         double belt = laws.belt(first, second);
         rows.add(pair, first, second, touch, friction, restitution, belt, a, h, REGAIN * size / h, near.is(pair, NearPairs.TOUCHED));
         if (decisions.isOpen(rows.count - 1)) {
