@@ -242,6 +242,9 @@ final class Projection implements Serializable {
             before = error;
             error = Slack.error(island, state, ROUNDING);
         }
+        if (island.isRedundant || island.near() > 0) {
+            solver.prepare(island, w); // rows that the others imply here may not be those that they implied before the last correction
+        }
         settle(island, state, solver);
         return true;
     }
