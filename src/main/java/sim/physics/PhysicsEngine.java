@@ -294,7 +294,8 @@ public final class PhysicsEngine implements Steppable {
             to = timeStep;
             if (relief.isOn()) {
                 to = Relief.partEnd(state, motion.generators(), at, timeStep);
-                timeStepping.setSubsteps(to - at < timeStep - from ? Relief.substeps(to - at, timeStep) : Relief.SUBSTEPS);
+                boolean isPart = to - at < timeStep - from;
+                timeStepping.setSubsteps(isPart ? Relief.substeps(state, motion.generators(), to - at, timeStep) : Relief.SUBSTEPS);
             }
             partWithoutEvents(at, to);
         }

@@ -34,6 +34,12 @@ final class Relief implements Serializable {
 
     private static final int LEAST_SUBSTEPS = 8;
 
+    /**
+     * What a body may fall by in a substep, relative to its size, as long as that takes no more of them than a step has. Where it is
+     * ten times as much, what lies under something ten times as heavy is pressed in by a hundredth of its size.
+     */
+    private static final double FALL = 5e-4;
+
     /** Way in a part, relative to the size of a body, and turn, rad: what bodies touch, and where, is found at its beginning. */
     private static final double WAY = 0.25;
 
@@ -92,10 +98,7 @@ final class Relief implements Serializable {
      * @param step length of a whole step
      */
     static double partEnd(State state, List<ForceGenerator> forces, double from, double step) {
-        double pull = 0;
-        for (ForceGenerator one : forces) {
-            pull += one instanceof Gravity field ? Math.abs(field.getX()) + Math.abs(field.getY()) : 0;
-        }
+        double pull = pull(forces);
         double part = step - from;
         for (int k = 0; k < state.size(); k++) {
             if (state.body(k) != null && !state.body(k).isFixed()) {
@@ -116,9 +119,24 @@ final class Relief implements Serializable {
         return Math.min(time, WAY / Math.abs(v[b + State.THETA]));
     }
 
-    /** Substeps of a part: as many as a whole step has in its time, or more. */
-    static int substeps(double part, double step) {
-        return Math.max(LEAST_SUBSTEPS, (int) Math.ceil(SUBSTEPS * part / step));
+    private static double pull(List<ForceGenerator> forces) {
+        double pull = 0;
+        for (ForceGenerator one : forces) {
+            pull += one instanceof Gravity field ? Math.abs(field.getX()) + Math.abs(field.getY()) : 0;
+        }
+        return pull;
+    }
+
+    /** Substeps of a part: as many as a whole step has in its time, or more, as nothing is to fall far in one. */
+    static int substeps(State state, List<ForceGenerator> forces, double part, double step) {
+        double size = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < state.size(); k++) {
+            if (state.body(k) != null && !state.body(k).isFixed()) {
+                size = Math.min(size, state.body(k).getShape().boundingRadius());
+            }
+        }
+        double falling = Math.min(SUBSTEPS, part * Math.sqrt(pull(forces) / (2 * FALL * size)));
+        return Math.max(LEAST_SUBSTEPS, (int) Math.ceil(Math.max(SUBSTEPS * part / step, falling)));
     }
 
     boolean isOver(long step) {

@@ -369,4 +369,22 @@ class ReliefTest {
             }
         }
     }
+
+    /** What lies under something ten times as heavy, in relieved steps of 0.9 s: with eight substeps in a part it was pressed in by 1.4 cm. */
+    @Test
+    void aHeavyBodyDoesNotPressALightOneIn() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.9);
+        engine.setWorkLimit(1);
+        engine.add(new Gravity(5, -10));
+        engine.add(Body.fixed(new Rectangle(40, 2)).at(0, -1));
+        engine.add(Body.fixed(new Rectangle(2, 40)).at(11, 10));
+        engine.add(new Body(new Rectangle(1, 1)).at(9, 0.5)).setMass(1);
+        engine.add(new Body(new Circle(0.5)).at(9, 1.52)).setMass(10);
+        for (int k = 0; k < 30; k++) {
+            engine.step();
+        }
+        assertThat(engine.getRelievedSteps()).isEqualTo(30);
+        assertThat(engine.overlaps()).allMatch(overlap -> overlap.depth() < 5e-3);
+    }
 }
