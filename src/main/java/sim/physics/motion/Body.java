@@ -143,13 +143,23 @@ public class Body implements Serializable {
         return fixed;
     }
 
+    private double place(int c) {
+        Glance now = state.glance(index);
+        return now == null ? state.x()[State.BLOCK * index + c] : now.x(index, c);
+    }
+
+    private double speed(int c) {
+        Glance now = state.glance(index);
+        return now == null ? state.v()[State.BLOCK * index + c] : now.v(index, c);
+    }
+
     /**
      * Returns the x coordinate of the centre of mass.
      *
      * @return x, length
      */
     public final double getX() {
-        return state.x()[State.BLOCK * index + State.X];
+        return place(State.X);
     }
 
     /**
@@ -158,7 +168,7 @@ public class Body implements Serializable {
      * @return y, length
      */
     public final double getY() {
-        return state.x()[State.BLOCK * index + State.Y];
+        return place(State.Y);
     }
 
     /**
@@ -167,7 +177,7 @@ public class Body implements Serializable {
      * @return θ, rad
      */
     public final double getAngle() {
-        return state.x()[State.BLOCK * index + State.THETA];
+        return place(State.THETA);
     }
 
     /**
@@ -176,7 +186,7 @@ public class Body implements Serializable {
      * @return ẋ, length/time
      */
     public final double getVelocityX() {
-        return state.v()[State.BLOCK * index + State.X];
+        return speed(State.X);
     }
 
     /**
@@ -185,7 +195,7 @@ public class Body implements Serializable {
      * @return ẏ, length/time
      */
     public final double getVelocityY() {
-        return state.v()[State.BLOCK * index + State.Y];
+        return speed(State.Y);
     }
 
     /**
@@ -194,7 +204,7 @@ public class Body implements Serializable {
      * @return θ̇, rad/time
      */
     public final double getAngularVelocity() {
-        return state.v()[State.BLOCK * index + State.THETA];
+        return speed(State.THETA);
     }
 
     /**

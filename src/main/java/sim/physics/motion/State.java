@@ -54,19 +54,16 @@ public final class State implements Serializable {
 
     private Body[] bodies;
     private int size;
-
     /** Empty blocks below {@code size}, a stack. */
     private int[] free = {};
     private int freeCount;
-
     final Touched touched;
-
     /** Null but while listeners are called. */
     private Presence presence;
+    /** Null but in such a call. */
+    private transient Glance glance;
     /** Whether a step is being made. */
     private transient boolean stepping;
-    /** Null until somebody follows it, so that a scene which nobody asks about pays nothing. */
-    private transient PlaceLog placeLog;
 
     private Surface surface = Surface.SMOOTH;
     /** Whether bodies have had different surfaces; else nobody need look at the views for them. */
@@ -82,7 +79,6 @@ public final class State implements Serializable {
     /** Whether the vectors are to be written, and by whom, when somebody asks for them. */
     private boolean lagging;
     private Trajectories motions;
-
     /** Whether this is the state of one body that belongs to no engine. */
     private final boolean own;
 
@@ -153,9 +149,7 @@ public final class State implements Serializable {
 
     /** {@return the force vector F itself, [fx, fy, τ] per body, scratch of the evaluation of forces: nothing outlasts a growth} */
     public double[] f() {
-        if (f.length < x.length) {
-            f = Arrays.copyOf(f, x.length);
-        }
+        f = f.length < x.length ? Arrays.copyOf(f, x.length) : f;
         return f;
     }
 
@@ -213,10 +207,9 @@ public final class State implements Serializable {
         }
         State old = body.state();
         int from = BLOCK * body.index();
-        int to = BLOCK * index;
-        System.arraycopy(old.x, from, x, to, BLOCK);
-        System.arraycopy(old.v, from, v, to, BLOCK);
-        System.arraycopy(old.w.values(), from, w.values(), to, BLOCK);
+        System.arraycopy(old.x, from, x, BLOCK * index, BLOCK);
+        System.arraycopy(old.v, from, v, BLOCK * index, BLOCK);
+        System.arraycopy(old.w.values(), from, w.values(), BLOCK * index, BLOCK);
         bodies[index] = body;
         body.bind(this, index);
         if (!own) {
@@ -323,6 +316,20 @@ public final class State implements Serializable {
     public void setPresence(Presence presence, boolean isStepping) {
         this.presence = presence;
         stepping = isStepping;
+    }
+
+    /**
+     * Begins or ends a call of a listener, who may read where bodies are.
+     *
+     * @param glance null when the call is over
+     */
+    public void setGlance(Glance glance) {
+        this.glance = glance;
+    }
+
+    /** {@return who says where a body is; null if the vectors do} */
+    Glance glance(int index) {
+        return glance == null || touched.has(index) ? null : glance;
     }
 
     /** {@return whether a step is being made, and a listener is called that may write} */
@@ -438,8 +445,7 @@ public final class State implements Serializable {
 
     /** {@return what tells which blocks were placed: notes from the first call on, one for all callers} */
     public PlaceLog placeLog() {
-        placeLog = placeLog == null ? new PlaceLog() : placeLog;
-        return placeLog;
+        return touched.places();
     }
 
     /**
@@ -448,18 +454,12 @@ public final class State implements Serializable {
      * @param index the block
      */
     public void placed(int index) {
-        touched.writes++;
-        if (placeLog != null) {
-            placeLog.note(index);
-        }
+        touched.place(index);
     }
 
     /** Notes that any positions may be written, between steps. */
     public void placedAll() {
-        touched.writes++;
-        if (placeLog != null) {
-            placeLog.noteAll();
-        }
+        touched.placeAll();
     }
 
     /**

@@ -29,6 +29,9 @@ final class Touched implements Serializable {
     /** How often something was noted in all. */
     transient long writes;
 
+    /** Null until somebody follows it, so that a scene which nobody asks about pays nothing. */
+    private transient PlaceLog places;
+
     Touched(int capacity) {
         how = new byte[capacity];
     }
@@ -65,6 +68,27 @@ final class Touched implements Serializable {
             how[index] = PUSHED;
         }
         how[index] = isForce ? how[index] : WRITTEN;
+    }
+
+    PlaceLog places() {
+        places = places == null ? new PlaceLog() : places;
+        return places;
+    }
+
+    /** Notes that a position is written, between steps. */
+    void place(int index) {
+        writes++;
+        if (places != null) {
+            places.note(index);
+        }
+    }
+
+    /** Notes that any positions may be written, between steps. */
+    void placeAll() {
+        writes++;
+        if (places != null) {
+            places.noteAll();
+        }
     }
 
     /** Keeps the notes of the moment. */

@@ -479,14 +479,21 @@ public final class Trajectories implements Serializable {
      * @param state the vectors
      */
     public void publish(int body, double tau, State state) {
-        int o = body * STRIDE;
         int b = body * State.BLOCK;
         double d = duration(body, tau);
         for (int c = 0; c < State.BLOCK; c++) {
-            double a = bends[(o & bendMask) + AX + c];
-            double j = bends[(o & bendMask) + JX + c];
-            state.x()[b + c] = data[o + c] + d * (data[o + VX + c] + d * (a + d * j));
-            state.v()[b + c] = data[o + VX + c] + d * (2 * a + 3 * d * j);
+            state.x()[b + c] = x(body, c, d);
+            state.v()[b + c] = v(body, c, d);
         }
+    }
+
+    double x(int body, int c, double d) {
+        int o = body * STRIDE;
+        return data[o + c] + d * (data[o + VX + c] + d * (bends[(o & bendMask) + AX + c] + d * bends[(o & bendMask) + JX + c]));
+    }
+
+    double v(int body, int c, double d) {
+        int o = body * STRIDE;
+        return data[o + VX + c] + d * (2 * bends[(o & bendMask) + AX + c] + 3 * d * bends[(o & bendMask) + JX + c]);
     }
 }

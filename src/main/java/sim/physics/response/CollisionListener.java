@@ -8,8 +8,9 @@ import java.io.Serializable;
  * A listener that is asked before collisions and told after them. Listeners are part of a checkpoint. So make them named classes,
  * not lambdas, whose serialized form depends on the compiler.
  *
- * <p>In a call, a listener may add and remove bodies, and set positions, velocities and filters. That takes effect at the instant
- * of the collision, when the call is over. If the listener throws an exception, the step ends at that instant.
+ * <p>In a call, all bodies are where they are at the instant of the collision, and as fast as they are then; by time stepping, as
+ * they were when the step began, or are when it is over. A listener may add and remove bodies, and set positions, velocities and
+ * filters. That takes effect at that instant, when the call is over. If the listener throws an exception, the step ends at that instant.
  *
  * <p>What {@link #colliding} sets on the two bodies counts in the collision itself: mass, restitution, friction and velocity. Bodies
  * that it turns away from one another, puts elsewhere or forbids to collide do not collide, and {@link #collided} is not called. A body

@@ -116,7 +116,7 @@ public final class CollisionResponse implements Serializable {
         changed.clear();
         manifold = instant.begin(touching, tau);
         wedged.stalls(tau);
-        listeners.setTime(time);
+        listeners.setInstant(tau, time);
         if (touching.size == 1) {
             int pair = touching.values[0];
             instant.locate(pair, tau);

@@ -9,6 +9,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 import sim.physics.collision.CollisionFilter;
+import sim.physics.motion.Glance;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
@@ -29,9 +30,13 @@ final class Listeners implements Serializable {
     /** Simulated time of the present instant. */
     private double now;
 
+    /** Where bodies are then. */
+    private final Glance glance;
+
     Listeners(State state, Trajectories trajectories) {
         this.state = state;
         this.trajectories = trajectories;
+        glance = new Glance(trajectories);
     }
 
     /** Adds one, who is told from the next collision on; false if it was added already. */
@@ -76,7 +81,8 @@ final class Listeners implements Serializable {
         return all.isEmpty();
     }
 
-    void setTime(double time) {
+    void setInstant(double tau, double time) {
+        glance.setNow(tau);
         now = time;
     }
 
@@ -87,11 +93,12 @@ final class Listeners implements Serializable {
      */
     CollisionListener.Decision ask(int a, int b, Impact impact, CollisionFilter filter) {
         if (isPut(a) || isPut(b)) {
-            return null; // by what listeners have done about another pair; to publish would undo it
+            return null; // by what listeners have done about another pair
         }
-        publish(a, b);
+        publishUnwritten(a);
+        publishUnwritten(b);
         Contact contact = contact(a, b, impact, -impact.normalVelocity(), 0);
-        CollisionListener.Decision decision = ask(contact);
+        CollisionListener.Decision decision = askNow(contact);
         impact.sticky |= decision == CollisionListener.Decision.STICK;
         boolean isOver = isPut(a) || isPut(b) || !filter.allows(contact.a(), contact.b());
         return isOver && decision != CollisionListener.Decision.IGNORE ? null : decision;
@@ -112,6 +119,15 @@ final class Listeners implements Serializable {
         return isWritten;
     }
 
+    private CollisionListener.Decision askNow(Contact contact) {
+        state.setGlance(glance);
+        try {
+            return ask(contact);
+        } finally {
+            state.setGlance(null);
+        }
+    }
+
     /** The first decision for something else than a bounce. */
     CollisionListener.Decision ask(Contact contact) {
         List<CollisionListener> those = use();
@@ -126,6 +142,9 @@ final class Listeners implements Serializable {
 
     /** Tells of each pair of a simultaneous impact once, with the impulses of its points together. */
     void tell(SimultaneousImpact simultaneous, Impact impact) {
+        for (int k = 0; k < simultaneous.bodyCount(); k++) { // all first: what a listener of one pair writes is not to be lost with the next one
+            publish(simultaneous.body(k));
+        }
         for (int k = 0; k < simultaneous.pointCount(); k++) {
             int a = simultaneous.bodyA(k);
             int b = simultaneous.bodyB(k);
@@ -137,14 +156,25 @@ final class Listeners implements Serializable {
             if (two) {
                 impact.jn += simultaneous.normalImpulse(++k);
             }
-            tell(a, b, impact, approach);
+            tellNow(a, b, impact, approach);
         }
     }
 
     /** Tells of an impact, with the speed before it. */
     void tell(int a, int b, Impact impact, double approach) {
-        publish(a, b);
-        tell(contact(a, b, impact, approach, Math.sqrt(impact.jn * impact.jn + impact.jt * impact.jt)));
+        publish(a);
+        publish(b);
+        tellNow(a, b, impact, approach);
+    }
+
+    private void tellNow(int a, int b, Impact impact, double approach) {
+        Contact contact = contact(a, b, impact, approach, Math.sqrt(impact.jn * impact.jn + impact.jt * impact.jt));
+        state.setGlance(glance);
+        try {
+            tell(contact);
+        } finally {
+            state.setGlance(null);
+        }
     }
 
     void tell(Contact contact) {
@@ -154,9 +184,14 @@ final class Listeners implements Serializable {
         }
     }
 
-    private void publish(int a, int b) {
-        trajectories.publish(a, trajectories.offset(a), state);
-        trajectories.publish(b, trajectories.offset(b), state);
+    private void publishUnwritten(int body) {
+        if (!state.isTouched(body)) { // else it would undo what listeners have done about another pair
+            publish(body);
+        }
+    }
+
+    private void publish(int body) {
+        trajectories.publish(body, trajectories.offset(body), state);
     }
 
     private Contact contact(int a, int b, Impact impact, double speed, double impulse) {
