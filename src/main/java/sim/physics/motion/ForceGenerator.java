@@ -52,6 +52,9 @@ public interface ForceGenerator extends Serializable {
      * Returns whether the force on a body depends on other bodies that move. Bodies that are coupled, directly, through others or
      * through joints, are integrated together. This is asked when the generator is added and at the start of each step.
      *
+     * <p>Where it should be true and is not, other bodies are read where they were at some instant of the step, and the motion is
+     * right to first order in the step only, whatever the method.
+     *
      * @return false, unless overridden
      */
     default boolean isCoupled() {
