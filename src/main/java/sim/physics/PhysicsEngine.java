@@ -1414,7 +1414,8 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Returns the simulated time. It is the number of steps times their length, so it does not drift.
+     * Returns the simulated time. It is the number of steps times their length, so it does not drift. Within a step, it is the
+     * time at which that began; {@link sim.physics.response.Contact#time()} says when a collision is.
      *
      * @return time; 0 for a new engine
      */
