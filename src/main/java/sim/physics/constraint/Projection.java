@@ -45,6 +45,12 @@ final class Projection implements Serializable {
     /** Size of a correction whose square is less than rounding. */
     static final double SMOOTH = 1e-9;
 
+    /**
+     * The same, from which rows that the others imply may not be those any more that they implied before it: its square is far below what is
+     * added to the diagonal for these.
+     */
+    private static final double FAR = 1e-6;
+
     /** Impacts of an island's stops on one another at one instant. */
     private static final int MOST_IMPACTS = 50;
 
@@ -198,6 +204,7 @@ final class Projection implements Serializable {
         island.evaluate(state);
         error = Slack.error(island, state, ROUNDING);
         double before = Double.POSITIVE_INFINITY;
+        double roughness = 0;
         if (!(error > 1)) {
             if (isSettled(island, state)) {
                 return true;
@@ -218,7 +225,7 @@ final class Projection implements Serializable {
             if (!(error < Double.POSITIVE_INFINITY) || corrections == CORRECTIONS) {
                 return false;
             }
-            double roughness = correct(island, state, solver, w);
+            roughness = correct(island, state, solver, w);
             if (gentle && (corrections == 0 || !island.isProjected) && roughness > ROUGH) {
                 return false;
             }
@@ -242,8 +249,8 @@ final class Projection implements Serializable {
             before = error;
             error = Slack.error(island, state, ROUNDING);
         }
-        if (island.isRedundant || island.near() > 0) {
-            solver.prepare(island, w); // rows that the others imply here may not be those that they implied before the last correction
+        if (roughness > FAR && (island.isRedundant || island.near() > 0)) {
+            solver.prepare(island, w);
         }
         settle(island, state, solver);
         return true;
