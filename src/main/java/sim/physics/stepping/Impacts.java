@@ -236,6 +236,7 @@ final class Impacts implements Serializable {
             rows.points[met.values[m + 1] + RESTORED] = hasMet(met.values[m]) ? rows.points[met.values[m + 1] + RESTORED] : 0;
         }
         met.clear();
+        groups.struck.clear();
     }
 
     private boolean hasSomeMet() {
@@ -249,7 +250,13 @@ final class Impacts implements Serializable {
     /** Lists the points that have met; what else is closed there has part in that. */
     private void collect(double h) {
         for (int k = 0; k < rows.count; k++) {
-            for (int p = rows.begin(k); hasMet(k) && p < rows.end(k); p += STRIDE) {
+            if (hasMet(k)) {
+                groups.struck.add(k);
+            }
+        }
+        for (int n = 0; n < groups.struck.size; n++) {
+            int k = groups.struck.values[n];
+            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
                 double restored = rows.points[p + RESTORED];
                 rows.pairs[INTS * k + BOUNCED] |= restored > PLASTIC ? 1 : 0;
                 boolean takesPart = isTied(k) && rows.points[p + NORMAL] > 0 || isPlastic(k) && isClosed(k, p, h);
