@@ -63,15 +63,7 @@ final class ContactArms implements Serializable {
         points = rows.points;
     }
 
-    /** Lets all points go along. */
-    void follow() {
-        double[] w = state.w().values();
-        for (int k = 0; k < rows.count; k++) {
-            follow(w, k);
-        }
-    }
-
-    /** Lets the points of a pair go along. */
+    /** Lets the points of a pair go along, whose gaps have just been measured. */
     void follow(double[] w, int k) {
         int a = State.BLOCK * rows.first(k);
         int b = State.BLOCK * rows.second(k);
@@ -88,7 +80,7 @@ final class ContactArms implements Serializable {
         double dy = x[b + 1] - x[a + 1];
         double nx = normals[PAIR * k];
         double ny = normals[PAIR * k + 1];
-        turns.find(k);
+        turns.findMeasured(k);
         turns.note(k, 0.5);
         boolean isOne = rows.pointCount(k) == 1;
         boolean isRound = turns.mode(k) >= ContactTurns.BETWEEN;

@@ -348,8 +348,11 @@ final class ContactSolver implements Serializable {
 
     /** Lets points go along when the bodies have moved. */
     void follow() {
-        measure();
-        arms.follow();
+        double[] w = state.w().values();
+        for (int k = 0; k < rows.count; k++) {
+            rows.turns.measure(k);
+            arms.follow(w, k);
+        }
     }
 
     /** Lets the points of a pair go along. */

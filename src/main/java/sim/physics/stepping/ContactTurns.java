@@ -153,15 +153,30 @@ final class ContactTurns implements Serializable {
 
     /** Finds the present normal of a pair. */
     void find(int k) {
+        lose(k);
+        if (modes[k] >= BETWEEN) {
+            between(k);
+        }
+        findNormal(k);
+    }
+
+    /** The same of the pair that was measured last, since when its bodies have not moved. */
+    void findMeasured(int k) {
+        if (modes[k] < BETWEEN) { // else it was found with the gap
+            findNormal(k);
+        }
+    }
+
+    private void lose(int k) {
         if (modes[k] != STILL && isLost(k)) {
             modes[k] = STILL;
             starts[SIZE * k] = rows.normals[PAIR * k];
             starts[SIZE * k + 1] = rows.normals[PAIR * k + 1];
         }
+    }
+
+    private void findNormal(int k) {
         int mode = modes[k] & BETWEEN;
-        if (modes[k] >= BETWEEN) {
-            between(k);
-        }
         nx = starts[SIZE * k];
         ny = starts[SIZE * k + 1];
         if (mode == BETWEEN) {
@@ -213,10 +228,10 @@ final class ContactTurns implements Serializable {
         int o = SIZE * k;
         int a = State.BLOCK * rows.first(k);
         int b = State.BLOCK * rows.second(k);
-        turn(starts[o + 2], starts[o + 3], turn(rows.first(k)));
+        turnMiddle(o + 2, rows.first(k));
         ax = nx;
         ay = ny;
-        turn(starts[o + 4], starts[o + 5], turn(rows.second(k)));
+        turnMiddle(o + 4, rows.second(k));
         bx = nx;
         by = ny;
         wayX = x[b] - x[a] + bx - ax;
@@ -262,6 +277,15 @@ final class ContactTurns implements Serializable {
         }
     }
 
+    /** Turns a middle with its body: that of a disc, which is in its centre, does not move. */
+    private void turnMiddle(int o, int body) {
+        nx = starts[o];
+        ny = starts[o + 1];
+        if (nx != 0 || ny != 0) {
+            turn(nx, ny, turn(body));
+        }
+    }
+
     /** How fast the way between two middles turns; not where that is far, or they are deep in one another. */
     private double turnBetween(double gap, double slide, double n0, double n1) {
         double distance = n0 * wayX + n1 * wayY;
@@ -272,13 +296,13 @@ final class ContactTurns implements Serializable {
     void measure(int k) {
         double[] points = rows.points;
         int begin = rows.begin(k);
-        if (modes[k] != STILL) {
-            find(k);
-        }
+        lose(k);
         int mode = modes[k];
         if (mode == STILL) {
             measureStill(k);
         } else if (mode >= BETWEEN) {
+            between(k);
+            findNormal(k);
             points[begin + NOW] = points[begin + GAP] + nx * wayX + ny * wayY - startHeight(k);
         } else {
             for (int p = begin; p < rows.end(k); p += STRIDE) {

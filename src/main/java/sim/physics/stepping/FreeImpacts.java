@@ -54,7 +54,7 @@ final class FreeImpacts implements Serializable {
         return areFree[group];
     }
 
-    /** Whether a pair that has met is of one. */
+    /** Whether a pair of a group in which something has met is of one. */
     boolean has(int row) {
         return areFree[groups.of(row, rows)];
     }
@@ -83,8 +83,9 @@ final class FreeImpacts implements Serializable {
                 state.v()[o] = velocities[o];
             }
         }
-        for (int row = 0; row < rows.count; row++) {
-            for (int p = rows.begin(row); isOf(row) && p < rows.end(row); p += STRIDE) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
+            for (int p = rows.begin(row); has(row) && p < rows.end(row); p += STRIDE) {
                 rows.points[p + OPENING] = rows.opening(row, p, state.v());
             }
         }
@@ -99,13 +100,15 @@ final class FreeImpacts implements Serializable {
             velocities = new double[state.v().length];
         }
         Arrays.fill(areFree, 0, groups.count, false);
-        for (int row = 0; row < rows.count; row++) {
-            for (int p = rows.begin(row); groups.has(row, rows) && p < rows.end(row); p += STRIDE) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
+            for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
                 areFree[groups.of(row, rows)] |= rows.points[p + RESTORED] > 0;
             }
         }
-        for (int row = 0; row < rows.count; row++) {
-            for (int p = rows.begin(row); groups.has(row, rows) && p < rows.end(row); p += STRIDE) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
+            for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
                 double closed = Impacts.closed(rows, row, step);
                 boolean regains = rows.points[p + BEFORE] < -closed && h * rows.points[p + OPENING] > -closed;
                 boolean isDeep = regains && rows.normals[ContactRows.PAIR * row + ContactRows.BOUNCE] < 1; // what is elastic does not stay there
@@ -124,20 +127,23 @@ final class FreeImpacts implements Serializable {
         for (int k = 0; k < groups.bodies; k++) {
             meets[groups.blocks[k] / State.BLOCK] = Double.POSITIVE_INFINITY;
         }
-        for (int row = 0; row < rows.count; row++) {
-            if (isOf(row)) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
+            if (has(row)) {
                 meet(row, before, a);
             }
         }
         boolean goesOn = true;
         for (int turn = 0; goesOn && turn < rows.count; turn++) {
             goesOn = false;
-            for (int row = 0; row < rows.count; row++) {
-                goesOn |= isOf(row) && links(row, step) && share(rows.first(row), rows.second(row));
+            for (int n = 0; n < groups.struck.size; n++) {
+                int row = groups.struck.values[n];
+                goesOn |= has(row) && links(row, step) && share(rows.first(row), rows.second(row));
             }
         }
-        for (int row = 0; row < rows.count; row++) {
-            if (isOf(row) && links(row, step)) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
+            if (has(row) && links(row, step)) {
                 double time = Math.min(h, Math.min(meets(rows.first(row)), meets(rows.second(row))));
                 fly(rows.first(row), time, before, a);
                 fly(rows.second(row), time, before, a);
@@ -232,15 +238,12 @@ final class FreeImpacts implements Serializable {
                 v[o] += left * a[o];
             }
         }
-        for (int row = 0; row < rows.count; row++) {
-            if (isOf(row)) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
+            if (has(row)) {
                 follow(row);
             }
         }
-    }
-
-    private boolean isOf(int row) {
-        return groups.has(row, rows) && has(row);
     }
 
     private boolean isOfOne(int block) {

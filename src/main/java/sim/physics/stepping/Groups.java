@@ -61,6 +61,9 @@ final class Groups implements Serializable {
     /** Whether friction with the plane acts. */
     private boolean rubs;
 
+    /** The rows of those in which something has met in this substep, as {@link Impacts} has found. */
+    final IntList struck = new IntList();
+
     private boolean[] marks = {};
     private final IntList found = new IntList();
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.stepping;
 
+import static sim.physics.stepping.ContactRows.APPROACH;
 import static sim.physics.stepping.ContactRows.BEFORE;
 import static sim.physics.stepping.ContactRows.BOUNCE;
 import static sim.physics.stepping.ContactRows.BOUNCED;
@@ -68,8 +69,14 @@ final class Impacts implements Serializable {
     private final StruckPoints struck;
     private final FreeImpacts free;
 
-    /** The points that have met: row and first value of each. */
+    /** The points that have met: row and first value of each; only they give something back. */
     private final IntList met = new IntList();
+
+    /** Of the step: the rows whose gaps before each substep count, those that may have met after it, and those that may strike what joints tie. */
+    private final IntList watched = new IntList();
+
+    private final IntList meeting = new IntList();
+    private final IntList striking = new IntList();
 
     /** By point that has met: how much what it gives back may rub, and how much it has. */
     private double[] limits = {};
@@ -100,30 +107,8 @@ final class Impacts implements Serializable {
         this.free = free;
     }
 
-    /** Notes the gaps of what may strike, before a substep begins. */
-    void approach() {
-        for (int k = 0; k < rows.count; k++) {
-            for (int p = rows.begin(k); rows.mayStrike(k) && p < rows.end(k); p += STRIDE) {
-                rows.points[p + BEFORE] = rows.points[p + NOW];
-            }
-        }
-    }
-
-    /** Notes the groups of tied bodies that something presses which comes to strike; false if none. */
-    boolean findStruck() {
-        begin();
-        boolean any = false;
-        for (int k = 0; k < rows.count; k++) {
-            if (rows.comesToStrike(k) && groups.has(k, rows) && isTied(k) && rows.sum(k, NORMAL) > 0) {
-                counts[groups.of(k, rows)]++;
-                any = true;
-            }
-        }
-        return any;
-    }
-
-    /** Begins to count what has met, by group. */
-    private void begin() {
+    /** Begins a step in which something may strike, and of which the groups are known: of most rows of a pile there is nothing to be asked in it. */
+    void begin() {
         if (counts.length < groups.count) {
             counts = new int[groups.slots.length];
             areTied = new boolean[groups.slots.length];
@@ -131,9 +116,56 @@ final class Impacts implements Serializable {
             fastest = new double[groups.slots.length];
             loads = new double[groups.slots.length];
         }
-        Arrays.fill(counts, 0, groups.count, 0);
         Arrays.fill(areTied, 0, groups.count, false);
         groups.markTied(areTied);
+        measure();
+        met.clear();
+        watched.clear();
+        meeting.clear();
+        striking.clear();
+        for (int k = 0; k < rows.count; k++) {
+            list(k);
+        }
+    }
+
+    private void list(int k) {
+        boolean isOfOne = groups.has(k, rows);
+        if (rows.mayStrike(k) || isOfOne && isPlastic(k) && !isTied(k)) {
+            watched.add(k);
+            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+                rows.points[p + OPENING] = rows.points[p + APPROACH];
+            }
+        }
+        if (mayMeet(k)) {
+            meeting.add(k);
+        }
+        if (isOfOne && isTied(k) && rows.comesToStrike(k)) {
+            striking.add(k);
+        }
+    }
+
+    /** Notes the gaps of what may strike, and of what may have part in that, before a substep begins. */
+    void approach() {
+        for (int n = 0; n < watched.size; n++) {
+            int k = watched.values[n];
+            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+                rows.points[p + BEFORE] = rows.points[p + NOW];
+            }
+        }
+    }
+
+    /** Notes the groups of tied bodies that something presses which comes to strike; false if none. */
+    boolean findStruck() {
+        Arrays.fill(counts, 0, groups.count, 0);
+        boolean any = false;
+        for (int n = 0; n < striking.size; n++) {
+            int k = striking.values[n];
+            if (rows.sum(k, NORMAL) > 0) {
+                counts[groups.of(k, rows)]++;
+                any = true;
+            }
+        }
+        return any;
     }
 
     /**
@@ -145,13 +177,39 @@ final class Impacts implements Serializable {
      */
     boolean find(double h, double d, double[] before, StopRows stops) {
         substep = d;
-        begin();
+        Arrays.fill(counts, 0, groups.count, 0);
         Arrays.fill(fastest, 0, groups.count, 0);
         Arrays.fill(loads, 0, groups.count, 0);
-        count();
-        measure();
-        for (int k = 0; k < rows.count; k++) {
-            for (int p = rows.begin(k); mayMeet(k) && p < rows.end(k); p += STRIDE) {
+        if (presses()) {
+            count();
+            strike(h, d, before);
+        }
+        stops.find(h, groups.slots, counts);
+        forget();
+        if (hasSomeMet()) {
+            collect(h);
+        }
+        return met.size > 0 || stops.haveMet();
+    }
+
+    /** Whether some pair presses that may have met; none is taken to have. */
+    private boolean presses() {
+        boolean yes = false;
+        for (int n = 0; n < meeting.size; n++) {
+            int k = meeting.values[n];
+            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+                rows.points[p + RESTORED] = 0;
+                yes |= rows.points[p + NORMAL] > 0;
+            }
+        }
+        return yes;
+    }
+
+    /** Counts the points that strike, by group. */
+    private void strike(double h, double d, double[] before) {
+        for (int n = 0; n < meeting.size; n++) {
+            int k = meeting.values[n];
+            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
                 rows.points[p + OPENING] = rows.opening(k, p, before) - d * rows.points[p + FORCED];
                 boolean meets = rows.points[p + NORMAL] > 0 && isImpact(k, p, h);
                 rows.points[p + RESTORED] = meets ? Math.max(PLASTIC, rows.normals[PAIR * k + BOUNCE]) : 0;
@@ -164,20 +222,44 @@ final class Impacts implements Serializable {
         for (int g = 0; g < groups.count; g++) {
             counts[g] = fastest[g] < BRIEF * loads[g] ? 0 : counts[g];
         }
-        stops.find(h, groups.slots, counts);
-        collect(h);
-        return met.size > 0 || stops.haveMet();
+    }
+
+    /** Forgets what strikes too slowly, and, where nothing has met in this substep, what had part in what met in the one before. */
+    private void forget() {
+        for (int n = 0; n < meeting.size; n++) {
+            int k = meeting.values[n];
+            for (int p = rows.begin(k); !hasMet(k) && p < rows.end(k); p += STRIDE) {
+                rows.points[p + RESTORED] = 0;
+            }
+        }
+        for (int m = 0; m < met.size; m += 2) {
+            rows.points[met.values[m + 1] + RESTORED] = hasMet(met.values[m]) ? rows.points[met.values[m + 1] + RESTORED] : 0;
+        }
+        met.clear();
+        groups.struck.clear();
+    }
+
+    private boolean hasSomeMet() {
+        boolean yes = false;
+        for (int g = 0; !yes && g < groups.count; g++) {
+            yes = counts[g] > 0;
+        }
+        return yes;
     }
 
     /** Lists the points that have met; what else is closed there has part in that. */
     private void collect(double h) {
-        met.clear();
         for (int k = 0; k < rows.count; k++) {
-            boolean hasMet = hasMet(k);
+            if (hasMet(k)) {
+                groups.struck.add(k);
+            }
+        }
+        for (int n = 0; n < groups.struck.size; n++) {
+            int k = groups.struck.values[n];
             for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
-                double restored = hasMet ? rows.points[p + RESTORED] : 0;
+                double restored = rows.points[p + RESTORED];
                 rows.pairs[INTS * k + BOUNCED] |= restored > PLASTIC ? 1 : 0;
-                boolean takesPart = hasMet && (isTied(k) && rows.points[p + NORMAL] > 0 || isPlastic(k) && isClosed(k, p, h));
+                boolean takesPart = isTied(k) && rows.points[p + NORMAL] > 0 || isPlastic(k) && isClosed(k, p, h);
                 rows.points[p + RESTORED] = takesPart ? Math.max(PLASTIC, restored) : restored;
                 if (rows.points[p + RESTORED] > 0) {
                     met.add(k);

@@ -82,7 +82,7 @@ final class Reflections implements Serializable {
     }
 
     private boolean isReflected(int row) {
-        return groups.has(row, rows) && !isBound[groups.of(row, rows)];
+        return !isBound[groups.of(row, rows)];
     }
 
     private void find() {
@@ -91,16 +91,18 @@ final class Reflections implements Serializable {
         }
         Arrays.fill(isBound, 0, groups.count, true);
         fastest = 0;
-        for (int row = 0; row < rows.count; row++) {
-            for (int p = rows.begin(row); groups.has(row, rows) && p < rows.end(row); p += STRIDE) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
+            for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
                 if (rows.points[p + RESTORED] > Impacts.PLASTIC) {
                     isBound[groups.of(row, rows)] = !free.isOne(groups.of(row, rows));
                     fastest = Math.max(fastest, -rows.points[p + OPENING]);
                 }
             }
         }
-        for (int row = 0; row < rows.count; row++) {
-            for (int p = rows.begin(row); groups.has(row, rows) && p < rows.end(row); p += STRIDE) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
+            for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
                 boolean isBounce = rows.points[p + RESTORED] > Impacts.PLASTIC && rows.points[p + TANGENT] == 0;
                 isBound[groups.of(row, rows)] |= rows.points[p + FORCED] != 0 || !isBounce && rows.points[p + NORMAL] > 0;
             }
@@ -114,7 +116,8 @@ final class Reflections implements Serializable {
                 System.arraycopy(free.velocities(), b, state.v(), b, State.BLOCK);
             }
         }
-        for (int row = 0; row < rows.count; row++) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
                 rows.points[p + NORMAL] = 0;
             }
@@ -124,7 +127,8 @@ final class Reflections implements Serializable {
     /** Chooses the points that approach; an impulse below 0 is that of one that is not chosen. */
     private boolean choose() {
         boolean any = false;
-        for (int row = 0; row < rows.count; row++) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
                 boolean touches = Impacts.touches(rows, row, p, h);
                 rows.points[p + STEADY] = touches && rows.opening(row, p, state.v()) < -NEGLIGIBLE * fastest ? 0 : -1;
@@ -136,7 +140,8 @@ final class Reflections implements Serializable {
 
     private boolean compress() {
         boolean goesOn = false;
-        for (int row = 0; row < rows.count; row++) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
                 goesOn |= rows.points[p + STEADY] >= 0 && compress(row, p);
             }
@@ -154,7 +159,8 @@ final class Reflections implements Serializable {
     }
 
     private void restore() {
-        for (int row = 0; row < rows.count; row++) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
                 double taken = Math.max(0, rows.points[p + STEADY]);
                 double given = rows.normals[PAIR * row + BOUNCE] * taken;
@@ -166,7 +172,8 @@ final class Reflections implements Serializable {
     }
 
     private void end() {
-        for (int row = 0; row < rows.count; row++) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
                 rows.points[p + RESTORED] = 0; // the two part
             }

@@ -139,6 +139,11 @@ final class Retake implements Serializable {
         belts.bound(rows, groups, ties, springs, a, h);
     }
 
+    /** Begins a step in which something may strike. */
+    void expect() {
+        impacts.begin();
+    }
+
     /** Notes the gaps of what may strike, before a substep begins. */
     void approach() {
         impacts.approach();

@@ -340,6 +340,9 @@ public final class TimeStepping implements Serializable {
         boolean bounces = rows.bounces > 0 || rows.fast > 0 || isTied && ties.stops().mayStrike(h);
         boolean isBalanced = bounces || isTied || rows.unlike > 0;
         retake.begin(rows, isCold || areOthers, isBalanced || rows.driven > 0);
+        if (bounces) {
+            retake.expect();
+        }
         soften(Math.max(d, pace - h / PATIENCE));
         for (int k = 0; k < substeps; k++) {
             substep(time + (k + 1) * d, d, isTied, isRubbed, isBalanced, bounces);

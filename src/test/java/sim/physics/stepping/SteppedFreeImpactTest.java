@@ -5,6 +5,7 @@ package sim.physics.stepping;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -143,5 +144,58 @@ class SteppedFreeImpactTest {
         for (int k = 0; k < 3; k++) {
             assertThat(after[k]).isCloseTo(before[k], within(1e-10));
         }
+    }
+
+    private static List<Body> fall(PhysicsEngine engine, double x, long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        Body ground = Body.fixed(new Rectangle(20, 1)).at(x, -0.5);
+        List<Body> all = new ArrayList<>(List.of(ground));
+        for (int k = 0; k < 3; k++) {
+            double size = 0.4 + 0.4 * random.nextDouble();
+            Body body = new Body(k % 2 == 0 ? new Circle(0.5 * size) : new Rectangle(size, 0.5));
+            all.add(body.at(x + 0.5 * (k % 2) + 0.3 * random.nextDouble(), 0.5 + 0.8 * k)
+                    .moving(8 * random.nextDouble() - 4, -3 * random.nextDouble(), 8 * random.nextDouble() - 4));
+        }
+        for (Body body : all) {
+            body.setFriction(0);
+            body.setRestitution(0);
+            engine.add(body);
+        }
+        return all;
+    }
+
+    private static PhysicsEngine falling() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1.0 / 60);
+        engine.setTimeStepping(4);
+        engine.add(new Gravity(0, -Stepped.G));
+        return engine;
+    }
+
+    private static boolean goAlike(long seed) {
+        PhysicsEngine one = falling();
+        PhysicsEngine both = falling();
+        List<Body> alone = fall(one, 0, seed);
+        List<Body> near = fall(both, 0, seed);
+        fall(both, 1000, seed + 5000);
+        boolean are = true;
+        for (int step = 0; are && step < 40; step++) {
+            one.step();
+            both.step();
+            for (int k = 0; k < alone.size(); k++) {
+                are &= alone.get(k).getY() == near.get(k).getY() && alone.get(k).getVelocityX() == near.get(k).getVelocityX();
+            }
+        }
+        return are;
+    }
+
+    /**
+     * Two bins, far from one another: what has met in one of them knows its gaps, not what a pair of the other one has left in its place. With the first
+     * seed it did not. (Not with all seeds are bits the same: others may be solved in another order.)
+     */
+    @ParameterizedTest
+    @ValueSource(longs = {286, 1, 2, 3})
+    void whatIsFarAwayHasNoPartInAnImpact(long seed) {
+        assertThat(goAlike(seed)).isTrue();
     }
 }
