@@ -336,7 +336,7 @@ final class Passage implements Serializable {
      */
     boolean accelerate(State state, DirectSolver solver, double[] a) {
         int near = island.near();
-        if (freedoms(near) <= 0) {
+        if (!island.switches.isEmpty() && freedoms(near) <= 0) {
             lasting = near;
             return false;
         }
