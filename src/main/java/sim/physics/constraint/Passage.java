@@ -250,7 +250,7 @@ final class Passage implements Serializable {
      * @param a accelerations
      */
     boolean stands(State state, DirectSolver solver, double[] a) {
-        if (stands || examinations >= MOST_LESSONS || !island.switches.isEmpty() || freedoms() != 1) {
+        if (stands || examinations >= MOST_LESSONS || !island.switches.isEmpty() || freedoms(island.redundantRows) != 1) {
             return stands;
         }
         double speed = keep(state);
@@ -275,13 +275,13 @@ final class Passage implements Serializable {
         return stands;
     }
 
-    /** Directions in which the bodies can move to first order, as the last solve found them. */
-    private int freedoms() {
-        int rows = 0;
+    /** Directions in which the bodies can move to first order, where so many of the rows that act depend on others. */
+    private int freedoms(int redundant) {
+        int rows = -island.switches.released();
         for (Constraint k : island.constraints) {
             rows += k.getRows();
         }
-        return State.BLOCK * island.bodies.size - rows + island.redundantRows;
+        return State.BLOCK * island.bodies.size - rows + redundant;
     }
 
     /** Makes the direction one that the rows allow; returns how much of it is left. */
@@ -327,7 +327,8 @@ final class Passage implements Serializable {
     }
 
     /**
-     * Finds the accelerations from both sides.
+     * Finds the accelerations from both sides. Where the other rows leave no motion, as where every hinge of a bridge is braked, there is no
+     * way to go, and accelerations are known without: to look for them along the rounding of velocities cost seconds.
      *
      * @param state positions and velocities; put back
      * @param a accelerations without those of the constraints, and with them afterwards
@@ -335,6 +336,10 @@ final class Passage implements Serializable {
      */
     boolean accelerate(State state, DirectSolver solver, double[] a) {
         int near = island.near();
+        if (!island.switches.isEmpty() && freedoms(near) <= 0) {
+            lasting = near;
+            return false;
+        }
         double speed = keep(state);
         boolean found = false;
         double time = WAY / speed;

@@ -80,6 +80,15 @@ final class Switches implements SwitchedTies {
         return rows.length;
     }
 
+    /** How many rows do not act at the stage at hand. */
+    int released() {
+        int count = 0;
+        for (Switched s : rows) {
+            count += s.isOnNow ? 0 : 1;
+        }
+        return count;
+    }
+
     @Override
     public boolean read(int k, SwitchedRow row) {
         return rows[k].describe(row, island.blockA[nodes[k]], island.blockB[nodes[k]]);
