@@ -117,6 +117,7 @@ final class EditedWorld implements CollisionListener, ContactListener {
         half = 2 * Math.sqrt(count) * (1 + r.nextDouble());
         friction = r.nextInt(3) == 0 ? 0 : r.nextDouble();
         restitution = r.nextInt(3) * 0.5;
+        r.nextInt(); // not made use of any more; seeds keep their worlds
         edits = new Edits(this);
         addForces(r);
         boolean hasWalls = r.nextInt(5) > 0;
@@ -129,11 +130,11 @@ final class EditedWorld implements CollisionListener, ContactListener {
         }
         edits.begin(r);
         meddles = r.nextInt(3) == 0;
-        listens = r.nextBoolean();
+        listens = r.nextInt(2) == 0;
         if (listens) {
             engine.addListener(this);
         }
-        tells = r.nextBoolean();
+        tells = r.nextInt(2) == 0;
         if (tells) {
             engine.addContactListener(this);
         }
