@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
+import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.SliderJoint;
@@ -63,5 +64,26 @@ class JoinedAndAskedTest {
         slider.setVelocity(3, 0);
         engine.step();
         assertThat(slider.getVelocityX()).isCloseTo(2.5, within(1e-5)); // the mean of both, and what 0.01 N take from it in a step
+    }
+
+    /** A stop that bore its body when it was removed was refused as open when the body had gone on; a new one of the same bounds is not. */
+    @Test
+    void aStopThatBoreIsAddedAgainAsANewOneIs() {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1.0 / 64);
+        engine.add(new Gravity(1, 0));
+        Body slider = engine.add(new Body(new Circle(1)).at(0, 0));
+        SliderJoint rail = engine.add(new SliderJoint(slider, null, 0, 0, 1, 0));
+        Limit stop = engine.add(Limit.travel(rail, -1, 0, 0));
+        for (int k = 0; k < 8; k++) {
+            engine.step();
+        }
+        engine.remove(stop);
+        for (int k = 0; k < 8; k++) {
+            engine.step();
+        }
+        assertThat(slider.getX()).isGreaterThan(1e-3);
+        engine.add(Limit.travel(rail, -1, 0, 0));
+        engine.add(stop);
     }
 }
