@@ -428,7 +428,7 @@ final class Admission implements Presence, Serializable {
     /** Adds constraints between steps and closes them; if that cannot be, all is as before. */
     void assemble(Constraint... those) {
         Writings writings = new Writings(state);
-        Formation formation = Formation.keep(constraints);
+        Formation formation = Formation.keep(constraints, those);
         for (Constraint c : those) {
             constraints.add(c);
         }

@@ -1062,7 +1062,7 @@ public final class PhysicsEngine implements Steppable {
      * Returns the number of constraint equations that only repeat what others say, as a door's second hinge does. They do no
      * harm: of all forces with the same effect, the smallest are used.
      *
-     * @return number of rows, as found by the last step
+     * @return number of rows, as found by the last step; a {@link sim.physics.constraint.GlobalSolver} does not look for them
      */
     public int getRedundantEquations() {
         return constraints == null ? 0 : constraints.redundant();

@@ -23,7 +23,7 @@ final class Admissible {
             throw new IllegalArgumentException("rows are " + rows + ": a constraint has 1 to " + Equations.ROWS);
         }
         Equations equations = new Equations();
-        constraint.evaluate(equations);
+        evaluate(constraint, equations);
         for (int row = 0; row < rows; row++) {
             double gap = Math.abs(equations.c[row]);
             double size = constraint.isAngle(row) ? 1 : constraint.getSize();
@@ -31,6 +31,19 @@ final class Admissible {
                 throw new IllegalArgumentException("constraint is " + constraint + ": it is open by "
                         + equations.c[row] + " in row " + row + places(constraint) + "; assemble() would close it");
             }
+        }
+    }
+
+    /** Evaluates a constraint; motors and stops that acted when they were removed do not act yet. */
+    private static void evaluate(Constraint constraint, Equations equations) {
+        Switched row = constraint instanceof Switched s ? s : null;
+        boolean was = row != null && row.isOnNow;
+        if (was) {
+            row.isOnNow = false;
+        }
+        constraint.evaluate(equations);
+        if (was) {
+            row.isOnNow = true;
         }
     }
 

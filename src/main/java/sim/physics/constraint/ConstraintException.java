@@ -45,6 +45,18 @@ public final class ConstraintException extends IllegalStateException {
     }
 
     /**
+     * Of constraints whose forces an iteration does not find.
+     *
+     * @param all what they are
+     * @param steps how many were made
+     * @param left what is left, relative to what is to be met
+     */
+    static ConstraintException ofForces(List<Constraint> all, int steps, double left) {
+        return new ConstraintException(steps, left, "the forces of constraints " + all + " did not converge in " + steps
+                + " steps, " + left + " of what they must meet is left: set a DirectSolver, which does not iterate, or remove what is redundant");
+    }
+
+    /**
      * Returns how many corrections were tried.
      *
      * @return number of corrections

@@ -5,6 +5,7 @@ package sim.physics.constraint;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import sim.physics.motion.Body;
 
 /** The islands of some constraints, kept for when what is tried between steps is refused: they know more than how to form them. */
 public final class Formation {
@@ -15,6 +16,11 @@ public final class Formation {
     private long grouping;
     private boolean isSomeDissolved;
 
+    /** Motors and stops, and what was decided of each: it is decided anew in islands that are formed anew. */
+    private final List<Switched> switched = new ArrayList<>();
+
+    private double[] decided = {};
+
     private Formation(Constraints constraints) {
         this.constraints = constraints;
     }
@@ -23,16 +29,17 @@ public final class Formation {
      * Keeps those of the moment, until others are kept.
      *
      * @param constraints whose
+     * @param those that are about to be added
      * @return what puts them back
      */
-    public static Formation keep(Constraints constraints) {
+    public static Formation keep(Constraints constraints, Constraint... those) {
         Register register = constraints.register;
         register.formation = register.formation == null ? new Formation(constraints) : register.formation;
-        register.formation.keep();
+        register.formation.keep(those);
         return register.formation;
     }
 
-    private void keep() {
+    private void keep(Constraint... those) {
         groups.clear();
         groups.addAll(constraints.groups);
         of = of.length == constraints.of.length ? of : new TiedGroup[constraints.of.length];
@@ -41,6 +48,36 @@ public final class Formation {
         changed.clear();
         changed.addAll(constraints.register.changed);
         isSomeDissolved = constraints.register.isSomeDissolved;
+        switched.clear();
+        for (Constraint c : changed) {
+            note(c);
+        }
+        for (Constraint c : those) {
+            note(c);
+        }
+        decided = decided.length < Switched.MEMORY * switched.size() ? new double[Switched.MEMORY * switched.size()] : decided;
+        for (int k = 0; k < switched.size(); k++) {
+            switched.get(k).keep(decided, Switched.MEMORY * k);
+        }
+    }
+
+    /** Takes note of the motors and stops in the islands that a change of a constraint concerns. */
+    private void note(Constraint c) {
+        note(List.of(c));
+        for (Body body : new Body[] {c.getBodyA(), c.getBodyB()}) {
+            boolean isTied = body != null && !body.isFixed() && body.index() < of.length && of[body.index()] != null;
+            if (isTied) {
+                note(of[body.index()].constraints);
+            }
+        }
+    }
+
+    private void note(List<Constraint> some) {
+        for (int k = 0; k < some.size(); k++) {
+            if (some.get(k) instanceof Switched row) {
+                switched.add(row);
+            }
+        }
     }
 
     /**
@@ -63,6 +100,9 @@ public final class Formation {
             if (of[k] != null) {
                 of[k].isDissolved = false;
             }
+        }
+        for (int k = 0; k < switched.size(); k++) {
+            switched.get(k).restore(decided, Switched.MEMORY * k);
         }
     }
 }

@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.util.Arrays;
+import java.util.List;
 import sim.physics.matrix.BiConjugateGradient;
 import sim.physics.matrix.BlockSparseMatrix;
 import sim.physics.matrix.DenseMatrix;
@@ -13,8 +14,8 @@ import sim.physics.matrix.SolverException;
 /**
  * Solves in the write-up's own way: J is a {@link BlockSparseMatrix}, W a {@link DiagonalMatrix}, and J W Jᵀ λ = b, (41), is
  * solved by {@link BiConjugateGradient} through {@code times} and {@code transposeTimes} alone. It is the reference for
- * {@link DirectSolver}. Where constraints are redundant, or nearly so, it may not converge, and then throws a
- * {@link SolverException}.
+ * {@link DirectSolver}. Where that does not converge, as it may not where constraints are redundant, the least forces are found that meet
+ * all that forces can meet. If these are not found either, a {@link ConstraintException} is thrown, as by constraints that cannot be satisfied.
  */
 public final class GlobalSolver extends ConstraintSolver {
     private static final long serialVersionUID = 1L;
@@ -45,13 +46,22 @@ public final class GlobalSolver extends ConstraintSolver {
             inverse[k] = product.diagonal(k, island, w);
         }
         Arrays.fill(island.lambda, 0);
-        if (!method.solveInPlace(product, right, island.lambda, new DiagonalMatrix(inverse))) {
-            throw new SolverException(
-                    "the forces of " + Arrays.toString(island.constraints) + " did not converge",
-                    method.iterations(),
-                    method.residual());
+        if (!converges(product, right, island.lambda, new DiagonalMatrix(inverse))) {
+            LeastForces least = new LeastForces(product, inverse);
+            if (!least.solve(right, island.lambda)) {
+                throw ConstraintException.ofForces(List.of(island.constraints), least.steps(), least.left());
+            }
         }
         island.apply(w, island.lambda, u);
+    }
+
+    /** Whether the method finds the forces. Where constraints are redundant it may break down, or come no nearer. */
+    private boolean converges(Matrix product, double[] right, double[] lambda, DiagonalMatrix inverse) {
+        try {
+            return method.solveInPlace(product, right, lambda, inverse);
+        } catch (SolverException e) {
+            return false;
+        }
     }
 
     /** J of an island, with columns for all bodies of the state. */

@@ -42,6 +42,7 @@ final class Grouping {
         }
         for (TiedGroup group : groups(open, register.sets(state.size()))) {
             groups.add(group);
+            group.forget(); // what acts is decided anew: a motor that acted in the island of before keeps another speed than its own here
             for (int k = 0; k < group.bodies.size; k++) {
                 by[group.bodies.values[k]] = group;
             }

@@ -55,9 +55,15 @@ final class TiedGroup implements Serializable {
         return isDissolved || island == null ? 0 : island.switches.active(state).redundantRows;
     }
 
-    /** Forgets what a body that was written may have changed. */
+    /** Forgets what a body that was written may have changed; also which motors and stops act, though nobody has asked for the island yet. */
     void forget() {
         breakable = null;
+        for (int k = 0; k < constraints.size(); k++) {
+            if (constraints.get(k) instanceof Switched row) {
+                row.isOn = false;
+                row.isOnNow = false;
+            }
+        }
         if (island != null) {
             island.forget();
         }

@@ -84,6 +84,7 @@ public final class Ground implements Serializable {
             return;
         }
         alone.only(body);
+        soften(motion.forces, false); // or a second friction with the plane is what was asked for last
         load(alone, tau);
         System.arraycopy(all, State.BLOCK * body, a, at, State.BLOCK);
     }

@@ -60,7 +60,7 @@ public final class BodyNotes implements Serializable {
         byte[] all = notes;
         int yes = what;
         for (int k = 0; k < bodies.size; k++) {
-            yes &= all[bodies.values[k]];
+            yes &= bodies.values[k] < all.length ? all[bodies.values[k]] : 0; // of one that is about to come in nothing is noted
         }
         return yes == what;
     }
