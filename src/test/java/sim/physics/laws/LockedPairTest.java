@@ -5,6 +5,7 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.SplittableRandom;
+import java.util.function.Consumer;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
@@ -49,30 +50,23 @@ class LockedPairTest {
     @ParameterizedTest
     @ValueSource(strings = {"slides", "turns", "brakes"})
     void goesWhereTheOtherIsMoved(String motor) {
-        for (long seed = 0; seed < 40; seed++) {
-            LockedPairTest one = new LockedPairTest();
-            one.lock(seed, motor);
-            double x = one.locked.getX();
-            double y = one.locked.getY();
-            one.engine.step();
-            one.base.setPosition(0.2, -0.1);
-            for (int k = 0; k < 3; k++) {
-                one.engine.step();
-            }
-            one.expect(x + 0.2, y - 0.1, seed);
-        }
+        move(motor, one -> one.base.setPosition(0.2, -0.1), 0.2, -0.1);
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"slides", "turns", "brakes"})
     void goesBackWhenItIsMovedItself(String motor) {
+        move(motor, one -> one.locked.setPosition(one.locked.getX() + 0.1, one.locked.getY() - 0.1), 0, 0);
+    }
+
+    private static void move(String motor, Consumer<LockedPairTest> hand, double dx, double dy) {
         for (long seed = 0; seed < 40; seed++) {
             LockedPairTest one = new LockedPairTest();
             one.lock(seed, motor);
-            double x = one.locked.getX();
-            double y = one.locked.getY();
+            double x = one.locked.getX() + dx;
+            double y = one.locked.getY() + dy;
             one.engine.step();
-            one.locked.setPosition(x + 0.1, y - 0.1);
+            hand.accept(one);
             for (int k = 0; k < 3; k++) {
                 one.engine.step();
             }
