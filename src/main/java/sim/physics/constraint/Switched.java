@@ -289,6 +289,12 @@ abstract class Switched implements Constraint {
     /** Says what the row asks for; turns as ways at an arm. */
     abstract void describe(SwitchedRow to, double q, double arm);
 
+    /** Lets the row not act until that is decided anew. */
+    final void forget() {
+        isOn = false;
+        isOnNow = false;
+    }
+
     /** Copies all that changes with time. */
     final void keep(double[] to, int at) {
         to[at] = isOn ? 1 : 0;

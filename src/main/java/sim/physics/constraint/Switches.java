@@ -149,8 +149,7 @@ final class Switches implements SwitchedTies {
     /** Lets no row act until that is decided: bodies were written, and have the velocities that somebody wants. */
     void forget() {
         for (Switched s : rows) {
-            s.isOn = false;
-            s.isOnNow = false;
+            s.forget();
         }
         setBias();
         if (skeleton != null) {

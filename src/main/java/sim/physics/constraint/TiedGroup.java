@@ -60,8 +60,7 @@ final class TiedGroup implements Serializable {
         breakable = null;
         for (int k = 0; k < constraints.size(); k++) {
             if (constraints.get(k) instanceof Switched row) {
-                row.isOn = false;
-                row.isOnNow = false;
+                row.forget();
             }
         }
         if (island != null) {
