@@ -450,7 +450,7 @@ public final class PhysicsEngine implements Steppable {
         }
         for (int k = 0; k < changed.size; k++) {
             unpushed(changed.values[k]);
-            moved(changed.values[k], 0, false, -1);
+            moved(changed.values[k], 0, -1);
         }
         response.begin();
         if (!response.resting().isEmpty()) {
@@ -658,7 +658,7 @@ public final class PhysicsEngine implements Steppable {
             if (trajectories.isDriven(body)) {
                 noteGroup(body);
             } else {
-                moved(body, trajectories.offset(body), false, parts || k == 1 ? pair : -1);
+                moved(body, trajectories.offset(body), parts || k == 1 ? pair : -1);
             }
         }
         if (admission.isNeeded()) {
@@ -680,16 +680,16 @@ public final class PhysicsEngine implements Steppable {
             return false;
         }
         boolean parts = detection.parts(pair, tau);
-        moved(deflected.values[0], tau, false, parts ? pair : -1);
+        moved(deflected.values[0], tau, parts ? pair : -1);
         if (deflected.size > 1) {
-            moved(deflected.values[1], tau, false, pair);
+            moved(deflected.values[1], tau, pair);
         }
         return true;
     }
 
     /** A body has a new path. */
-    private void moved(int body, double tau, boolean placed, int pair) {
-        detection.moved(body, tau, placed, pair);
+    private void moved(int body, double tau, int pair) {
+        detection.moved(body, tau, false, pair);
         note(body, tau);
     }
 
@@ -703,7 +703,7 @@ public final class PhysicsEngine implements Steppable {
     private void settle(double tau) {
         IntList settled = response.resting().settle(tau);
         for (int k = 0; k < settled.size; k++) {
-            moved(settled.values[k], tau, false, -1);
+            moved(settled.values[k], tau, -1);
         }
     }
 
@@ -715,7 +715,7 @@ public final class PhysicsEngine implements Steppable {
             if (trajectories.isDriven(settled.values[k])) {
                 noteGroup(settled.values[k]);
             } else if (detection.knows(settled.values[k])) { // or a listener has removed it
-                moved(settled.values[k], tau, false, -1);
+                moved(settled.values[k], tau, -1);
             }
         }
         response.heaps().told();
@@ -741,7 +741,7 @@ public final class PhysicsEngine implements Steppable {
         }
         motion.bring(body, tau);
         if (motion.ground().hold(body)) {
-            moved(body, tau, false, -1);
+            moved(body, tau, -1);
         } else {
             follow(body, Entry.BODY_AND_PAIRS);
         }

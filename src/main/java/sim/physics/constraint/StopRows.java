@@ -3,7 +3,6 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 

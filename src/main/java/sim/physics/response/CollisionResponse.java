@@ -307,15 +307,6 @@ public final class CollisionResponse implements Serializable {
         this.solver = solver;
     }
 
-    /**
-     * What solves the impact of one point of two bodies.
-     *
-     * @return never null
-     */
-    public ImpulseSolver getSolver() {
-        return solver;
-    }
-
     /** {@return what authors say of contacts, live} */
     public ContactLaws laws() {
         return laws;

@@ -343,7 +343,7 @@ final class Heap implements Serializable {
             return;
         }
         large.meet(manifold.gap, size);
-        ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
+        ledger.open(pair, tau, manifold, !state.body(a).isFixed());
         double left = regain.time();
         double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size) : HeapGaps.depth(manifold.gap, size);
         detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth)

@@ -481,7 +481,7 @@ public final class RestingContacts implements Serializable {
             detection.hold(pair, false);
             return;
         }
-        ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
+        ledger.open(pair, tau, manifold, !state.body(a).isFixed());
         ground.add(manifold, !state.body(a).isFixed());
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
