@@ -12,7 +12,7 @@ import sim.physics.constraint.Formation;
 import sim.physics.constraint.Reaction;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
-import sim.physics.motion.Groups;
+import sim.physics.motion.CoupledGroups;
 import sim.physics.motion.Motion;
 import sim.physics.motion.Presence;
 import sim.physics.motion.Reach;
@@ -339,7 +339,7 @@ final class Admission implements Presence, Serializable {
 
     /** Finds out which forces act on bodies that start anew, and what moves together from now on. */
     private void regroupCoupled(double tau) {
-        Groups groups = motion.groups();
+        CoupledGroups groups = motion.groups();
         for (int k = 0; tau > 0 && motion.groups().mayCouple() && k < state.touchedCount(); k++) {
             bringCompanions(state.touched(k), tau); // those of bodies whose ties have changed; they are there already
         }

@@ -22,7 +22,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     private final Trajectories trajectories;
     final Forces forces;
     final Generators generators;
-    private final Groups groups;
+    private final CoupledGroups groups;
     private Integrator integrator = new RungeKutta4();
     double time;
 
@@ -55,7 +55,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         this.trajectories = trajectories;
         this.forces = new Forces(state);
         this.generators = new Generators();
-        this.groups = new Groups(state, generators);
+        this.groups = new CoupledGroups(state, generators);
         this.driven = new IntList();
         this.pushed = new Applied(state);
         this.support = new Support();
@@ -88,7 +88,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     /** {@return which bodies forces couple, live} */
-    public Groups groups() {
+    public CoupledGroups groups() {
         return groups;
     }
 
