@@ -273,7 +273,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         setDriven(body, false);
         support.release(body);
         generators.forget(body);
-        drivenMotion.remove(body);
+        drivenMotion.push(body);
     }
 
     /** {@return the driven bodies: indices in ascending order, live} */
