@@ -339,10 +339,21 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    /** Finds the gaps where the bodies are now. */
-    void measure() {
+    /** Finds the gaps of marked bodies where they are now. */
+    void measure(boolean[] marks) {
         for (int k = 0; k < rows.count; k++) {
-            rows.turns.measure(k);
+            if (isMarked(k, marks)) {
+                rows.turns.measure(k);
+            }
+        }
+    }
+
+    /** Lets points of marked bodies go along when these have moved. */
+    void follow(boolean[] marks) {
+        for (int k = 0; k < rows.count; k++) {
+            if (isMarked(k, marks)) {
+                follow(k);
+            }
         }
     }
 

@@ -35,9 +35,6 @@ final class NearPairs implements Pairs.Listener, Serializable {
 
     static final int KEPT = 2 * POINT;
 
-    /** Binary logarithm of the bits of a word. */
-    static final int WORD = 6;
-
     /** Number of bodies from which a grid finds the pairs. */
     private static final int CROWD = 50;
 
@@ -59,8 +56,8 @@ final class NearPairs implements Pairs.Listener, Serializable {
     double[] kept = {};
     int[] features = {};
 
-    /** A bit for each pair of which one body may move; those of sleeping and fixed ones are not looked at. */
-    long[] live = {};
+    /** The pairs of which one body may move; those of sleeping and fixed ones are not looked at. */
+    final PairOrder order = new PairOrder(pairs);
 
     private double minX;
     private double minY;
@@ -118,19 +115,15 @@ final class NearPairs implements Pairs.Listener, Serializable {
         revive(body);
     }
 
-    private void setLive(int pair) {
-        live[pair >> WORD] |= 1L << pair;
-    }
-
     /** A pair is not to be looked at until one of its bodies is written or wakes. */
     void leave(int pair) {
-        live[pair >> WORD] &= ~(1L << pair);
+        order.drop(pair);
     }
 
     /** The pairs of a body are to be looked at. */
     void revive(int body) {
         for (int k = 0; k < pairs.countOf(body); k++) {
-            setLive(pairs.of(body, k));
+            order.add(pairs.of(body, k));
         }
     }
 
@@ -207,10 +200,10 @@ final class NearPairs implements Pairs.Listener, Serializable {
             flags = Arrays.copyOf(flags, length);
             kept = Arrays.copyOf(kept, KEPT * length);
             features = Arrays.copyOf(features, 2 * length);
-            live = Arrays.copyOf(live, (length >> WORD) + 1);
+            order.ensure(length);
         }
         flags[pair] = 0;
-        setLive(pair);
+        order.add(pair);
         Arrays.fill(kept, KEPT * pair, KEPT * pair + KEPT, 0);
         Arrays.fill(features, 2 * pair, 2 * pair + 2, 0);
         filter(pair);

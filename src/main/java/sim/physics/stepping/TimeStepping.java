@@ -125,9 +125,9 @@ public final class TimeStepping implements Serializable {
         rows = new ContactRows(state);
         contacts = new ContactSolver(state, rows);
         ties = new TieRows(state);
-        speeds = new Speeds(state, poses);
-        decisions = new Decisions(state, laws, rows);
         near = new NearPairs(state, poses, filter);
+        speeds = new Speeds(state, poses, near);
+        decisions = new Decisions(state, laws, rows);
         sleep = new Sleep(state, poses, near, forces, rows);
         decisions.setPairs(near, sleep.kept());
         touch = new Touch(state, poses, near);
@@ -271,14 +271,13 @@ public final class TimeStepping implements Serializable {
     }
 
     private void look() {
-        speeds.average();
+        speeds.begin();
         Pairs pairs = near.pairs();
-        for (int word = 0; word < near.live.length; word++) {
-            for (long left = near.live[word]; left != 0; left &= left - 1) {
-                int pair = (word << NearPairs.WORD) + Long.numberOfTrailingZeros(left);
-                if (!near.is(pair, NearPairs.FORBIDDEN)) {
-                    look(pair, pairs.first(pair), pairs.second(pair));
-                }
+        near.order.update();
+        for (int k = 0; k < near.order.size(); k++) {
+            int pair = near.order.pair(k);
+            if (!near.is(pair, NearPairs.FORBIDDEN)) {
+                look(pair, pairs.first(pair), pairs.second(pair));
             }
         }
     }
