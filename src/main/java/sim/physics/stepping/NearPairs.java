@@ -129,18 +129,39 @@ final class NearPairs implements Pairs.Listener, Serializable {
 
     /** Makes the boxes anew that bodies may leave in the step. */
     void update(double h) {
-        double[] d = boxes.data();
+        for (int k = 0; k < poses.awake.size; k++) {
+            poses.turn(poses.awake.values[k]);
+            update(poses.awake.values[k], h, 0);
+        }
+    }
+
+    /**
+     * Makes the boxes anew that forces may drive bodies out of in the step. Where that is less than their room they come to overlap before they meet;
+     * what is small, or falls for long, would pass by what nobody has looked for.
+     *
+     * @param a accelerations by forces
+     */
+    void drive(double h, double[] a) {
         for (int k = 0; k < poses.awake.size; k++) {
             int body = poses.awake.values[k];
-            poses.turn(body);
-            bound(body, h, 1, 0);
-            int o = Boxes.STRIDE * body;
-            boolean isOut = minX < d[o] || minY < d[o + 1] || maxX > d[o + 2] || maxY > d[o + 3];
-            if (isOut) {
-                bound(body, h, steps(body, h), ROOM);
-                boxes.set(body, minX, minY, maxX, maxY);
-                broad.update(body, boxes, pairs);
+            double way = h * h * (Math.abs(a[State.BLOCK * body]) + Math.abs(a[State.BLOCK * body + 1]));
+            double size = poses.hull(body).bounding;
+            if (way > ROOM * size) {
+                update(body, h, way / size);
             }
+        }
+    }
+
+    /** Makes a box anew that a body may leave, with so much more room, in units of its size. */
+    private void update(int body, double h, double more) {
+        double[] d = boxes.data();
+        bound(body, h, 1, more);
+        int o = Boxes.STRIDE * body;
+        boolean isOut = minX < d[o] || minY < d[o + 1] || maxX > d[o + 2] || maxY > d[o + 3];
+        if (isOut) {
+            bound(body, h, steps(body, h), ROOM + more);
+            boxes.set(body, minX, minY, maxX, maxY);
+            broad.update(body, boxes, pairs);
         }
     }
 

@@ -263,6 +263,7 @@ public final class TimeStepping implements Serializable {
             areOthersAsleep |= sleep.refresh();
             forces.springs().begin(step / substeps, sleep.asleep());
             forces.load(poses.awake, time, a);
+            near.drive(step, a);
             rows.begin();
             decisions.begin(time, step);
             deepestTied = 0;
