@@ -105,6 +105,9 @@ public final class PhysicsEngine implements Steppable {
     private final Admission admission = new Admission(
             state, trajectories, motion, detection, response.resting(), response.heaps());
 
+    private final Breakage breakage = new Breakage(
+            state, trajectories, motion, detection, response.resting(), response.heaps());
+
     /** Null until the first constraint is added. */
     private Constraints constraints;
 
@@ -232,6 +235,7 @@ public final class PhysicsEngine implements Steppable {
             end(isOver, isFailed);
         }
         if (isOver) {
+            breakage.end(constraints, admission, getTime());
             tell();
         } else {
             relieve();
@@ -440,8 +444,9 @@ public final class PhysicsEngine implements Steppable {
         }
         motion.endApplied(changed);
         motion.groups().begin();
+        breakage.begin(constraints, admission);
         letIn(0); // all driven bodies follow new paths anyway
-        while (admission.breakJoints(getTime())) {
+        while (breakage.breakJoints(constraints, getTime())) {
             letIn(0);
         }
         motion.releaseDriven();
