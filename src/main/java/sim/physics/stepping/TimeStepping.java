@@ -281,6 +281,12 @@ public final class TimeStepping implements Serializable {
                 }
             }
         }
+        IntList reached = decisions.reached();
+        decisions.setReached(true);
+        for (int k = 0; k < reached.size; k++) {
+            look(reached.values[k], pairs.first(reached.values[k]), pairs.second(reached.values[k]));
+        }
+        decisions.setReached(false);
     }
 
     private void look(int pair, int first, int second) {
