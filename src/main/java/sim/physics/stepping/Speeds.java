@@ -3,6 +3,7 @@
 package sim.physics.stepping;
 
 import java.io.Serializable;
+import sim.physics.constraint.Onset;
 import sim.physics.motion.State;
 
 /** How near two bodies may come to one another in a step. */
@@ -12,14 +13,18 @@ final class Speeds implements Serializable {
     private final State state;
     private final Poses poses;
 
+    /** What motors may give. */
+    private final Onset onset;
+
     /** The mean velocity of what is awake. */
     private double meanX;
 
     private double meanY;
 
-    Speeds(State state, Poses poses) {
+    Speeds(State state, Poses poses, Onset onset) {
         this.state = state;
         this.poses = poses;
+        this.onset = onset;
     }
 
     /** Finds the mean velocity, against which bodies that bounce come towards others: whoever watches from elsewhere sees the same. */
@@ -42,7 +47,7 @@ final class Speeds implements Serializable {
      */
     double way(int first, int second, boolean bounces, double[] a, double h) {
         double bounced = bounces ? speed(first) + speed(second) : 0;
-        return h * Math.max(bounced, speed(first, second, a, h));
+        return h * (Math.max(bounced, speed(first, second, a, h)) + onset.of(first) + onset.of(second));
     }
 
     private double speed(int first, int second, double[] a, double h) {

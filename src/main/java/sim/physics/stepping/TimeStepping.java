@@ -10,6 +10,7 @@ import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.Reaction;
+import sim.physics.constraint.Onset;
 import sim.physics.constraint.TieRows;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
@@ -67,6 +68,7 @@ public final class TimeStepping implements Serializable {
     private final ContactRows rows;
     private final ContactSolver contacts;
     private final TieRows ties;
+    private final Onset onset;
     private final Speeds speeds;
     private final Decisions decisions;
     private final Sleep sleep;
@@ -125,9 +127,10 @@ public final class TimeStepping implements Serializable {
         rows = new ContactRows(state);
         contacts = new ContactSolver(state, rows);
         ties = new TieRows(state);
-        speeds = new Speeds(state, poses);
+        onset = new Onset(state);
+        speeds = new Speeds(state, poses, onset);
         decisions = new Decisions(state, laws, rows);
-        near = new NearPairs(state, poses, filter);
+        near = new NearPairs(state, poses, filter, onset);
         sleep = new Sleep(state, poses, near, forces, rows);
         decisions.setPairs(near, sleep.kept());
         touch = new Touch(state, poses, near);
@@ -256,6 +259,9 @@ public final class TimeStepping implements Serializable {
         growth = keptOf > 0 ? Math.min(MOST_GROWTH, step / substeps / keptOf) : 0;
         sleep.wakeDriven(ties);
         areOthersAsleep |= sleep.refresh();
+        if (constraints != null) {
+            onset.find(ties, step);
+        }
         near.update(step);
         sleep.settle(constraints, ties);
         sleep.hasWoken();
