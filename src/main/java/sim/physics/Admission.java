@@ -368,29 +368,18 @@ final class Admission implements Presence, Serializable {
         }
     }
 
-    /** Cuts the joints that break under the load that they have at the start of a step; true if one did. */
-    boolean breakJoints(double time) {
-        if (constraints == null || !constraints.isBreakable()) {
-            return false;
-        }
-        boolean broken = false;
-        double[] a = new double[state.x().length];
-        for (IntList island : constraints.breakable()) {
-            motion.acceleration(island, time, a);
-            for (Constraint c : constraints.overloaded(island)) {
-                broken |= constraints.remove(c);
-            }
-        }
-        return broken;
-    }
-
     /** What a constraint does now, between steps. */
     Reaction reaction(Constraint constraint, double time) {
         if (constraints.isChanged()) {
             regroup();
         }
         Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
-        IntList island = constraints.island(body.index());
+        answer(constraints.island(body.index()), time);
+        return constraints.reaction(constraint);
+    }
+
+    /** Finds what the constraints of an island do now, between steps. */
+    void answer(IntList island, double time) {
         if (!answered.holds(island, constraints, state, time)) {
             if (motion.groups().mayCouple()) {
                 regroupCoupled(0);
@@ -399,7 +388,6 @@ final class Admission implements Presence, Serializable {
             }
             answered.evaluate(island, constraints, motion, state, time);
         }
-        return constraints.reaction(constraint);
     }
 
     /** Something else than what is written may have changed what constraints do. */

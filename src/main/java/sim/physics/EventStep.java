@@ -35,6 +35,7 @@ final class EventStep implements Serializable {
     private final CollisionDetection detection;
     private final CollisionResponse response;
     private final Admission admission;
+    private final Breakage breakage;
     private final DrivenPaths paths;
 
     /** Driven bodies whose applied forces have ended with the step before. */
@@ -78,6 +79,7 @@ final class EventStep implements Serializable {
         this.detection = detection;
         this.response = response;
         this.admission = admission;
+        breakage = new Breakage(state, trajectories, motion, detection, response.resting(), response.heaps());
         paths = new DrivenPaths(state, trajectories, motion, detection, response.heaps(), admission, work);
     }
 
@@ -104,6 +106,11 @@ final class EventStep implements Serializable {
     void setBroadPhase(BroadPhase broadPhase) {
         broadPhaseIsChosen = true;
         detection.setBroadPhase(broadPhase);
+    }
+
+    /** Finds which joints bear too much now that the step is over, where that is not known before. */
+    void judgeJoints(double now) {
+        breakage.end(constraints, admission, now);
     }
 
     /** Offset in the step up to which it has been made. */
@@ -164,8 +171,9 @@ final class EventStep implements Serializable {
         }
         motion.endApplied(changed);
         motion.groups().begin();
+        breakage.begin(constraints, admission);
         letIn(0); // all driven bodies follow new paths anyway
-        while (admission.breakJoints(time)) {
+        while (breakage.breakJoints(constraints, time)) {
             letIn(0);
         }
         motion.releaseDriven();

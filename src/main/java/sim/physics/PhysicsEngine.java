@@ -184,6 +184,7 @@ public final class PhysicsEngine implements Steppable {
             stepping = false;
         }
         if (isOver) {
+            events.judgeJoints(getTime());
             tell();
         } else {
             relieve();

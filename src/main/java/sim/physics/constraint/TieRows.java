@@ -24,7 +24,7 @@ public final class TieRows implements Serializable {
     private static final int ROWS = Equations.ROWS;
 
     private final State state;
-    private final TieEquations equations;
+    final TieEquations equations;
 
     /** The pins, which have a loop of their own; and all others. */
     private final TieOrder order = new TieOrder();

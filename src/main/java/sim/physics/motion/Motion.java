@@ -464,6 +464,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     public void load(IntList bodies, double t, double[] a) {
         if (fields() != null) {
             generators.fall(bodies, a);
+            support.addTo(drivenMotion.repose, bodies, a);
         } else {
             ground.soften(forces, bodies.size > 1 || isTiedGroup(bodies));
             generators.accelerate(state, bodies, t, forces, a);

@@ -10,6 +10,7 @@ import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.BruteForce;
 import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.Pairs;
+import sim.physics.constraint.Onset;
 import sim.physics.internal.Growth;
 import sim.physics.motion.State;
 
@@ -47,6 +48,7 @@ final class NearPairs implements Pairs.Listener, Serializable {
     private final State state;
     private final Poses poses;
     private final CollisionFilter filter;
+    private final Onset onset;
     private final Boxes boxes = new Boxes();
     private final Pairs pairs = new Pairs();
     private BroadPhase broad = new BruteForce();
@@ -64,7 +66,8 @@ final class NearPairs implements Pairs.Listener, Serializable {
     private double maxX;
     private double maxY;
 
-    NearPairs(State state, Poses poses, CollisionFilter filter) {
+    NearPairs(State state, Poses poses, CollisionFilter filter, Onset onset) {
+        this.onset = onset;
         this.state = state;
         this.poses = poses;
         this.filter = filter;
@@ -207,7 +210,7 @@ final class NearPairs implements Pairs.Listener, Serializable {
             turned = Math.min(2, Math.abs(v[b + 2]) * h * steps) * hull.bounding;
         }
         double way = h * steps;
-        double more = room * hull.bounding + turned;
+        double more = room * hull.bounding + turned + h * onset.of(body);
         minX = x[b] + lowX + Math.min(0, way * v[b]) - more;
         minY = x[b + 1] + lowY + Math.min(0, way * v[b + 1]) - more;
         maxX = x[b] + wideX + Math.max(0, way * v[b]) + more;

@@ -4,6 +4,7 @@ package sim.physics.stepping;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.constraint.Onset;
 import sim.physics.internal.DisjointSets;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
@@ -18,6 +19,9 @@ final class Speeds implements Serializable {
 
     private final NearPairs near;
 
+    /** What motors may give. */
+    private final Onset onset;
+
     /** Whether the means are known. */
     private boolean areKnown;
 
@@ -31,10 +35,11 @@ final class Speeds implements Serializable {
 
     private double[] means = {};
 
-    Speeds(State state, Poses poses, NearPairs near) {
+    Speeds(State state, Poses poses, NearPairs near, Onset onset) {
         this.state = state;
         this.poses = poses;
         this.near = near;
+        this.onset = onset;
     }
 
     /** Begins a step: the bodies have other velocities. */
@@ -111,7 +116,7 @@ final class Speeds implements Serializable {
             average();
         }
         double bounced = bounces ? speed(first) + speed(second) : 0;
-        return h * Math.max(bounced, speed(first, second, a, h));
+        return h * (Math.max(bounced, speed(first, second, a, h)) + onset.of(first) + onset.of(second));
     }
 
     private double speed(int first, int second, double[] a, double h) {

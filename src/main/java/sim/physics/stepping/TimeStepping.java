@@ -10,6 +10,7 @@ import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.Reaction;
+import sim.physics.constraint.Onset;
 import sim.physics.constraint.TieRows;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
@@ -67,6 +68,7 @@ public final class TimeStepping implements Serializable {
     private final ContactRows rows;
     private final ContactSolver contacts;
     private final TieRows ties;
+    private final Onset onset;
     private final Speeds speeds;
     private final Decisions decisions;
     private final Sleep sleep;
@@ -125,8 +127,9 @@ public final class TimeStepping implements Serializable {
         rows = new ContactRows(state);
         contacts = new ContactSolver(state, rows);
         ties = new TieRows(state);
-        near = new NearPairs(state, poses, filter);
-        speeds = new Speeds(state, poses, near);
+        onset = new Onset(state);
+        near = new NearPairs(state, poses, filter, onset);
+        speeds = new Speeds(state, poses, near, onset);
         decisions = new Decisions(state, laws, rows);
         sleep = new Sleep(state, poses, near, forces, rows);
         decisions.setPairs(near, sleep.kept());
@@ -256,6 +259,9 @@ public final class TimeStepping implements Serializable {
         growth = keptOf > 0 ? Math.min(MOST_GROWTH, step / substeps / keptOf) : 0;
         sleep.wakeDriven(ties);
         areOthersAsleep |= sleep.refresh();
+        if (constraints != null) {
+            onset.find(ties, step);
+        }
         near.update(step);
         sleep.settle(constraints, ties);
         sleep.hasWoken();
@@ -281,6 +287,10 @@ public final class TimeStepping implements Serializable {
                 look(pair, pairs.first(pair), pairs.second(pair));
             }
         }
+        IntList reached = decisions.reached();
+        for (int k = 0; k < reached.size; k++) {
+            look(reached.values[k], pairs.first(reached.values[k]), pairs.second(reached.values[k]));
+        }
     }
 
     private void look(int pair, int first, int second) {
@@ -302,8 +312,7 @@ public final class TimeStepping implements Serializable {
         }
         double friction = near.is(pair, NearPairs.STICKY) ? STICKS : laws.friction(first, second);
         double restitution = near.is(pair, NearPairs.STICKY) ? 0 : bounce;
-        double belt = laws.belt(first, second);
-        rows.add(pair, first, second, touch, friction, restitution, belt, a, h, REGAIN * size / h, near.is(pair, NearPairs.TOUCHED));
+        rows.add(pair, first, second, touch, friction, restitution, laws.belt(first, second), a, h, REGAIN * size / h, near.is(pair, NearPairs.TOUCHED));
         if (decisions.isOpen(rows.count - 1)) {
             rows.dropLast();
             return;
