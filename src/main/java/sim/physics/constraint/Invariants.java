@@ -12,7 +12,7 @@ import sim.physics.motion.State;
  * angular momentum if nothing holds it in the world. They are known, so a step need not lose them.
  *
  * <p>A symplectic method is left alone: its energy swings, and it is neither symplectic nor reversible if that is put back. Its
- * momenta are kept by each of its steps.
+ * momenta are kept by each of its steps. No method is symplectic where wheels roll, which are no constraints of places: energy is put back there.
  *
  * <p>Under other forces the work of these is all that kinetic energy can grow by, since constraints do none: a step that
  * says otherwise was too long for the pose, as those of a chain that is all but taut. That is asked within sight of singular
