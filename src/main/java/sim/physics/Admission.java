@@ -12,7 +12,7 @@ import sim.physics.constraint.Formation;
 import sim.physics.constraint.Reaction;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
-import sim.physics.motion.Groups;
+import sim.physics.motion.CoupledGroups;
 import sim.physics.motion.Motion;
 import sim.physics.motion.Presence;
 import sim.physics.motion.Reach;
@@ -339,7 +339,7 @@ final class Admission implements Presence, Serializable {
 
     /** Finds out which forces act on bodies that start anew, and what moves together from now on. */
     private void regroupCoupled(double tau) {
-        Groups groups = motion.groups();
+        CoupledGroups groups = motion.groups();
         for (int k = 0; tau > 0 && motion.groups().mayCouple() && k < state.touchedCount(); k++) {
             bringCompanions(state.touched(k), tau); // those of bodies whose ties have changed; they are there already
         }
@@ -368,29 +368,18 @@ final class Admission implements Presence, Serializable {
         }
     }
 
-    /** Cuts the joints that break under the load that they have at the start of a step; true if one did. */
-    boolean breakJoints(double time) {
-        if (constraints == null || !constraints.isBreakable()) {
-            return false;
-        }
-        boolean broken = false;
-        double[] a = new double[state.x().length];
-        for (IntList island : constraints.breakable()) {
-            motion.acceleration(island, time, a);
-            for (Constraint c : constraints.overloaded(island)) {
-                broken |= constraints.remove(c);
-            }
-        }
-        return broken;
-    }
-
     /** What a constraint does now, between steps. */
     Reaction reaction(Constraint constraint, double time) {
         if (constraints.isChanged()) {
             regroup();
         }
         Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
-        IntList island = constraints.island(body.index());
+        answer(constraints.island(body.index()), time);
+        return constraints.reaction(constraint);
+    }
+
+    /** Finds what the constraints of an island do now, between steps. */
+    void answer(IntList island, double time) {
         if (!answered.holds(island, constraints, state, time)) {
             if (motion.groups().mayCouple()) {
                 regroupCoupled(0);
@@ -399,7 +388,6 @@ final class Admission implements Presence, Serializable {
             }
             answered.evaluate(island, constraints, motion, state, time);
         }
-        return constraints.reaction(constraint);
     }
 
     /** Something else than what is written may have changed what constraints do. */

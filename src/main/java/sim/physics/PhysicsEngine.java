@@ -17,7 +17,6 @@ import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.Overlap;
 import sim.physics.collision.Overlaps;
 import sim.physics.collision.broad.BroadPhase;
-import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.BruteForce;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
@@ -28,16 +27,13 @@ import sim.physics.constraint.Joint;
 import sim.physics.constraint.Reaction;
 import sim.physics.constraint.Stabilization;
 import sim.physics.internal.Check;
-import sim.physics.internal.IntList;
 import sim.physics.internal.Team;
 import sim.physics.internal.Tolerances;
 import sim.physics.internal.Work;
-import sim.physics.motion.AdaptiveIntegrator;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Integrator;
 import sim.physics.motion.Motion;
-import sim.physics.motion.SharedMotion;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 import sim.physics.query.Queries;
@@ -62,12 +58,6 @@ public final class PhysicsEngine implements Steppable {
     /** The ordering at which {@link #scheduleOn(Schedule)} runs the engine. Agents that steer bodies come before it. */
     public static final int ORDERING = 10;
 
-    /** Number of bodies from which the broad phase of a new engine is a {@link CellGrid}. */
-    private static final int CROWD = 50;
-
-    /** Work that an event costs beside looks, accelerations and heaps. */
-    private static final int EVENT = 8;
-
     /** Substeps beyond which a step would seem to hang. */
     private static final int MOST_SUBSTEPS = 10_000;
 
@@ -75,35 +65,17 @@ public final class PhysicsEngine implements Steppable {
     private final Trajectories trajectories = new Trajectories();
     private final Work work = new Work();
     private final Motion motion = new Motion(state, trajectories, work);
-    private final SharedMotion sharedMotion = new SharedMotion(motion, state, trajectories);
     private final CollisionDetection detection = new CollisionDetection(state, trajectories, new BruteForce());
     private final CollisionResponse response = new CollisionResponse(state, trajectories, motion, detection);
 
     /** What repeats the steps on a schedule; null before {@link #scheduleOn}. */
     private Repeating scheduled;
 
-    private final IntList changed = new IntList();
-
-    /** Groups of driven bodies that are to follow new paths; and which those are. */
-    private final IntList groups = new IntList();
-
-    private final IslandRounds noted = new IslandRounds();
-
-    /** Driven bodies whose new paths detection has not been told of. */
-    private final IntList entering = new IntList();
-
-    /** Those of them that do not stand still, where some may. */
-    private final IntList moving = new IntList();
-
-    /** How detection is told of new paths: of a body and its pairs, of a body, or later of all bodies. */
-    private enum Entry {
-        BODY_AND_PAIRS,
-        BODY,
-        TOGETHER
-    }
-
     private final Admission admission = new Admission(
             state, trajectories, motion, detection, response.resting(), response.heaps());
+
+    /** What a step by events consists of. */
+    private final EventStep events = new EventStep(state, trajectories, work, motion, detection, response, admission);
 
     /** Null until the first constraint is added. */
     private Constraints constraints;
@@ -122,19 +94,10 @@ public final class PhysicsEngine implements Steppable {
     /** Whether, and for how long, it does so because events would cost too much. */
     private final Relief relief = new Relief();
 
-    /** Where a step of tied bodies began; and whether it is being closed what an author has added or written. */
-    private final StepStart start = new StepStart();
-
-    private boolean isAdmitting;
-
-    /** Looks of the narrow phase that are counted as work. */
-    private transient long looks;
-
     /** Whether it lets bodies sleep. */
     private boolean isSleepAllowed = true;
 
     private ConstraintSolver constraintSolver = new DirectSolver();
-    private boolean broadPhaseIsChosen;
 
     /** Null while the stepping thread does all the work. */
     private Team team;
@@ -149,17 +112,10 @@ public final class PhysicsEngine implements Steppable {
 
     private transient boolean goesOn;
 
-    /** Whether there have been listeners, force generators or rules of authors, which may ask or write within a step. */
-    private boolean asksAuthors;
-
     private double timeStep = 1;
     private long steps;
     private double epoch;
     private long epochStep;
-    private double now;
-
-    /** Offset in the step of what is being handled. */
-    private double instant;
 
     /** Creates an empty engine with a time step of 1 and the integrator RK4. */
     public PhysicsEngine() {
@@ -204,51 +160,43 @@ public final class PhysicsEngine implements Steppable {
         boolean isOver = false;
         boolean isFailed = false;
         try {
-            begin();
-            drive();
-            detection.look();
+            events.begin(steps, timeStep, getTime(), relief.limit(state.bodyCount(), audit != null));
+            events.drive(); // motion, (5)–(15)
+            detection.look(); // collision detection: broad phase and narrow phase
             while (detection.hasEvent()) {
-                count(EVENT);
-                makeLatePaths();
-                motion.keepEnds();
-                int body = detection.takePathEnd();
-                if (body >= 0) {
-                    goOn(body);
-                } else {
-                    respond();
-                }
+                events.handleEvent(); // collision response, (16)–(24)
             }
-            finish();
+            events.finish();
+            steps++;
             relief.goOn();
             isOver = true;
         } catch (Work.Spent | ConstraintException e) {
-            if (e instanceof ConstraintException && isRefusal() && relief.tells(audit != null)) {
+            if (e instanceof ConstraintException && events.isRefusal() && relief.tells(audit != null)) {
                 throw e; // the author's: what he has set, or a step that is too long
             }
-            isFailed = e instanceof ConstraintException && !isAdmitting;
+            isFailed = e instanceof ConstraintException && !events.isAdmitting();
             relief.begin(steps); // time stepping makes the rest of the step, or all of it
         } finally {
-            isAdmitting = false;
-            end(isOver, isFailed);
+            events.end();
+            if (!isOver) {
+                events.breakOff(isFailed, relief.isOn());
+            }
+            stepping = false;
         }
         if (isOver) {
+            events.judgeJoints(getTime());
             tell();
         } else {
             relieve();
         }
     }
 
-    /** Whether joints that cannot be closed are the author's affair, and not that of a pose in which nobody can tell how bodies go on. */
-    private boolean isRefusal() {
-        return audit != null || isAdmitting || start.isTooLong(state, constraints, motion.generators(), timeStep);
-    }
-
     /** Events have cost as much as they may in the step: time stepping takes over from here. */
     private void relieve() {
         refine();
         change(true);
-        if (instant < timeStep) {
-            stepWithoutEvents(instant);
+        if (events.instant() < timeStep) {
+            stepWithoutEvents(events.instant());
         } else {
             relief.count();
             steps++;
@@ -261,7 +209,7 @@ public final class PhysicsEngine implements Steppable {
         if (constraints != null && constraints.isChanged()) {
             admission.regroup();
         }
-        if (timeStepping.deepestTied() <= 0.5 * Tolerances.PUT && Relief.close(state, constraints, noted)) {
+        if (timeStepping.deepestTied() <= 0.5 * Tolerances.PUT && Relief.close(state, constraints)) {
             relief.end(steps);
             timeStepping.sleep().setAllowed(isSleepAllowed);
             change(false);
@@ -357,440 +305,13 @@ public final class PhysicsEngine implements Steppable {
         }
     }
 
-    /** The step is over, or has been broken off. */
-    private void end(boolean isOver, boolean isFailed) {
-        work.end();
-        state.setPresence(null, false);
-        if (!isOver) {
-            breakOff(isFailed);
-        }
-        stepping = false;
-    }
-
-    /** Takes note of work, and of the looks at pairs since the last note. */
-    private void count(long units) {
-        long now = detection.narrowPhase().evaluations();
-        long since = now - looks;
-        looks = now;
-        work.spend(units + since);
-    }
-
-    /**
-     * Code of authors has thrown, or the work is spent: all bodies stay where they are at that instant, and go on from there; or from where
-     * the step began, if the motion of tied ones has failed or got lost.
-     */
-    private void breakOff(boolean isFailed) {
-        response.heaps().breakOff();
-        if (isFailed) {
-            motion.late().drop(); // or the same happened again
-        }
-        makeLatePaths();
-        boolean goesBack = isFailed;
-        for (Body body : bodies()) {
-            int index = body.index();
-            if (isFollowed(index)) {
-                trajectories.publish(index, instant, state);
-                goesBack |= relief.isOn() && constraints != null && constraints.isTied(index) && start.hasLost(index, state, timeStep);
-            }
-        }
-        instant = goesBack ? 0 : instant;
-        for (Body body : bodies()) {
-            if (goesBack && isFollowed(body.index())) {
-                start.restore(body.index(), state);
-            }
-            state.touch(body.index());
-        }
-        state.placedAll();
-    }
-
-    /** Whether a body was here when the step began, and has not been written in it. */
-    private boolean isFollowed(int index) {
-        return detection.knows(index) && !state.isTouched(index);
-    }
-
-    /** Begins the step; bodies that were added or set since the last one start from where they were put. */
-    private void begin() {
-        instant = 0;
-        state.setPresence(null, true);
-        work.begin(relief.limit(state.bodyCount(), audit != null));
-        looks = detection.narrowPhase().evaluations();
-        state.settle(asksAuthors || audit != null || constraints != null || state.touchedCount() > 0);
-        if (constraints != null) {
-            start.keep(state);
-        }
-        trajectories.begin(steps, timeStep);
-        detection.begin(steps, timeStep);
-        motion.begin(getTime());
-    }
-
-    /** Motion, (5)–(15): driven bodies get their paths over the step; all others are on their way already. */
-    private void drive() {
-        clearGroups();
-        boolean isFree = response.isFree() && constraints == null && audit == null;
-        if (isFree && !admission.isNeeded() && !motion.isPushed()) {
-            response.begin(); // nobody has changed anything, and all go on as they did
-            return;
-        }
-        changed.clear();
-        detection.gather();
-        if (mayBeLate()) {
-            motion.late().anchorOthers(detection);
-        } else {
-            motion.anchorDriven();
-        }
-        motion.endApplied(changed);
-        motion.groups().begin();
-        letIn(0); // all driven bodies follow new paths anyway
-        while (admission.breakJoints(getTime())) {
-            letIn(0);
-        }
-        motion.releaseDriven();
-        if (audit != null) {
-            audit.open();
-        }
-        for (int k = 0; k < changed.size; k++) {
-            unpushed(changed.values[k]);
-            moved(changed.values[k], 0, false, -1);
-        }
-        response.begin();
-        if (!response.resting().isEmpty()) {
-            response.resting().begin();
-            settle(0);
-        }
-        if (!response.heaps().isEmpty()) {
-            response.heaps().begin();
-            settleHeaps(0);
-        }
-        work.apart(isFixed());
-        followAll();
-        work.apart(false);
-        clearGroups();
-    }
-
-    /** Whether the method's steps are of fixed length: those that the step begins with may be shared by threads. */
-    private boolean isFixed() {
-        return !(motion.getIntegrator() instanceof AdaptiveIntegrator);
-    }
-
-    /** A force acts no more which was applied to a body for the step before: what bore the body with it bears something else now. */
-    private void unpushed(int body) {
-        if (response.resting().rests(body)) {
-            response.resting().again(body);
-        }
-        response.heaps().struck(body);
-    }
-
-    /** Whether driven bodies that collide with nobody may be moved without anybody's looking at their paths. */
-    private boolean mayBeLate() {
-        return constraints != null
-                && audit == null
-                && !motion.groups().mayCouple()
-                && response.resting().isEmpty()
-                && response.heaps().isEmpty();
-    }
-
     /** What is saved is the same whether somebody has looked at all paths or not. Half a step is refused: its copy could not go on. */
     private void writeObject(ObjectOutputStream out) throws IOException {
         if (stepping || goesOn) {
             throw new IllegalStateException("the engine was saved within a step: save it between steps");
         }
-        makeLatePaths();
+        events.makeLatePaths();
         out.defaultWriteObject();
-    }
-
-    /** Something happens in the step: groups of driven bodies that have been moved without paths get them now. */
-    private void makeLatePaths() {
-        if (motion.late().isEmpty()) {
-            return;
-        }
-        admission.forgetAnswers();
-        work.apart(isFixed());
-        work.beginGroup();
-        IntList made = motion.late().make(team);
-        work.apart(false);
-        for (int k = 0; k < made.size; k++) {
-            publish(made.values[k], timeStep, Entry.BODY);
-            detection.endPath(made.values[k]);
-        }
-    }
-
-    /** Gives all driven bodies new paths from the start of the step on, but for those that stand still as they did. */
-    private void followAll() {
-        IntList driven = motion.driven();
-        boolean isShared = sharedMotion.advance();
-        boolean mayStay = !response.heaps().isEmpty(); // and nobody is late
-        entering.clear();
-        moving.clear();
-        try {
-            for (int k = 0; k < driven.size; k++) {
-                int body = driven.values[k];
-                int passed = motion.late().has(body) ? motion.late().advance(body) : 0;
-                if (passed > 0) {
-                    k += passed - 1;
-                    continue;
-                }
-                if (motion.companions(body).values[0] != body) {
-                    continue;
-                }
-                if (mayStay && stays(motion.companions(body))) {
-                    detection.setPathEnd(motion.companions(body), timeStep);
-                } else if (isShared && sharedMotion.isDone(body)) {
-                    work.beginGroup();
-                    publish(body, motion.advance(body, detection), Entry.TOGETHER);
-                    detection.endPath(body);
-                } else {
-                    enter(); // it may depend on where the others before it go
-                    follow(body, Entry.BODY);
-                }
-                k += Math.max(1, driven.common(k, motion.companions(body))) - 1; // the others of its group are mostly next
-            }
-        } finally {
-            enter(); // also if a group cannot go on
-        }
-        detection.lookAtGathered(mayStay && moving.size < driven.size ? moving : driven);
-    }
-
-    /** Whether bodies that move together stand still and have paths that say so; takes note of those that do not. */
-    private boolean stays(IntList group) {
-        if (motion.areStaying(group)) {
-            return true;
-        }
-        for (int k = 0; k < group.size; k++) {
-            moving.add(group.values[k]);
-        }
-        return false;
-    }
-
-    private void enter() {
-        if (entering.size > 0) {
-            detection.enter(entering);
-            entering.clear();
-        }
-    }
-
-    /** Gives a driven body, and those that move with it, new paths from their anchors on. */
-    private void follow(int body, Entry entry) {
-        work.beginGroup();
-        publish(body, motion.advance(body, detection), entry);
-        if (motion.isCoarse() && detection.hasNeighbours(motion.companions(body))) {
-            publish(body, motion.advance(body, null), entry); // on its way it comes near others
-        }
-        detection.endPath(body);
-    }
-
-    /** Tells of the new paths of a driven body, and of those that move with it. */
-    private void publish(int body, double end, Entry entry) {
-        double until = Math.min(end, response.heaps().until(body));
-        IntList group = motion.companions(body);
-        double tau = trajectories.offset(body);
-        detection.setPathEnd(group, until);
-        if (entry == Entry.BODY) {
-            detection.enter(group, tau);
-        }
-        for (int k = 0; entry != Entry.BODY && k < group.size; k++) {
-            if (entry == Entry.TOGETHER) {
-                entering.add(group.values[k]);
-            } else {
-                detection.moved(group.values[k], tau, false, -1);
-            }
-        }
-        for (int k = 0; audit != null && k < group.size; k++) {
-            audit.noted(group.values[k], tau);
-        }
-    }
-
-    /** Lets the groups of driven bodies that were noted follow new paths. */
-    private void followGroups() {
-        for (int k = 0; k < groups.size; k++) {
-            if (trajectories.isDriven(groups.values[k])) { // or a listener has removed it
-                follow(groups.values[k], Entry.BODY_AND_PAIRS);
-                count(motion.companions(groups.values[k]).size);
-            }
-        }
-        clearGroups();
-    }
-
-    private void noteGroup(int body) {
-        IntList group = motion.companions(body);
-        if (noted.isFirst(group)) {
-            groups.add(group.values[0]);
-        }
-    }
-
-    private void clearGroups() {
-        groups.clear();
-        noted.begin();
-    }
-
-    /** Collision response, (16)–(24), at the next impact; then the bodies concerned go on. */
-    private void respond() {
-        double tau = detection.nextTime();
-        instant = tau;
-        IntList touching = detection.nextImpacts();
-        int pair = touching.size == 1 ? touching.values[0] : -1;
-        if (pair >= 0 && !asksAuthors && bounce(pair, tau)) {
-            return;
-        }
-        now = getTime() + tau;
-        admission.setNow(tau);
-        if (asksAuthors) {
-            state.setPresence(admission, true);
-        }
-        IntList deflected = response.respond(touching, tau, now);
-        double at = response.instant();
-        state.setPresence(null, true);
-        boolean someRest = !response.resting().isEmpty();
-        boolean someLie = !response.heaps().isEmpty();
-        for (int k = 0; k < deflected.size; k++) {
-            if (!trajectories.areStraight()) { // else nothing has ever been driven, or borne
-                motion.deflect(deflected.values[k]);
-            }
-            if (someRest) {
-                response.resting().struck(deflected.values[k]);
-            }
-            if (someLie) {
-                response.heaps().struck(deflected.values[k]);
-            }
-        }
-        boolean parts = pair >= 0 && detection.parts(pair, tau);
-        for (int k = 0; k < deflected.size; k++) {
-            int body = deflected.values[k];
-            if (trajectories.isDriven(body)) {
-                noteGroup(body);
-            } else {
-                moved(body, trajectories.offset(body), false, parts || k == 1 ? pair : -1);
-            }
-        }
-        if (admission.isNeeded()) {
-            admit(tau); // first: what listeners have written is in the vectors that others use for their work
-        }
-        if (!response.resting().isEmpty()) {
-            settle(at);
-        }
-        if (!response.heaps().isEmpty()) {
-            settleHeaps(at);
-        }
-        followGroups();
-    }
-
-    /** The same for an impact that is plain, of which nobody is told; false if it is not. */
-    private boolean bounce(int pair, double tau) {
-        IntList deflected = response.bounce(pair, tau);
-        if (deflected.size == 0) {
-            return false;
-        }
-        boolean parts = detection.parts(pair, tau);
-        moved(deflected.values[0], tau, false, parts ? pair : -1);
-        if (deflected.size > 1) {
-            moved(deflected.values[1], tau, false, pair);
-        }
-        return true;
-    }
-
-    /** A body has a new path. */
-    private void moved(int body, double tau, boolean placed, int pair) {
-        detection.moved(body, tau, placed, pair);
-        note(body, tau);
-    }
-
-    private void note(int body, double tau) {
-        if (audit != null) {
-            audit.noted(body, tau);
-        }
-    }
-
-    /** Bodies that rest on one another press on each other: new forces where something has happened. */
-    private void settle(double tau) {
-        IntList settled = response.resting().settle(tau);
-        for (int k = 0; k < settled.size; k++) {
-            moved(settled.values[k], tau, false, -1);
-        }
-    }
-
-    /** Bodies that lie on one another push each other: new velocities where something has happened. */
-    private void settleHeaps(double tau) {
-        IntList settled = response.heaps().settle(tau);
-        work.spend(response.heaps().takeCost());
-        for (int k = 0; k < settled.size; k++) {
-            if (trajectories.isDriven(settled.values[k])) {
-                noteGroup(settled.values[k]);
-            } else if (detection.knows(settled.values[k])) { // or a listener has removed it
-                moved(settled.values[k], tau, false, -1);
-            }
-        }
-        response.heaps().told();
-    }
-
-    /** The path of a body has ended before the step: it has come to rest, or goes on from there. */
-    private void goOn(int body) {
-        double tau = detection.pathEnd();
-        instant = tau;
-        if (response.resting().rests(body)) {
-            response.resting().again(body);
-            settle(tau);
-            return;
-        }
-        if (response.heaps().has(body)) {
-            response.heaps().again(body, tau);
-            settleHeaps(tau);
-            followGroups();
-            return;
-        }
-        if (!trajectories.isDriven(body)) {
-            return; // it was of a heap when this was planned, and is on its parabola again
-        }
-        motion.bring(body, tau);
-        if (motion.ground().hold(body)) {
-            moved(body, tau, false, -1);
-        } else {
-            follow(body, Entry.BODY_AND_PAIRS);
-        }
-    }
-
-    private void finish() {
-        if (!response.heaps().isEmpty()) {
-            IntList completed = response.heaps().finish();
-            for (int k = 0; k < completed.size; k++) {
-                note(completed.values[k], timeStep);
-            }
-        }
-        if (trajectories.areStraight()) {
-            state.lag(trajectories);
-        } else if (motion.driven().size < state.bodyCount()) {
-            trajectories.publish(timeStep, state);
-        }
-        motion.finish();
-        if (audit != null) {
-            audit.close();
-        }
-        steps++;
-    }
-
-    /** Lets in what authors have changed since the last look; returns the driven bodies among those. */
-    private IntList letIn(double tau) {
-        if (!broadPhaseIsChosen && state.bodyCount() >= CROWD) {
-            broadPhaseIsChosen = true;
-            detection.setBroadPhase(new CellGrid());
-        }
-        if (!admission.areOnlyPushes() || motion.groups().mayCouple()) {
-            makeLatePaths();
-            motion.late().forget();
-        }
-        isAdmitting = true;
-        IntList admitted = admission.admit(tau);
-        isAdmitting = false;
-        if (motion.groups().mayCouple()) {
-            makeLatePaths(); // forces couple what they did not couple before
-        }
-        return admitted;
-    }
-
-    /** The same within a step: driven bodies are noted, to follow new paths. */
-    private void admit(double tau) {
-        IntList driven = letIn(tau);
-        for (int k = 0; k < driven.size; k++) {
-            noteGroup(driven.values[k]);
-        }
     }
 
     /**
@@ -826,7 +347,7 @@ public final class PhysicsEngine implements Steppable {
             admission.leave(body);
         } else {
             if (constraints != null) {
-                makeLatePaths(); // while islands are what they were in the last step
+                events.makeLatePaths(); // while islands are what they were in the last step
             }
             admission.drop(body);
         }
@@ -889,7 +410,7 @@ public final class PhysicsEngine implements Steppable {
     public <G extends ForceGenerator> G add(G generator) {
         Objects.requireNonNull(generator, "generator");
         state.requireOpen();
-        asksAuthors = true;
+        events.askAuthors();
         if (!motion.add(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
         }
@@ -973,7 +494,7 @@ public final class PhysicsEngine implements Steppable {
             if (timeStepping != null) {
                 timeStepping.setConstraints(constraints);
             }
-            response.setTies(constraints);
+            events.setConstraints(constraints);
         }
         return constraints;
     }
@@ -1107,7 +628,7 @@ public final class PhysicsEngine implements Steppable {
     public void addListener(CollisionListener listener) {
         state.requireOpen();
         requireNew(response.laws().add(listener), listener);
-        asksAuthors = true;
+        events.askAuthors();
         if (timeStepping != null) {
             timeStepping.sleep().wakeAll(); // it is asked about all that touches
         }
@@ -1289,7 +810,7 @@ public final class PhysicsEngine implements Steppable {
     /** Lets time stepping move the bodies, or events. */
     private void change(boolean toStepping) {
         isStepped = toStepping;
-        makeLatePaths();
+        events.makeLatePaths();
         state.settle(true);
         timeStepping.forget();
         admission.setStepped(isStepped ? timeStepping : null);
@@ -1500,8 +1021,7 @@ public final class PhysicsEngine implements Steppable {
     /** The same, for tests: works are shared that are too small for it to pay, too. */
     void setThreads(int threads, boolean always) {
         team = threads == 1 ? null : new Team(threads, always);
-        sharedMotion.setTeam(team);
-        detection.setTeam(team);
+        events.setTeam(team);
     }
 
     /**
@@ -1513,7 +1033,7 @@ public final class PhysicsEngine implements Steppable {
     public void setImpulseSolver(ImpulseSolver solver) {
         state.requireOpen();
         response.setSolver(solver);
-        asksAuthors = true;
+        events.askAuthors();
     }
 
     /**
@@ -1526,7 +1046,7 @@ public final class PhysicsEngine implements Steppable {
     public void setPairRules(PairRule restitution, PairRule friction) {
         state.requireOpen();
         response.laws().setRules(restitution, friction);
-        asksAuthors = true;
+        events.askAuthors();
         admission.stirAll();
     }
 
@@ -1541,8 +1061,7 @@ public final class PhysicsEngine implements Steppable {
         Objects.requireNonNull(broadPhase, "broadPhase");
         requireBetweenSteps("the broad phase was set");
         broadPhase.claim();
-        broadPhaseIsChosen = true;
-        detection.setBroadPhase(broadPhase);
+        events.setBroadPhase(broadPhase);
     }
 
     /**
@@ -1630,6 +1149,7 @@ public final class PhysicsEngine implements Steppable {
         audit = audited ? new Audit(state, trajectories, motion) : null;
         motion.setObserver(audit);
         admission.setAudit(audit);
+        events.setAudit(audit);
     }
 
     /**

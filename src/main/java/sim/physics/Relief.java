@@ -119,7 +119,8 @@ final class Relief implements Serializable {
         return Math.min(time, WAY / Math.abs(v[b + State.THETA]));
     }
 
-    private static double pull(List<ForceGenerator> forces) {
+    /** The acceleration of bodies on which nothing acts but fields. */
+    static double pull(List<ForceGenerator> forces) {
         double pull = 0;
         for (ForceGenerator one : forces) {
             pull += one instanceof Gravity field ? Math.abs(field.getX()) + Math.abs(field.getY()) : 0;
@@ -165,7 +166,8 @@ final class Relief implements Serializable {
     }
 
     /** Closes all joints where bodies are; false if one cannot be closed. */
-    static boolean close(State state, Constraints constraints, IslandRounds rounds) {
+    static boolean close(State state, Constraints constraints) {
+        IslandRounds rounds = new IslandRounds();
         rounds.begin();
         try {
             for (int k = 0; constraints != null && k < state.size(); k++) {

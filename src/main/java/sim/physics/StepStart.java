@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.List;
 import sim.physics.constraint.Constraints;
 import sim.physics.motion.ForceGenerator;
-import sim.physics.motion.Gravity;
 import sim.physics.motion.State;
 
 /**
@@ -56,10 +55,7 @@ final class StepStart implements Serializable {
      * Joints that could not be kept closed then are the author's affair.
      */
     boolean isTooLong(State state, Constraints constraints, List<ForceGenerator> forces, double h) {
-        double pull = 0;
-        for (ForceGenerator one : forces) {
-            pull += one instanceof Gravity field ? Math.abs(field.getX()) + Math.abs(field.getY()) : 0;
-        }
+        double pull = Relief.pull(forces);
         boolean yes = false;
         for (int k = 0; k < state.size() && !yes; k++) {
             if (state.body(k) != null && constraints.isTied(k)) {

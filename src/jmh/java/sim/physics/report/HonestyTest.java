@@ -5,7 +5,6 @@ package sim.physics.report;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import sim.physics.report.Honesty.Verdict;

@@ -246,7 +246,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         gathers = false;
         notes.addWithout(BodyNotes.IDLE, others, gathered);
         if (gathered.size > 0) {
-            lookAround(gathered, 0);
+            lookAround(gathered);
         }
     }
 
@@ -273,12 +273,11 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     }
 
     /**
-     * Looks at the pairs of all bodies that have entered new trajectories, at each once.
+     * Looks at the pairs of all bodies that enter new trajectories where the step begins, at each once.
      *
      * @param bodies indices
-     * @param tau offset in the present step
      */
-    private void lookAround(IntList bodies, double tau) {
+    private void lookAround(IntList bodies) {
         watch.clearList();
         for (int m = 0; m < bodies.size; m++) {
             int body = bodies.values[m];
@@ -293,7 +292,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
             }
             notes.set(body, BodyNotes.IDLE, !watched);
         }
-        watch.lookAtList(tau);
+        watch.lookAtList(0);
     }
 
     /**

@@ -8,7 +8,7 @@ import java.util.List;
 import sim.physics.motion.State;
 
 /** Solves J W Jᵀ λ = −J W F − J̇ ẋ, (41), for the constraint forces: {@link DirectSolver} or {@link GlobalSolver}. */
-public abstract class ConstraintSolver implements Serializable {
+public abstract sealed class ConstraintSolver implements Serializable permits DirectSolver, GlobalSolver {
     private static final long serialVersionUID = 1L;
 
     ConstraintSolver() {

@@ -68,13 +68,8 @@ public final class Constraints implements Ties, Serializable {
         return of[island.values[0]].island().isOwn && solver instanceof DirectSolver;
     }
 
-    /** {@return what solves (41): a {@link DirectSolver} unless set} */
-    public ConstraintSolver getSolver() {
-        return solver;
-    }
-
     /**
-     * Sets what solves (41).
+     * Sets what solves (41): a {@link DirectSolver} unless set.
      *
      * @param solver not null
      */

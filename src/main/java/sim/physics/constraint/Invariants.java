@@ -11,6 +11,9 @@ import sim.physics.motion.State;
  * What an island keeps as long as no force but that of its own constraints acts on it: kinetic energy, and momentum and
  * angular momentum if nothing holds it in the world. They are known, so a step need not lose them.
  *
+ * <p>A symplectic method is left alone: its energy swings, and it is neither symplectic nor reversible if that is put back. Its
+ * momenta are kept by each of its steps.
+ *
  * <p>Under other forces the work of these is all that kinetic energy can grow by, since constraints do none: a step that
  * says otherwise was too long for the pose, as those of a chain that is all but taut. That is asked within sight of singular
  * poses only: elsewhere the error of a step is the method's own, and that of a symplectic one is to go up and down.
@@ -28,6 +31,7 @@ final class Invariants implements Serializable {
     private double[] whole = {};
     private double[] slip = {};
     private boolean isFree;
+    private boolean isSymplectic;
 
     /** Growth of the energy beyond what is known, relative to it, that a step may have; and what is left to it. */
     private static final double WRONG = 3;
@@ -77,6 +81,7 @@ final class Invariants implements Serializable {
     void begin(State state, boolean free) {
         island.passage.begin();
         isFree = free && island.switches.isEmpty();
+        isSymplectic = false;
         isWatched = !free && island.switches.areIdle() && island.isOwn;
         isNoted = false;
         if (isFree) {
@@ -121,6 +126,11 @@ final class Invariants implements Serializable {
             Arrays.fill(pull, 0);
         }
         return pull;
+    }
+
+    /** The step is one of a symplectic method. */
+    void swing() {
+        isSymplectic = true;
     }
 
     /** There is no step whose values are to be kept. */
@@ -186,7 +196,11 @@ final class Invariants implements Serializable {
             return isWithinWork(state);
         }
         if (isFree && before[0] != 0) {
-            restoreAll(state);
+            if (isSymplectic) {
+                measure(state, after);
+            } else {
+                restoreAll(state);
+            }
             return after[0] <= (1 + WRONG) * before[0];
         }
         return true;

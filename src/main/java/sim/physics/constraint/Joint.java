@@ -107,8 +107,8 @@ public abstract class Joint implements Constraint {
 
     /**
      * Sets the load at which the joint breaks. It breaks if its force or its torque (see {@link Reaction}) is greater than the
-     * limit at the start of a step. A pin has no torque of its own. You may call this at any time; it holds from the next step
-     * on.
+     * limit at the start of a step; where bodies of its island lie on something, or are new, when the step is over, which has told
+     * what their contacts give. A pin has no torque of its own. You may call this at any time; it holds from the next step on.
      *
      * @param force greatest force, greater than 0; may be infinite
      * @param torque greatest torque, greater than 0; may be infinite

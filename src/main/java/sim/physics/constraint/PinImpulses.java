@@ -8,6 +8,7 @@ import java.util.List;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
 import sim.physics.internal.Trig;
+import sim.physics.internal.Turns;
 import sim.physics.motion.State;
 
 /** The pins of a scene, (42)–(46), as time stepping solves them, all in one loop: two rows each, with equations as in {@link PinJoint}. */
@@ -167,7 +168,7 @@ final class PinImpulses implements Serializable {
             data[o + IMPULSE + 1] *= growth;
             Arrays.fill(data, o + SUM, o + MOST, 0);
         }
-        evaluate(0);
+        evaluate(0, null);
     }
 
     /** Adds the impulses of a substep to those of the step. */
@@ -196,14 +197,18 @@ final class PinImpulses implements Serializable {
      * Evaluates all pins where the state vectors say that the bodies are.
      *
      * @param follow the part of the impulses with which the substep began that acts where the arms are now, and not where they were
+     * @param marks by body, of those whose pins are meant; null for all
      */
-    void evaluate(double follow) {
+    void evaluate(double follow, boolean[] marks) {
         turn();
         double[] d = data;
         double[] x = state.x();
         double[] v = state.v();
         double[] w = state.w().values();
         for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
+            if (marks != null && !TieEquations.isMarked(blocks, k, marks)) {
+                continue;
+            }
             int a = blocks[2 * k];
             int b = blocks[2 * k + 1];
             double spin = v[a + 2];
@@ -393,15 +398,17 @@ final class PinImpulses implements Serializable {
         }
     }
 
-    /** Solves velocities of marked bodies once more; whether some were off that count for something, compared with those of the bodies. */
-    boolean settle(boolean[] marks) {
-        boolean goesOn = false;
+    /** Solves velocities of groups that have not settled once more; those have not in which some were off that count for something, compared with those of the bodies. */
+    void settle(int[] groups, Turns turns, boolean[] marks) {
         for (int k = 0; k < awake; k++) {
             if (TieEquations.isMarked(blocks, k, marks)) {
-                goesOn |= settle(k, STRIDE * k);
+                boolean isFirst = state.w().values()[blocks[2 * k]] > 0;
+                int group = groups[blocks[isFirst ? 2 * k : 2 * k + 1] / State.BLOCK];
+                if (turns.isOpen(group)) {
+                    turns.change(group, settle(k, STRIDE * k));
+                }
             }
         }
-        return goesOn;
     }
 
     private boolean settle(int k, int o) {

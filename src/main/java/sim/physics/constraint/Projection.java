@@ -233,17 +233,12 @@ final class Projection implements Serializable {
                 return false; // no move closes what contradicts, and the best compromise is not it
             }
             if (roughness < SMOOTH) {
-                island.nudge(state, move);
-                double left = island.isProjected || island.factor.pivots.lasting() > 0 ? Slack.error(island, state, ROUNDING) : 0;
-                boolean isDamped = island.isProjected && left > OPEN;
-                if (isDamped || left > SET_ASIDE && island.passage.unlearns()) {
-                    error = left;
-                    island.isProjected &= !isDamped;
-                    before = Double.POSITIVE_INFINITY;
-                    continue;
+                if (nudge(island, state)) {
+                    solver.correct(island, w, state.v(), island.switches.bias());
+                    return true; // Newton's method squares what is left
                 }
-                solver.correct(island, w, state.v(), island.switches.bias());
-                return true; // Newton's method squares what is left
+                before = Double.POSITIVE_INFINITY;
+                continue;
             }
             island.evaluate(state);
             before = error;
@@ -254,6 +249,19 @@ final class Projection implements Serializable {
         }
         settle(island, state, solver);
         return true;
+    }
+
+    /** Moves on by what a smooth correction leaves; false if damping, or pivots that were set aside, leave more, which is to be corrected anew. */
+    private boolean nudge(Island island, State state) {
+        island.nudge(state, move);
+        double left = island.isProjected || island.factor.pivots.lasting() > 0 ? Slack.error(island, state, ROUNDING) : 0;
+        boolean isDamped = island.isProjected && left > OPEN;
+        if (!isDamped && !(left > SET_ASIDE && island.passage.unlearns())) {
+            return true;
+        }
+        error = left;
+        island.isProjected &= !isDamped;
+        return false;
     }
 
     /** Whether the velocities are right to rounding at the positions at which the island is evaluated. */

@@ -3,8 +3,8 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import sim.physics.internal.Softness;
+import sim.physics.internal.Turns;
 import sim.physics.motion.State;
 
 /**
@@ -270,17 +270,19 @@ public final class StopRows implements Serializable {
     }
 
     /**
-     * Solves what has met once more so that nothing goes on into it.
+     * Solves what has met, of groups that have not settled, once more so that nothing goes on into it.
      *
+     * @param groups groups of bodies
+     * @param turns those that are solved
      * @param part of what it asks for that is given
-     * @return whether something has changed
      */
-    public boolean compress(double part) {
-        boolean goesOn = false;
+    public void compress(int[] groups, Turns turns, double part) {
         for (int n = 0; n < metCount; n++) {
-            goesOn |= solve(met[n], 0, part);
+            int group = group(met[n], groups);
+            if (turns.isOpen(group)) {
+                turns.change(group, solve(met[n], 0, part));
+            }
         }
-        return goesOn;
     }
 
     /** Begins to give back: where several were struck together, each a part of what it took, less what forces gave after the strike. */
@@ -301,16 +303,28 @@ public final class StopRows implements Serializable {
     /**
      * Lets what was struck alone part at its speed, and holds all others, into which what others give back may push.
      *
+     * @param groups groups of bodies
+     * @param turns those that are solved
      * @param part of what it asks for that is given
-     * @return whether something has changed
      */
-    public boolean part(double part) {
-        boolean goesOn = false;
+    public void part(int[] groups, Turns turns, double part) {
         for (int n = 0; n < metCount; n++) {
-            int m = met[n];
-            goesOn |= solve(m, areAlone[m] ? stop(m / 2).getRestitution() * strikes[m] : 0, part);
+            int group = group(met[n], groups);
+            if (turns.isOpen(group)) {
+                turns.change(group, part(met[n], part));
+            }
         }
-        return goesOn;
+    }
+
+    /** The same of all of them, as what is solved last is right. */
+    public void part() {
+        for (int n = 0; n < metCount; n++) {
+            part(met[n], 1);
+        }
+    }
+
+    private boolean part(int m, double part) {
+        return solve(m, areAlone[m] ? stop(m / 2).getRestitution() * strikes[m] : 0, part);
     }
 
     /** Solves a bound for what it gives in all; whether that has changed. */

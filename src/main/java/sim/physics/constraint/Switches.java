@@ -351,12 +351,13 @@ final class Switches implements SwitchedTies {
 
     /** Turns rows of some islands on that are where they may be held, or settles which act. */
     static void confirm(List<Island> islands, State state, boolean hold) {
-        for (Island island : islands) {
+        for (int k = 0; k < islands.size(); k++) {
+            Switches switches = islands.get(k).switches;
             if (hold) {
-                island.switches.hold(state);
+                switches.hold(state);
             } else {
-                island.switches.settle();
-                island.switches.mark(state);
+                switches.settle();
+                switches.mark(state);
             }
         }
     }
@@ -382,8 +383,8 @@ final class Switches implements SwitchedTies {
     /** The least time in which a motor of some islands reaches its speed. */
     static double push(List<Island> islands, State state, double[] a) {
         double least = Double.POSITIVE_INFINITY;
-        for (Island island : islands) {
-            least = Math.min(least, island.switches.push(state, a));
+        for (int k = 0; k < islands.size(); k++) {
+            least = Math.min(least, islands.get(k).switches.push(state, a));
         }
         return least;
     }

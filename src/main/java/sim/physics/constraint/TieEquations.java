@@ -248,11 +248,15 @@ final class TieEquations implements Serializable {
      * Evaluates all of them where the state vectors say that the bodies are.
      *
      * @param isFirst whether the step begins: within it what does not change is kept
+     * @param marks by body, of those whose constraints are meant; null for all
      */
-    void evaluate(boolean isFirst, double h) {
+    void evaluate(boolean isFirst, double h, boolean[] marks) {
         double[] x = state.x();
         double[] w = state.w().values();
         for (int k = 0; k < awake; k++) {
+            if (marks != null && !isMarked(k, marks)) {
+                continue;
+            }
             if (gears[k] != null && !isFirst) {
                 int b = blocks[2 * k + 1];
                 double off = gears[k].open(x[blocks[2 * k] + State.THETA], b < 0 ? 0 : x[b + State.THETA]);
@@ -289,7 +293,7 @@ final class TieEquations implements Serializable {
                 push(k, r, -started[ROWS * k + r]);
             }
         }
-        evaluate(false, h);
+        evaluate(false, h, null);
         for (int k = 0; k < awake; k++) {
             for (int r = 0; gears[k] == null && r < rows[k]; r++) {
                 push(k, r, started[ROWS * k + r]);

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
+import sim.physics.internal.Turns;
 import sim.physics.motion.State;
 
 /**
@@ -23,7 +24,7 @@ public final class TieRows implements Serializable {
     private static final int ROWS = Equations.ROWS;
 
     private final State state;
-    private final TieEquations equations;
+    final TieEquations equations;
 
     /** The pins, which have a loop of their own; and all others. */
     private final TieOrder order = new TieOrder();
@@ -188,7 +189,7 @@ public final class TieRows implements Serializable {
         for (int k = 0; growth != 1 && k < ROWS * equations.count(); k++) {
             impulse[k] *= growth;
         }
-        equations.evaluate(true, h);
+        equations.evaluate(true, h, null);
         turning.evaluate();
         held.share(impulse, h);
         Arrays.fill(sum, 0, BLOCK * equations.count(), 0);
@@ -198,16 +199,20 @@ public final class TieRows implements Serializable {
         }
     }
 
-    /** Evaluates all equations where the state vectors say that the bodies are, within a step. */
-    public void evaluate() {
-        pinImpulses.evaluate(0);
-        equations.evaluate(false, h);
+    /**
+     * Evaluates equations of some bodies where the state vectors say that these are, within a step.
+     *
+     * @param marks by body
+     */
+    public void evaluate(boolean[] marks) {
+        pinImpulses.evaluate(0, marks);
+        equations.evaluate(false, h, marks);
         turning.evaluate();
     }
 
     /** The same, when the bodies have moved: half of what they were given at the start of the substep follows them. */
     public void follow() {
-        pinImpulses.evaluate(0.5);
+        pinImpulses.evaluate(0.5, null);
         equations.follow(h);
         turning.evaluate();
     }
@@ -435,20 +440,20 @@ public final class TieRows implements Serializable {
     }
 
     /**
-     * Solves joints of some bodies for velocities once more.
+     * Solves joints of groups that have not settled for velocities once more, and says of which some were off.
      *
-     * @param marks by body
-     * @return whether they were off
+     * @param groups group of each movable body
+     * @param turns those that are solved
+     * @param marks by body, of those that are of a group
      */
-    public boolean settle(boolean[] marks) {
-        boolean goesOn = false;
+    public void settle(int[] groups, Turns turns, boolean[] marks) {
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k].ties() && equations.isMarked(k, marks)) {
-                goesOn |= equations.areOff(k);
+            if (equations.kinds[k].ties() && equations.isMarked(k, marks) && turns.isOpen(groups[equations.movable(k)])) {
+                turns.change(groups[equations.movable(k)], equations.areOff(k));
                 join(k, Softness.EAGER);
             }
         }
-        return goesOn | pinImpulses.settle(marks);
+        pinImpulses.settle(groups, turns, marks);
     }
 
     /**

@@ -226,7 +226,7 @@ public final class Agenda implements Serializable {
      * @param item index
      * @return a step, at most {@link #AHEAD} after the present one, or {@link #NEVER}
      */
-    public long date(int item) {
+    long date(int item) {
         int word = words[(item << shift) + at];
         return (word & WAITS) == EMPTY ? NEVER : now + ahead(word, now);
     }

@@ -3,8 +3,9 @@
 package sim.physics.internal;
 
 /**
- * The engine's tolerances, all in one place. None is an absolute length, speed or time: each is relative to the
- * bodies, speeds or steps it is used with, so that a scene may be given in any unit.
+ * The tolerances that say what touches, bounces, rests and lies, in one place. Those of a method alone are in its class. None is
+ * an absolute length, speed or time: each is relative to the bodies, speeds or steps it is used with, so that a scene may be given
+ * in any unit.
  */
 public final class Tolerances {
     /**

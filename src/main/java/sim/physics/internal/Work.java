@@ -17,6 +17,9 @@ public final class Work implements Serializable {
     private long done;
     private int evaluations;
 
+    /** How many looks at pairs it has taken note of. */
+    private transient long looks;
+
     /** What may be spent in the step, and up to where. */
     private transient long most = UNLIMITED;
 
@@ -48,8 +51,10 @@ public final class Work implements Serializable {
      * Begins a step.
      *
      * @param most units that may be spent in it
+     * @param looks how many looks there were at pairs so far
      */
-    public void begin(long most) {
+    public void begin(long most, long looks) {
+        this.looks = looks;
         this.most = most;
         limit = most < UNLIMITED - done ? done + most : UNLIMITED;
         isOn = true;
@@ -121,6 +126,19 @@ public final class Work implements Serializable {
             isOn = false; // what is left is to be put in order
             throw new Spent();
         }
+    }
+
+    /**
+     * Takes note of work, and of the looks at pairs since the last note of looks.
+     *
+     * @param units not negative
+     * @param looks how many looks there were so far
+     * @throws Spent if that is more than is allowed
+     */
+    public void spend(long units, long looks) {
+        long since = looks - this.looks;
+        this.looks = looks;
+        spend(units + since);
     }
 
     /**

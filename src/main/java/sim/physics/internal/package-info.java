@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 
-/** Code that several packages share: checks of arguments, sine and cosine, lists. It is not part of the API. */
+/** Code that several packages share: checks of arguments, sine and cosine, lists. Nothing here is for authors. */
 package sim.physics.internal;

@@ -55,6 +55,6 @@ public class BodyPortrayal2D extends SimplePortrayal2D {
         AffineTransform place = AffineTransform.getTranslateInstance(info.draw.x, info.draw.y);
         place.scale(info.draw.width, info.draw.height);
         place.rotate(body.getAngle());
-        return place.createTransformedShape(Outline.of(body.getShape()));
+        return place.createTransformedShape(AwtShapes.of(body.getShape()));
     }
 }

@@ -65,7 +65,7 @@ public abstract class EnginePortrayal2D extends FieldPortrayal2D {
         return height;
     }
 
-    /** Calls {@link #each} for all that is to be drawn. */
+    /** Has all visited that is to be drawn. */
     abstract void forAll(PhysicsEngine engine, Visitor visitor);
 
     /** Takes an object and where it is. */

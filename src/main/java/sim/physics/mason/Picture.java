@@ -90,7 +90,7 @@ public final class Picture {
                 place.translate(body.getX() - x, body.getY() - y);
                 place.rotate(body.getAngle());
                 graphics.setColor(color);
-                graphics.fill(place.createTransformedShape(Outline.of(body.getShape())));
+                graphics.fill(place.createTransformedShape(AwtShapes.of(body.getShape())));
             }
         }
         for (EnginePortrayal2D layer : layers) {

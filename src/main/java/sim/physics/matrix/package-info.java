@@ -25,6 +25,7 @@
  * {@link sim.physics.matrix.SolverException} if the method breaks down.
  *
  * <p>Vectors may be longer than the matrix needs; the rest is left alone. Products and solutions allocate nothing once the blocks
- * and the solver's workspace are there. Nothing here is safe for use by several threads at a time.
+ * and the solver's workspace are there. Nothing here is safe for use by several threads at a time. All public classes here are
+ * for authors.
  */
 package sim.physics.matrix;

@@ -16,7 +16,8 @@ import sim.physics.internal.IntList;
  * <p>The error at the end of a run is the tolerance times the factor by which the scene amplifies a small change on its way. That
  * factor is about the time in units of the step for a pendulum, and more where motion is chaotic.
  */
-public abstract class AdaptiveIntegrator implements Integrator {
+public abstract sealed class AdaptiveIntegrator implements Integrator
+        permits DormandPrince853, GraggBulirschStoer, RadauIIA, Automatic {
     private static final long serialVersionUID = 1L;
 
     /** Part of the steps before from which a step is one that something sudden asks for. */

@@ -86,14 +86,14 @@ final class Collocation implements Serializable {
         return most <= NEAR;
     }
 
-    /** Sets the stages of a step to where the polynomial comes, or to its start; says whether it is the former. */
-    boolean predict(Stages s, IntList group, double t, double h, double[][] stageX, double[][] stageV) {
+    /** Sets the stages of a step to where the polynomial comes if the step continues it, else to the start of the step. */
+    void predict(Stages s, IntList group, double t, double h, double[][] stageX, double[][] stageV) {
         if (!continues(s, group, t, h)) {
             for (int i = 0; i < 3; i++) {
                 Arrays.fill(stageX[i], 0, s.size, 0);
                 Arrays.fill(stageV[i], 0, s.size, 0);
             }
-            return false;
+            return;
         }
         for (int i = 0; i < 3; i++) {
             double at = 1 + node[i + 1] * h / length;
@@ -105,7 +105,6 @@ final class Collocation implements Serializable {
                 stageV[i][m] = first * v[0][m] + second * v[1][m] + third * v[2][m];
             }
         }
-        return true;
     }
 
     /** Lagrange's polynomial of a node. */

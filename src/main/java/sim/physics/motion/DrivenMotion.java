@@ -123,13 +123,19 @@ final class DrivenMotion implements Serializable {
         if (done == Ahead.NOTHING && !isProbed && tied != null && leaps(group, first, neighbours)) {
             return trajectories.h();
         }
+        return lay(group, done == Ahead.STRIDE, isProbed, neighbours);
+    }
+
+    /** Lays a path for a group from its anchors on, which may be made ahead, or probed; and shorter ones while it is too far from the motion and others are near. */
+    private double lay(IntList group, boolean isAhead, boolean isProbed, Neighbours neighbours) {
+        int first = group.values[0];
         double tau = trajectories.offset(first);
         double rest = trajectories.h() - tau;
         double known = motion.getIntegrator().isAdaptive() && !strides.follows(group) ? 0 : fineLength[first];
         path.knowsFirst = isProbed ? probed.knowsFirst() : path.knowsFirst;
-        boolean isKnown = !isProbed && known > 0 && known < rest && done != Ahead.STRIDE && areNear(group, neighbours);
-        double length = done == Ahead.STRIDE ? ahead.length(first) : isProbed ? rest : isKnown ? stride(group, tau, known) : goOn(group, tau, rest);
-        double error = done == Ahead.STRIDE ? ahead.error(first) : pathError(group, length);
+        boolean isKnown = !isProbed && known > 0 && known < rest && !isAhead && areNear(group, neighbours);
+        double length = isAhead ? ahead.length(first) : isProbed ? rest : isKnown ? stride(group, tau, known) : goOn(group, tau, rest);
+        double error = isAhead ? ahead.error(first) : pathError(group, length);
         double shortest = strides.follows(group) ? 0 : LEAST * trajectories.h();
         while (error > 1 && length > shortest && areNear(group, neighbours)) {
             length = stride(group, tau, length * PathError.root(error));
@@ -140,9 +146,7 @@ final class DrivenMotion implements Serializable {
         fineLength[first] = isCut ? Math.max(known, fine) : fine;
         isCoarse = error > 1;
         double step = shortest == 0 ? Math.min(trajectories.h(), Math.max(length, path.next[first])) : trajectories.h();
-        for (int k = 0; k < group.size; k++) {
-            pace[group.values[k]] = step;
-        }
+        GroupPaths.set(pace, group, step);
         return publish(group, length == rest ? trajectories.h() : tau + length);
     }
 
@@ -199,9 +203,7 @@ final class DrivenMotion implements Serializable {
         }
         double length = stride(group, 0, h);
         double error = pathError(group, length);
-        for (int k = 0; k < group.size; k++) {
-            pace[group.values[k]] = h;
-        }
+        GroupPaths.set(pace, group, h);
         notes.stride(first, publish(group, length), error, length * PathError.root(error));
     }
 
@@ -452,7 +454,7 @@ final class DrivenMotion implements Serializable {
         }
     }
 
-    /** Takes note that forces on a body change at its anchor. */
+    /** Takes note that forces on a body change at its anchor, or that it is about to be removed. */
     void push(int body) {
         strides.cut(body);
         probed.cut(body);
@@ -471,11 +473,6 @@ final class DrivenMotion implements Serializable {
     /** Whether the path of a group began in the middle of a stride. */
     boolean goesOn(IntList group) {
         return strides.goesOn(group.values[0]);
-    }
-
-    /** A body is about to be removed. */
-    void remove(int body) {
-        push(body);
     }
 
     /** The offset of a body's last change of course in this step, 0 if there was none. */

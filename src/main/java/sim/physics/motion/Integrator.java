@@ -6,7 +6,8 @@ import java.io.Serializable;
 import sim.physics.internal.IntList;
 
 /** Advances positions and velocities over a step; see the write-up's <i>Numerical Integration</i>. */
-public interface Integrator extends Serializable {
+public sealed interface Integrator extends Serializable
+        permits Euler, SymplecticEuler, RungeKutta4, Rattle, AdaptiveIntegrator {
     /**
      * Advances the blocks of some bodies in the state vectors from time t to t + h.
      *

@@ -22,7 +22,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     private final Trajectories trajectories;
     final Forces forces;
     final Generators generators;
-    private final Groups groups;
+    private final CoupledGroups groups;
     private Integrator integrator = new RungeKutta4();
     double time;
 
@@ -55,7 +55,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         this.trajectories = trajectories;
         this.forces = new Forces(state);
         this.generators = new Generators();
-        this.groups = new Groups(state, generators);
+        this.groups = new CoupledGroups(state, generators);
         this.driven = new IntList();
         this.pushed = new Applied(state);
         this.support = new Support();
@@ -88,7 +88,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     }
 
     /** {@return which bodies forces couple, live} */
-    public Groups groups() {
+    public CoupledGroups groups() {
         return groups;
     }
 
@@ -273,7 +273,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         setDriven(body, false);
         support.release(body);
         generators.forget(body);
-        drivenMotion.remove(body);
+        drivenMotion.push(body);
     }
 
     /** {@return the driven bodies: indices in ascending order, live} */
@@ -464,6 +464,7 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
     public void load(IntList bodies, double t, double[] a) {
         if (fields() != null) {
             generators.fall(bodies, a);
+            support.addTo(drivenMotion.repose, bodies, a);
         } else {
             ground.soften(forces, bodies.size > 1 || isTiedGroup(bodies));
             generators.accelerate(state, bodies, t, forces, a);

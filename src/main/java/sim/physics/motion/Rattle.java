@@ -8,7 +8,8 @@ import sim.physics.internal.IntList;
  * The symplectic and time-reversible method RATTLE (Andersen 1983), and its symmetric compositions of orders 4 and 6. Use it for
  * very long runs under forces that depend on positions alone, such as gravity and springs without damping. The energy swings by
  * an error of the method's order, but does not drift away, however long the run is, because sums carry their rounding errors
- * along ({@link Carry}).
+ * along ({@link Carry}). It goes back the way it came while its steps are whole. Under forces that depend on velocities it is of
+ * first order, whichever order was asked for.
  *
  * <pre>
  *   v½ = v0 + h/2 (a(x0) + W J(x0)ᵀ λ)     with λ so that C(x1) = 0

@@ -78,7 +78,7 @@ final class StableStep implements Serializable {
     /**
      * Shortens a step so that the method damps what is fast.
      *
-     * @param s where the step begins, whose accelerations are known
+     * @param path has where the step begins, whose accelerations are known
      * @param reach the step times the frequency up to which the method does
      * @param length what its error lets it be
      */

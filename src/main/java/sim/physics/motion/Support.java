@@ -54,7 +54,20 @@ final class Support implements Serializable {
 
     /** Adds the accelerations that contacts give to driven bodies. */
     void add(IntList bodies, double[] a) {
-        for (int k = 0; pushesDriven && k < bodies.size; k++) {
+        if (pushesDriven) {
+            bear(bodies, a);
+        }
+    }
+
+    /** The same for bodies that all rest: they get in each step what they got in the one in which they came to rest. */
+    void addTo(Repose repose, IntList bodies, double[] a) {
+        if (repose.hasAll(bodies)) {
+            bear(bodies, a);
+        }
+    }
+
+    private void bear(IntList bodies, double[] a) {
+        for (int k = 0; k < bodies.size; k++) {
             int b = State.BLOCK * bodies.values[k];
             for (int c = b; c < Math.min(accelerations.length, b + State.BLOCK); c++) {
                 a[c] += accelerations[c];

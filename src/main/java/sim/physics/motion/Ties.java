@@ -85,16 +85,6 @@ public interface Ties extends Serializable {
     void accelerate(IntList bodies, double[] a, boolean counts);
 
     /**
-     * The same in a step.
-     *
-     * @param bodies all bodies of an island, or of several and others
-     * @param a accelerations
-     */
-    default void accelerate(IntList bodies, double[] a) {
-        accelerate(bodies, a, true);
-    }
-
-    /**
      * Takes what the ties of some bodies have cost so far: their equations are solved many times where they depend on one another.
      *
      * @param bodies all bodies of an island, or of several and others

@@ -337,7 +337,7 @@ public final class Trajectories implements Serializable {
      * @param body index
      * @param driven true if an integrator makes new ones in the next step
      */
-    public void setDriven(int body, boolean driven) {
+    void setDriven(int body, boolean driven) {
         if (driven) {
             unfold();
         }

@@ -188,9 +188,7 @@ public final class CollisionResponse implements Serializable {
             if (!canRest && startsToLie(pair, a, b)) {
                 impact.restitution = 0;
             } else if (bounces.limit(pair, a, b, impact, canRest)) {
-                unstick(pair);
-                resting.add(pair);
-                bounces.rest(pair);
+                rest(pair);
             }
             bounces.spend(pair, impact);
             bounces.part(pair, a, impact);
@@ -307,15 +305,6 @@ public final class CollisionResponse implements Serializable {
         this.solver = solver;
     }
 
-    /**
-     * What solves the impact of one point of two bodies.
-     *
-     * @return never null
-     */
-    public ImpulseSolver getSolver() {
-        return solver;
-    }
-
     /** {@return what authors say of contacts, live} */
     public ContactLaws laws() {
         return laws;
@@ -390,30 +379,34 @@ public final class CollisionResponse implements Serializable {
         if (jointed != null) {
             jointed.prepare(a, b);
         }
-        if (!listeners.isEmpty() && !ask(pair, a, b)) {
-            return;
+        if (listeners.isEmpty() || ask(pair, a, b)) {
+            impacts++;
+            deepest = Math.min(deepest, manifold.gap);
+            add(pair, a, b, tau);
         }
-        impacts++;
-        deepest = Math.min(deepest, manifold.gap);
+    }
+
+    /** Adds the points of a pair that collides: it bounces, rattles, comes to lie in a heap, or to rest on what is fixed. */
+    private void add(int pair, int a, int b, double tau) {
         boolean isEndless = jointed != null && jointed.has(a, b) && bounces.isEndless(pair);
         boolean isLocked = isEndless && heaps.resume(a, b) && startsToLie(pair, a, b);
         boolean rattles = !isLocked && bounces.dampRattle(pair, a, b, impact);
         double rattle = impact.restitution;
         double first = -impact.normalVelocity();
-        boolean restsNow = !rattles;
         bounces.count(pair);
         bounces.writeOff(pair);
         int body = state.body(a).isFixed() ? b : a;
         boolean canRest = canRest(pair, a, b, tau, meetings.isOnly(body));
         boolean lies = isLocked || !rattles && !canRest && startsToLie(pair, a, b);
-        restsNow &= !lies;
+        boolean restsNow = !rattles && !lies;
         impact.isEarly = bounces.areFew(pair);
         for (int point = 0; point < manifold.count; point++) {
             instant.load(a, b, point);
             if (rattles || lies) {
                 impact.restitution = lies ? 0 : bounces.rattle(impact, rattle, first);
+            } else {
+                restsNow &= (canRest || impact.restitution < 1) && bounces.limit(pair, a, b, impact, canRest);
             }
-            restsNow &= !rattles && !lies && (canRest || impact.restitution < 1) && bounces.limit(pair, a, b, impact, canRest);
             simultaneous.add(a, b, impact);
         }
         impact.isEarly = false;
@@ -421,10 +414,15 @@ public final class CollisionResponse implements Serializable {
             bounces.part(pair, a, impact);
         }
         if (restsNow) {
-            unstick(pair);
-            resting.add(pair);
-            bounces.rest(pair);
+            rest(pair);
         }
+    }
+
+    /** Lets a body rest on a fixed one from now on. */
+    private void rest(int pair) {
+        unstick(pair);
+        resting.add(pair);
+        bounces.rest(pair);
     }
 
     /** What lies down sticks only if the listeners of now say so. */

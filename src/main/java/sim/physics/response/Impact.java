@@ -84,8 +84,7 @@ public final class Impact implements Serializable {
 
     double jt;
 
-    /** Makes an empty impact. */
-    public Impact() {
+    Impact() {
         // filled again for each impact
     }
 

@@ -5,7 +5,7 @@ package sim.physics.response;
 import java.io.Serializable;
 
 /** Solves the equations (16)–(24) for the impulse at one collision point of two free bodies. */
-public interface ImpulseSolver extends Serializable {
+public sealed interface ImpulseSolver extends Serializable permits TwoBodyImpulse, BorderedImpulse {
     /**
      * Finds the impulse.
      *

@@ -71,7 +71,7 @@ public final class LastingContacts implements Serializable {
     }
 
     /** {@return whether somebody is told of lasting contacts} */
-    public boolean areHeard() {
+    boolean areHeard() {
         return !listeners.isEmpty();
     }
 
@@ -189,7 +189,7 @@ public final class LastingContacts implements Serializable {
      * @param found the numbers of their pairs
      * @param contacts these pairs' contacts; both are not looked at if nobody listens
      */
-    public void tell(IntList found, List<LastingContact> contacts) {
+    void tell(IntList found, List<LastingContact> contacts) {
         if (listeners.isEmpty()) {
             bodies.clear();
             return;

@@ -239,10 +239,14 @@ final class Balance implements Serializable {
         boolean isMore = false;
         for (int g = 0; g < groups.count; g++) {
             int first = groups.firsts[g];
-            debt[first] = groups.areBooked[g] ? Math.max(0, debt[first] + after[g] - before[g]) : 0;
-            isMore |= debt[first] > PATIENCE * before[g];
+            debt[first] = groups.areBooked[g] ? Math.max(0, debt[first] + after[g] - before[g]) : debt[first];
+            isMore |= groups.areBooked[g] && isMore(g);
         }
         return isMore && mark(ties, springs, rows, a, h);
+    }
+
+    private boolean isMore(int g) {
+        return debt[groups.firsts[g]] > PATIENCE * before[g];
     }
 
     private boolean mark(TieRows ties, SpringRows springs, ContactRows rows, double[] a, double h) {
@@ -252,15 +256,17 @@ final class Balance implements Serializable {
         groups.drive(rows, ContactRows.TANGENT, most);
         for (int g = 0; g < groups.count; g++) {
             int first = groups.firsts[g];
-            boolean isSlow = after[g] < SLOW * h * h * whole(a, a, g);
-            debt[first] = isSlow ? 0 : Math.max(0, debt[first] - most[g]);
+            if (groups.areBooked[g] && isMore(g)) {
+                boolean isSlow = after[g] < SLOW * h * h * whole(a, a, g);
+                debt[first] = isSlow ? 0 : Math.max(0, debt[first] - most[g]);
+            }
             most[g] += before[g];
         }
         boolean any = false;
         for (int k = 0; k < groups.bodies; k++) {
             int body = groups.blocks[k] / BLOCK;
             int g = groups.slots[body];
-            marks[body] = debt[groups.firsts[g]] > PATIENCE * before[g] + rounding(g) && after[g] > most[g];
+            marks[body] = groups.areBooked[g] && debt[groups.firsts[g]] > PATIENCE * before[g] + rounding(g) && after[g] > most[g];
             any |= marks[body];
         }
         return any;

@@ -238,8 +238,10 @@ final class ContactRows implements Serializable {
         int p = STRIDE * used++;
         double nx = touch.nx;
         double ny = touch.ny;
-        double ax = touch.px[k];
-        double ay = touch.py[k];
+        double half = touch.isDiscA == touch.isDiscB ? 0 : 0.5 * Math.max(0, touch.gap[k]); // of the way to a disc: its arm is its radius when it strikes
+        double way = touch.isDiscA ? -half : half;
+        double ax = touch.px[k] + way * nx;
+        double ay = touch.py[k] + way * ny;
         double bx = ax - (from[b] - from[a]);
         double by = ay - (from[b + 1] - from[a + 1]);
         points[p + AX] = ax;
@@ -250,8 +252,6 @@ final class ContactRows implements Serializable {
         points[p + NOW] = touch.gap[k];
         double leverA = ax * ny - ay * nx;
         double leverB = bx * ny - by * nx;
-        double slipA = ax * nx + ay * ny;
-        double slipB = bx * nx + by * ny;
         weigh(w, a, b, p, nx, ny);
         points[p + APPROACH] = nx * (v[b] - v[a]) + ny * (v[b + 1] - v[a + 1]) + leverB * v[b + 2] - leverA * v[a + 2];
         points[p + FORCED] =
@@ -259,8 +259,8 @@ final class ContactRows implements Serializable {
         points[p + FEATURE] = touch.feature[k];
         points[p + LEVER_A] = leverA;
         points[p + LEVER_B] = leverB;
-        points[p + ARM_A] = touch.isDiscA ? 0 : slipA;
-        points[p + ARM_B] = touch.isDiscB ? 0 : slipB;
+        points[p + ARM_A] = touch.isDiscA ? 0 : ax * nx + ay * ny;
+        points[p + ARM_B] = touch.isDiscB ? 0 : bx * nx + by * ny;
         points[p + NORMAL] = 0;
         points[p + TANGENT] = 0;
         points[p + NORMAL_SUM] = 0;

@@ -226,11 +226,12 @@ final class ContactSolver implements Serializable {
             double bend = regains ? 0.5 * h * points[p + BEND] : 0;
             boolean isDeep = gap < ROUNDING * h * regain && gap + h * bend < 0 && regains;
             double old = points[p + NORMAL];
-            double aim = bend + (isDeep ? Math.max(softness.rate() * gap, regain) : regains || gap >= 0 ? gap / h : 0);
             double apartX = ux - points[p + BY] * turn - vx + points[p + AY] * spin;
             double apartY = uy + points[p + BX] * turn - vy - points[p + AX] * spin;
             double mass = isDeep ? softness.mass() * points[p + NORMAL_MASS] : points[p + NORMAL_MASS];
             double kept = isDeep ? softness.impulse() * old : 0;
+            double most = isDeep ? regain - kept / mass : 0; // beyond what gives way: else what is small under its load would sink for ever
+            double aim = bend + (isDeep ? Math.max(softness.rate() * gap, most) : regains || gap >= 0 ? gap / h : 0);
             double now = old - mass * (nx * apartX + ny * apartY + aim) - kept;
             now = now > 0 ? now : 0;
             if (now == 0 && old == 0) {
@@ -339,10 +340,21 @@ final class ContactSolver implements Serializable {
         }
     }
 
-    /** Finds the gaps where the bodies are now. */
-    void measure() {
+    /** Finds the gaps of marked bodies where they are now. */
+    void measure(boolean[] marks) {
         for (int k = 0; k < rows.count; k++) {
-            rows.turns.measure(k);
+            if (isMarked(k, marks)) {
+                rows.turns.measure(k);
+            }
+        }
+    }
+
+    /** Lets points of marked bodies go along when these have moved. */
+    void follow(boolean[] marks) {
+        for (int k = 0; k < rows.count; k++) {
+            if (isMarked(k, marks)) {
+                follow(k);
+            }
         }
     }
 

@@ -34,6 +34,12 @@ public final class Decisions implements Serializable {
     /** Null until the first step; they are no part of what is saved. */
     private transient List<Contact> questions;
 
+    /** Pairs that touch only if a third body strikes one of the two; those that one may reach, and whether these are being looked at. */
+    private final ThirdParties thirds;
+
+    private final IntList reached = new IntList();
+    private boolean isReached;
+
     /** What a pair did in the step. */
     private final double[] mean = new double[4];
 
@@ -45,6 +51,7 @@ public final class Decisions implements Serializable {
         this.state = state;
         this.laws = laws;
         this.rows = rows;
+        this.thirds = new ThirdParties(state, rows);
     }
 
     void setPairs(NearPairs near, ContactRows kept) {
@@ -60,19 +67,35 @@ public final class Decisions implements Serializable {
             questions = new ArrayList<>();
         }
         questions.clear();
+        isReached = false;
+        thirds.begin();
     }
 
     /** Whether a pair is not to be solved before listeners are asked; those that will touch in the step are noted. */
     boolean isOpen(int row) {
-        int pair = rows.pair(row);
-        if (!laws.areHeard() || near.is(pair, NearPairs.DECIDED)) {
+        if (!laws.areHeard()) {
             return false;
         }
-        if (rows.touches(row, h)) {
+        int pair = rows.pair(row);
+        boolean isOpen = !near.is(pair, NearPairs.DECIDED);
+        boolean touches = rows.touches(row, h);
+        if (touches) {
+            thirds.strike(row);
+        }
+        if (isOpen && (touches || isReached)) {
             asked.add(pair);
             questions.add(contact(row));
+        } else if (isOpen) {
+            thirds.wait(row, h);
         }
-        return true;
+        return isOpen;
+    }
+
+    /** {@return the pairs that are to be looked at once more, as a third body may bring them together: listeners are asked about them, too} */
+    IntList reached() {
+        thirds.find(reached);
+        isReached = true;
+        return reached;
     }
 
     private Contact contact(int row) {

@@ -32,6 +32,7 @@ import java.util.Arrays;
 import sim.physics.constraint.StopRows;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Turns;
 import sim.physics.motion.State;
 
 /**
@@ -364,28 +365,38 @@ final class Impacts implements Serializable {
         return rows.points[p + RESTORED] == 0;
     }
 
-    /** Compresses what has met once more in turn; whether something has changed. */
-    boolean compress(double part) {
-        boolean goesOn = false;
-        for (int m = 0; m < met.size; m += 2) {
-            goesOn |= struck.solve(met.values[m], met.values[m + 1], 0, 0, part, false) > SETTLED;
+    /** Opens the groups in which something has met. */
+    void open(Turns turns) {
+        turns.begin(groups.count);
+        for (int g = 0; g < groups.count; g++) {
+            if (counts[g] > 0) {
+                turns.open(g);
+            }
         }
-        return goesOn;
     }
 
-    /** Lets what bounces alone part; whether something has changed. */
-    boolean part(double part) {
-        boolean goesOn = false;
+    /** Compresses what has met once more in turn. */
+    void compress(Turns turns, double part) {
+        for (int m = 0; m < met.size; m += 2) {
+            int group = groups.of(met.values[m], rows);
+            if (turns.isOpen(group)) {
+                turns.change(group, struck.solve(met.values[m], met.values[m + 1], 0, 0, part, false) > SETTLED);
+            }
+        }
+    }
+
+    /** Lets what bounces alone part. */
+    void part(Turns turns, double part) {
         for (int m = 0; m < met.size; m += 2) {
             int k = met.values[m];
             int p = met.values[m + 1];
-            if (isAlone(k) && !isReflected(p)) {
+            int group = groups.of(k, rows);
+            if (turns.isOpen(group) && isAlone(k) && !isReflected(p)) {
                 double forced = free.has(k) ? 0 : time(p) * rows.points[p + FORCED];
                 double speed = Math.max(0, -rows.points[p + OPENING] - forced);
-                goesOn |= struck.solve(k, p, 0, rows.points[p + RESTORED] * speed, part, !isTied(k)) > SETTLED;
+                turns.change(group, struck.solve(k, p, 0, rows.points[p + RESTORED] * speed, part, !isTied(k)) > SETTLED);
             }
         }
-        return goesOn;
     }
 
     /** How long a point took to use its gap up. */
@@ -411,7 +422,7 @@ final class Impacts implements Serializable {
     }
 
     /** Gives what compression has taken of several once more, in part: first along normals, and then what rubs. */
-    void restore() {
+    void restore(Turns turns) {
         if (limits.length < met.size) {
             limits = new double[Growth.length(limits.length, met.size)];
         }
@@ -425,12 +436,16 @@ final class Impacts implements Serializable {
                 }
             }
         }
+        open(turns);
         boolean goesOn = true;
         for (int turn = 0; goesOn && turn < RUBS; turn++) {
-            goesOn = false;
             for (int m = 0; m < met.size; m += 2) {
-                goesOn |= limits[m] > 0 && rub(met.values[m], met.values[m + 1], m);
+                int group = groups.of(met.values[m], rows);
+                if (limits[m] > 0 && turns.isOpen(group)) {
+                    turns.change(group, rub(met.values[m], met.values[m + 1], m));
+                }
             }
+            goesOn = turns.goOn();
         }
     }
 

@@ -10,6 +10,7 @@ import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.BruteForce;
 import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.Pairs;
+import sim.physics.constraint.Onset;
 import sim.physics.internal.Growth;
 import sim.physics.motion.State;
 
@@ -35,9 +36,6 @@ final class NearPairs implements Pairs.Listener, Serializable {
 
     static final int KEPT = 2 * POINT;
 
-    /** Binary logarithm of the bits of a word. */
-    static final int WORD = 6;
-
     /** Number of bodies from which a grid finds the pairs. */
     private static final int CROWD = 50;
 
@@ -50,6 +48,7 @@ final class NearPairs implements Pairs.Listener, Serializable {
     private final State state;
     private final Poses poses;
     private final CollisionFilter filter;
+    private final Onset onset;
     private final Boxes boxes = new Boxes();
     private final Pairs pairs = new Pairs();
     private BroadPhase broad = new BruteForce();
@@ -59,15 +58,16 @@ final class NearPairs implements Pairs.Listener, Serializable {
     double[] kept = {};
     int[] features = {};
 
-    /** A bit for each pair of which one body may move; those of sleeping and fixed ones are not looked at. */
-    long[] live = {};
+    /** The pairs of which one body may move; those of sleeping and fixed ones are not looked at. */
+    final PairOrder order = new PairOrder(pairs);
 
     private double minX;
     private double minY;
     private double maxX;
     private double maxY;
 
-    NearPairs(State state, Poses poses, CollisionFilter filter) {
+    NearPairs(State state, Poses poses, CollisionFilter filter, Onset onset) {
+        this.onset = onset;
         this.state = state;
         this.poses = poses;
         this.filter = filter;
@@ -118,36 +118,53 @@ final class NearPairs implements Pairs.Listener, Serializable {
         revive(body);
     }
 
-    private void setLive(int pair) {
-        live[pair >> WORD] |= 1L << pair;
-    }
-
     /** A pair is not to be looked at until one of its bodies is written or wakes. */
     void leave(int pair) {
-        live[pair >> WORD] &= ~(1L << pair);
+        order.drop(pair);
     }
 
     /** The pairs of a body are to be looked at. */
     void revive(int body) {
         for (int k = 0; k < pairs.countOf(body); k++) {
-            setLive(pairs.of(body, k));
+            order.add(pairs.of(body, k));
         }
     }
 
     /** Makes the boxes anew that bodies may leave in the step. */
     void update(double h) {
-        double[] d = boxes.data();
+        for (int k = 0; k < poses.awake.size; k++) {
+            poses.turn(poses.awake.values[k]);
+            update(poses.awake.values[k], h, 0);
+        }
+    }
+
+    /**
+     * Makes the boxes anew that forces may drive bodies out of in the step. Where that is less than their room they come to overlap before they meet;
+     * what is small, or falls for long, would pass by what nobody has looked for.
+     *
+     * @param a accelerations by forces
+     */
+    void drive(double h, double[] a) {
         for (int k = 0; k < poses.awake.size; k++) {
             int body = poses.awake.values[k];
-            poses.turn(body);
-            bound(body, h, 1, 0);
-            int o = Boxes.STRIDE * body;
-            boolean isOut = minX < d[o] || minY < d[o + 1] || maxX > d[o + 2] || maxY > d[o + 3];
-            if (isOut) {
-                bound(body, h, steps(body, h), ROOM);
-                boxes.set(body, minX, minY, maxX, maxY);
-                broad.update(body, boxes, pairs);
+            double way = h * h * (Math.abs(a[State.BLOCK * body]) + Math.abs(a[State.BLOCK * body + 1]));
+            double size = poses.hull(body).bounding;
+            if (way > ROOM * size) {
+                update(body, h, way / size);
             }
+        }
+    }
+
+    /** Makes a box anew that a body may leave, with so much more room, in units of its size. */
+    private void update(int body, double h, double more) {
+        double[] d = boxes.data();
+        bound(body, h, 1, more);
+        int o = Boxes.STRIDE * body;
+        boolean isOut = minX < d[o] || minY < d[o + 1] || maxX > d[o + 2] || maxY > d[o + 3];
+        if (isOut) {
+            bound(body, h, steps(body, h), ROOM + more);
+            boxes.set(body, minX, minY, maxX, maxY);
+            broad.update(body, boxes, pairs);
         }
     }
 
@@ -193,7 +210,7 @@ final class NearPairs implements Pairs.Listener, Serializable {
             turned = Math.min(2, Math.abs(v[b + 2]) * h * steps) * hull.bounding;
         }
         double way = h * steps;
-        double more = room * hull.bounding + turned;
+        double more = room * hull.bounding + turned + h * onset.of(body);
         minX = x[b] + lowX + Math.min(0, way * v[b]) - more;
         minY = x[b + 1] + lowY + Math.min(0, way * v[b + 1]) - more;
         maxX = x[b] + wideX + Math.max(0, way * v[b]) + more;
@@ -207,10 +224,10 @@ final class NearPairs implements Pairs.Listener, Serializable {
             flags = Arrays.copyOf(flags, length);
             kept = Arrays.copyOf(kept, KEPT * length);
             features = Arrays.copyOf(features, 2 * length);
-            live = Arrays.copyOf(live, (length >> WORD) + 1);
+            order.ensure(length);
         }
         flags[pair] = 0;
-        setLive(pair);
+        order.add(pair);
         Arrays.fill(kept, KEPT * pair, KEPT * pair + KEPT, 0);
         Arrays.fill(features, 2 * pair, 2 * pair + 2, 0);
         filter(pair);

@@ -15,6 +15,7 @@ import static sim.physics.stepping.ContactRows.TANGENT;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.Turns;
 import sim.physics.motion.State;
 
 /**
@@ -45,8 +46,11 @@ final class Reflections implements Serializable {
     /** By group: whether something else than bounces has part in its impacts. */
     private boolean[] isBound = {};
 
-    /** The fastest approach, and the step. */
-    private double fastest;
+    /** By group: the fastest approach, 0 if it is not reflected. */
+    private double[] fastest = {};
+
+    /** Groups that have not settled in a round. */
+    private final Turns turns = new Turns();
 
     private double h;
 
@@ -65,7 +69,7 @@ final class Reflections implements Serializable {
     void reflect(double step) {
         h = step;
         find();
-        if (fastest == 0) {
+        if (!areSome()) {
             return;
         }
         takeBack();
@@ -74,11 +78,21 @@ final class Reflections implements Serializable {
             goesOn = choose();
             boolean isOpen = goesOn;
             for (int turn = 0; isOpen && turn < TURNS; turn++) {
-                isOpen = compress();
+                compress();
+                isOpen = turns.goOn();
             }
             restore();
         }
         end();
+    }
+
+    private boolean areSome() {
+        boolean any = false;
+        for (int g = 0; g < groups.count; g++) {
+            isBound[g] |= fastest[g] == 0;
+            any |= !isBound[g];
+        }
+        return any;
     }
 
     private boolean isReflected(int row) {
@@ -88,15 +102,17 @@ final class Reflections implements Serializable {
     private void find() {
         if (isBound.length < groups.count) {
             isBound = new boolean[groups.slots.length];
+            fastest = new double[groups.slots.length];
         }
         Arrays.fill(isBound, 0, groups.count, true);
-        fastest = 0;
+        Arrays.fill(fastest, 0, groups.count, 0);
         for (int n = 0; n < groups.struck.size; n++) {
             int row = groups.struck.values[n];
             for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
                 if (rows.points[p + RESTORED] > Impacts.PLASTIC) {
-                    isBound[groups.of(row, rows)] = !free.isOne(groups.of(row, rows));
-                    fastest = Math.max(fastest, -rows.points[p + OPENING]);
+                    int group = groups.of(row, rows);
+                    isBound[group] = !free.isOne(group);
+                    fastest[group] = Math.max(fastest[group], -rows.points[p + OPENING]);
                 }
             }
         }
@@ -127,26 +143,31 @@ final class Reflections implements Serializable {
     /** Chooses the points that approach; an impulse below 0 is that of one that is not chosen. */
     private boolean choose() {
         boolean any = false;
+        turns.begin(groups.count);
         for (int n = 0; n < groups.struck.size; n++) {
             int row = groups.struck.values[n];
+            int group = groups.of(row, rows);
             for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
                 boolean touches = Impacts.touches(rows, row, p, h);
-                rows.points[p + STEADY] = touches && rows.opening(row, p, state.v()) < -NEGLIGIBLE * fastest ? 0 : -1;
-                any |= rows.points[p + STEADY] == 0;
+                boolean isChosen = touches && rows.opening(row, p, state.v()) < -NEGLIGIBLE * fastest[group];
+                rows.points[p + STEADY] = isChosen ? 0 : -1;
+                if (isChosen) {
+                    turns.open(group);
+                    any = true;
+                }
             }
         }
         return any;
     }
 
-    private boolean compress() {
-        boolean goesOn = false;
+    private void compress() {
         for (int n = 0; n < groups.struck.size; n++) {
             int row = groups.struck.values[n];
-            for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                goesOn |= rows.points[p + STEADY] >= 0 && compress(row, p);
+            int group = groups.of(row, rows);
+            for (int p = rows.begin(row); turns.isOpen(group) && p < rows.end(row); p += STRIDE) {
+                turns.change(group, rows.points[p + STEADY] >= 0 && compress(row, p));
             }
         }
-        return goesOn;
     }
 
     /** Takes what is left of a point's approach; whether there was anything. */

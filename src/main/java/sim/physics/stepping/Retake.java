@@ -6,6 +6,7 @@ import java.io.Serializable;
 import sim.physics.constraint.StopRows;
 import sim.physics.constraint.TieRows;
 import sim.physics.internal.Softness;
+import sim.physics.internal.Turns;
 import sim.physics.motion.SpringRows;
 import sim.physics.motion.State;
 import sim.physics.motion.SteppedForces;
@@ -40,6 +41,9 @@ final class Retake implements Serializable {
     private final FreeImpacts free;
     private final Reflections reflections;
     private final Belts belts;
+
+    /** Groups in which something has met, until it has settled. */
+    private final Turns turns = new Turns();
 
     /** Whether joints, springs or bodies are others than when the groups were found. */
     private boolean isStale;
@@ -114,7 +118,7 @@ final class Retake implements Serializable {
         }
         boolean[] marks = balance.marks();
         balance.takeBack();
-        contacts.measure();
+        contacts.measure(marks);
         regain(marks, contact, joint, h);
         balance.bringBack();
         for (int k = 0; k < TURNS; k++) {
@@ -129,8 +133,8 @@ final class Retake implements Serializable {
             contacts.limit(balance.shares());
         }
         balance.move(h);
-        contacts.follow();
-        ties.evaluate();
+        contacts.follow(marks);
+        ties.evaluate(marks);
         balance.forget();
     }
 
@@ -159,8 +163,7 @@ final class Retake implements Serializable {
      */
     void bounce(boolean isTied, double[] a, double step, double h) {
         StopRows stops = ties.stops();
-        boolean goesOn = impacts.find(step, h, balance.speeds(), stops);
-        if (!goesOn) {
+        if (!impacts.find(step, h, balance.speeds(), stops)) {
             return;
         }
         bounced.bound(balance, a, h);
@@ -169,21 +172,30 @@ final class Retake implements Serializable {
         double part = isTied ? Softness.EAGER.mass() : 1;
         impacts.mark(marks, true);
         ties.keep();
+        boolean goesOn = true;
+        impacts.open(turns);
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            goesOn = ties.settle(marks) | stops.compress(part) | impacts.compress(part);
+            ties.settle(groups.slots, turns, marks);
+            stops.compress(groups.slots, turns, part);
+            impacts.compress(turns, part);
+            goesOn = turns.goOn();
         }
         contacts.straighten();
         bounced.begin(rows);
         contacts.note();
         ties.note();
         reflections.reflect(step);
-        impacts.restore();
+        impacts.restore(turns);
         stops.restore();
         goesOn = true;
+        impacts.open(turns);
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            goesOn = impacts.part(part) | stops.part(part) | ties.settle(marks);
+            impacts.part(turns, part);
+            stops.part(groups.slots, turns, part);
+            ties.settle(groups.slots, turns, marks);
+            goesOn = turns.goOn();
         }
-        stops.part(1); // as what is solved last is right
+        stops.part();
         contacts.straighten();
         if (bounced.limit()) {
             contacts.limitNoted(bounced.shares());
@@ -197,13 +209,13 @@ final class Retake implements Serializable {
 
     private void regain(boolean[] marks, Softness contact, Softness joint, double h) {
         clear(marks);
-        ties.evaluate();
+        ties.evaluate(marks);
         ties.solve(marks, joint, h);
         contacts.solve(marks, contact, true, h);
         balance.move(h);
-        contacts.measure();
+        contacts.measure(marks);
         clear(marks);
-        ties.evaluate();
+        ties.evaluate(marks);
     }
 
     private void clear(boolean[] marks) {

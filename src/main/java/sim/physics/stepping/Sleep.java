@@ -269,7 +269,6 @@ public final class Sleep implements Serializable {
         isOther = false;
         if (isStale) {
             isStale = false;
-            turn = 0;
             poses.awake.clear();
             for (int k = 0; k < poses.movable.size; k++) {
                 if (!asleep[poses.movable.values[k]]) {
@@ -277,8 +276,20 @@ public final class Sleep implements Serializable {
                 }
             }
             kept.keepOf(asleep);
+            keepSlow();
         }
         return was;
+    }
+
+    /** Leaves those among the slow ones that are there and awake. */
+    private void keepSlow() {
+        int count = 0;
+        for (int k = 0; k < slow.size; k++) {
+            int body = slow.values[k];
+            slow.values[count] = body;
+            count += poses.knows(body) && isMovable(body) && !asleep[body] ? 1 : 0;
+        }
+        slow.size = count;
     }
 
     /** Which bodies are asleep, by index. */
@@ -360,9 +371,10 @@ public final class Sleep implements Serializable {
      * @param ties their rows
      */
     void settle(Constraints constraints, TieRows ties) {
-        boolean isDue = isSolved && isAnyRipe && ++steps % EVERY == 0;
+        steps += isSolved ? 1 : 0; // all steps count, whatever goes on elsewhere
+        boolean isDue = isSolved && steps % EVERY == 0;
         isSolved = false;
-        if (isDue) {
+        if (isDue && isAnyRipe) {
             join(constraints, ties);
             fallAsleep();
         }

@@ -3,6 +3,11 @@
 package sim.physics.stepping;
 
 import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.constraint.Onset;
+import sim.physics.internal.DisjointSets;
+import sim.physics.internal.Growth;
+import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
 /** How near two bodies may come to one another in a step. */
@@ -12,24 +17,90 @@ final class Speeds implements Serializable {
     private final State state;
     private final Poses poses;
 
-    /** The mean velocity of what is awake. */
-    private double meanX;
+    private final NearPairs near;
 
-    private double meanY;
+    /** What motors may give. */
+    private final Onset onset;
 
-    Speeds(State state, Poses poses) {
+    /** Whether the means are known. */
+    private boolean areKnown;
+
+    /** By body: parents in the sets of those that are awake and whose boxes meet, −1 for others; whether it is next to one of these. */
+    private int[] parents = {};
+
+    private boolean[] areHeld = {};
+
+    /** By the least body of each set: how many have been counted, −1 if one of them is held; and the mean of their velocities. */
+    private int[] counts = {};
+
+    private double[] means = {};
+
+    Speeds(State state, Poses poses, NearPairs near, Onset onset) {
         this.state = state;
         this.poses = poses;
+        this.near = near;
+        this.onset = onset;
     }
 
-    /** Finds the mean velocity, against which bodies that bounce come towards others: whoever watches from elsewhere sees the same. */
-    void average() {
+    /** Begins a step: the bodies have other velocities. */
+    void begin() {
+        areKnown = false;
+    }
+
+    /**
+     * Finds mean velocities, against which bodies that bounce come towards others: who watches from elsewhere sees the same, and it matters to nobody what
+     * moves far away. Next to what does not move they are 0.
+     */
+    private void average() {
+        areKnown = true;
+        if (parents.length < state.size()) {
+            parents = new int[Growth.length(parents.length, state.size())];
+            areHeld = new boolean[parents.length];
+            counts = new int[parents.length];
+            means = new double[2 * parents.length];
+        }
+        Arrays.fill(parents, 0, state.size(), -1);
+        IntList awake = poses.awake;
+        for (int k = 0; k < awake.size; k++) {
+            int body = awake.values[k];
+            parents[body] = body;
+            areHeld[body] = false;
+            counts[body] = 0;
+            means[2 * body] = 0;
+            means[2 * body + 1] = 0;
+        }
+        for (int k = 0; k < near.order.size(); k++) {
+            int pair = near.order.pair(k);
+            if (!near.is(pair, NearPairs.FORBIDDEN)) {
+                join(near.pairs().first(pair), near.pairs().second(pair));
+            }
+        }
+        for (int k = 0; k < awake.size; k++) {
+            int root = DisjointSets.find(parents, awake.values[k]);
+            counts[root] = areHeld[awake.values[k]] ? -1 : counts[root];
+        }
+        for (int k = 0; k < awake.size; k++) {
+            count(awake.values[k]);
+        }
+    }
+
+    private void join(int first, int second) {
+        if (parents[first] >= 0 && parents[second] >= 0) {
+            DisjointSets.join(parents, first, second);
+        } else if (parents[first] >= 0) {
+            areHeld[first] = true;
+        } else if (parents[second] >= 0) {
+            areHeld[second] = true;
+        }
+    }
+
+    private void count(int body) {
         double[] v = state.v();
-        meanX = 0;
-        meanY = 0;
-        for (int k = 0; k < poses.awake.size; k++) {
-            meanX += v[State.BLOCK * poses.awake.values[k]] / poses.awake.size;
-            meanY += v[State.BLOCK * poses.awake.values[k] + 1] / poses.awake.size;
+        int root = DisjointSets.find(parents, body);
+        if (counts[root] >= 0) {
+            counts[root]++;
+            means[2 * root] += (v[State.BLOCK * body] - means[2 * root]) / counts[root];
+            means[2 * root + 1] += (v[State.BLOCK * body + 1] - means[2 * root + 1]) / counts[root];
         }
     }
 
@@ -41,8 +112,11 @@ final class Speeds implements Serializable {
      * @param h the step
      */
     double way(int first, int second, boolean bounces, double[] a, double h) {
+        if (bounces && !areKnown) {
+            average();
+        }
         double bounced = bounces ? speed(first) + speed(second) : 0;
-        return h * Math.max(bounced, speed(first, second, a, h));
+        return h * (Math.max(bounced, speed(first, second, a, h)) + onset.of(first) + onset.of(second));
     }
 
     private double speed(int first, int second, double[] a, double h) {
@@ -58,8 +132,9 @@ final class Speeds implements Serializable {
     private double speed(int body) {
         double[] v = state.v();
         int b = State.BLOCK * body;
-        double x = v[b] - meanX;
-        double y = v[b + 1] - meanY;
+        int root = parents[body] < 0 ? -1 : DisjointSets.find(parents, body);
+        double x = root < 0 ? 0 : v[b] - means[2 * root];
+        double y = root < 0 ? 0 : v[b + 1] - means[2 * root + 1];
         return Math.sqrt(x * x + y * y) + Math.abs(v[b + 2]) * poses.hull(body).bounding;
     }
 }

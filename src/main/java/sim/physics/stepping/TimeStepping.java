@@ -10,6 +10,7 @@ import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.Reaction;
+import sim.physics.constraint.Onset;
 import sim.physics.constraint.TieRows;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
@@ -67,6 +68,7 @@ public final class TimeStepping implements Serializable {
     private final ContactRows rows;
     private final ContactSolver contacts;
     private final TieRows ties;
+    private final Onset onset;
     private final Speeds speeds;
     private final Decisions decisions;
     private final Sleep sleep;
@@ -125,9 +127,10 @@ public final class TimeStepping implements Serializable {
         rows = new ContactRows(state);
         contacts = new ContactSolver(state, rows);
         ties = new TieRows(state);
-        speeds = new Speeds(state, poses);
+        onset = new Onset(state);
+        near = new NearPairs(state, poses, filter, onset);
+        speeds = new Speeds(state, poses, near, onset);
         decisions = new Decisions(state, laws, rows);
-        near = new NearPairs(state, poses, filter);
         sleep = new Sleep(state, poses, near, forces, rows);
         decisions.setPairs(near, sleep.kept());
         touch = new Touch(state, poses, near);
@@ -256,6 +259,9 @@ public final class TimeStepping implements Serializable {
         growth = keptOf > 0 ? Math.min(MOST_GROWTH, step / substeps / keptOf) : 0;
         sleep.wakeDriven(ties);
         areOthersAsleep |= sleep.refresh();
+        if (constraints != null) {
+            onset.find(ties, step);
+        }
         near.update(step);
         sleep.settle(constraints, ties);
         sleep.hasWoken();
@@ -263,6 +269,7 @@ public final class TimeStepping implements Serializable {
             areOthersAsleep |= sleep.refresh();
             forces.springs().begin(step / substeps, sleep.asleep());
             forces.load(poses.awake, time, a);
+            near.drive(step, a);
             rows.begin();
             decisions.begin(time, step);
             deepestTied = 0;
@@ -271,15 +278,18 @@ public final class TimeStepping implements Serializable {
     }
 
     private void look() {
-        speeds.average();
+        speeds.begin();
         Pairs pairs = near.pairs();
-        for (int word = 0; word < near.live.length; word++) {
-            for (long left = near.live[word]; left != 0; left &= left - 1) {
-                int pair = (word << NearPairs.WORD) + Long.numberOfTrailingZeros(left);
-                if (!near.is(pair, NearPairs.FORBIDDEN)) {
-                    look(pair, pairs.first(pair), pairs.second(pair));
-                }
+        near.order.update();
+        for (int k = 0; k < near.order.size(); k++) {
+            int pair = near.order.pair(k);
+            if (!near.is(pair, NearPairs.FORBIDDEN)) {
+                look(pair, pairs.first(pair), pairs.second(pair));
             }
+        }
+        IntList reached = decisions.reached();
+        for (int k = 0; k < reached.size; k++) {
+            look(reached.values[k], pairs.first(reached.values[k]), pairs.second(reached.values[k]));
         }
     }
 
@@ -302,8 +312,7 @@ public final class TimeStepping implements Serializable {
         }
         double friction = near.is(pair, NearPairs.STICKY) ? STICKS : laws.friction(first, second);
         double restitution = near.is(pair, NearPairs.STICKY) ? 0 : bounce;
-        double belt = laws.belt(first, second);
-        rows.add(pair, first, second, touch, friction, restitution, belt, a, h, REGAIN * size / h, near.is(pair, NearPairs.TOUCHED));
+        rows.add(pair, first, second, touch, friction, restitution, laws.belt(first, second), a, h, REGAIN * size / h, near.is(pair, NearPairs.TOUCHED));
         if (decisions.isOpen(rows.count - 1)) {
             rows.dropLast();
             return;

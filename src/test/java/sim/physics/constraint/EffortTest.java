@@ -34,11 +34,11 @@ class EffortTest {
     void eachSolutionCounts() {
         IntList bodies = chain();
         constraints.takeEffort(bodies);
-        constraints.accelerate(bodies, a);
+        constraints.accelerate(bodies, a, true);
         long one = constraints.takeEffort(bodies);
         assertThat(one).isBetween(LINKS / 4L, 8L * LINKS);
         for (int k = 0; k < 10; k++) {
-            constraints.accelerate(bodies, a);
+            constraints.accelerate(bodies, a, true);
         }
         assertThat(constraints.takeEffort(bodies)).isBetween(10 * one, 10 * one + 10);
         assertThat(constraints.takeEffort(bodies)).isZero();
@@ -52,7 +52,7 @@ class EffortTest {
     @Test
     void whatIsAskedBetweenStepsDoesNot() {
         IntList bodies = chain();
-        constraints.accelerate(bodies, a);
+        constraints.accelerate(bodies, a, true);
         long one = constraints.takeEffort(bodies);
         constraints.accelerate(bodies, a, false);
         assertThat(one).isPositive();

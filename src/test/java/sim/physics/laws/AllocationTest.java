@@ -12,6 +12,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
+import sim.physics.constraint.Limit;
+import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.DormandPrince853;
@@ -159,6 +161,23 @@ class AllocationTest {
                 engine.add(new sim.physics.motion.Spring(middle, 0, 0, lower, 0, 0, 2, 10, 0));
             }
         }
+        assertAllocatesNothing(engine, 50, false);
+    }
+
+    /** A motor and a stop, which ask for their times of switching in each step: 64 bytes of iterators. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2})
+    void motorsAndStops(int method) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1 / 240.0);
+        engine.setIntegrator(method == 0 ? new RungeKutta4() : method == 1 ? new Rattle(2) : new DormandPrince853(1e-8));
+        engine.add(new Gravity(0, -9.81));
+        Body upper = engine.add(new Body(new Rectangle(1, 0.1)).at(0.5, 0));
+        Body lower = engine.add(new Body(new Rectangle(1, 0.1)).at(1.5, 0));
+        engine.add(new PinJoint(upper, 0, 0));
+        engine.add(new PinJoint(upper, lower, 1, 0));
+        engine.add(Motor.turning(upper, null, 1, 0.2));
+        engine.add(Limit.angle(lower, upper, -40, 40));
         assertAllocatesNothing(engine, 50, false);
     }
 

@@ -16,6 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
+import sim.physics.collision.Overlap;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.RodJoint;
 import sim.physics.motion.Body;
@@ -444,6 +445,18 @@ class SleepTest {
         assertThatThrownBy(() -> fresh.isAsleep(engine.bodies().get(1))).isInstanceOf(IllegalStateException.class);
     }
 
+    /** What forces have pressed bodies into one another by. By events they rise by that, and sink in again: in 30 heaps to an eighth at most. */
+    private static double pressedIn(PhysicsEngine engine) {
+        double sum = 0;
+        for (Overlap overlap : engine.overlaps()) {
+            for (LastingContact contact : engine.contacts(overlap.a())) {
+                boolean isIt = contact.other(overlap.a()) == overlap.b();
+                sum += isIt ? overlap.depth() * StrictMath.hypot(contact.forceX(overlap.a()), contact.forceY(overlap.a())) : 0;
+            }
+        }
+        return sum;
+    }
+
     /**
      * From sleep to events and back: bodies lie as they lay, and sleep again. A limb that just did not slip may fall to another rest, and
      * so may what leans in a heap, and what lies on that: in one in eight heaps some bodies go farther than 0.05. A limb may turn over on its pin;
@@ -459,12 +472,13 @@ class SleepTest {
             assertThat(sleeps || name.equals("ragdoll") && turn > 0 && engine.kineticEnergy() < 0.1).isTrue();
             double[] places = SleepScenes.places(engine);
             double energy = SleepScenes.energy(engine);
+            double rise = name.equals("heap") ? 0.2 * pressedIn(engine) : 0.02;
             engine.setTimeStepping(0);
             Stepped.run(engine, 30);
             engine.setTimeStepping(4);
             Stepped.run(engine, 30);
             double[] after = SleepScenes.places(engine);
-            assertThat(SleepScenes.energy(engine)).isLessThan(energy + 0.02);
+            assertThat(SleepScenes.energy(engine)).isLessThan(energy + rise);
             int fell = 0;
             for (int k = 0; k < places.length; k++) {
                 boolean mayFall = !name.equals("stack");

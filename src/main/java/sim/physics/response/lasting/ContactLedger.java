@@ -69,9 +69,8 @@ public final class ContactLedger implements Serializable {
      * Takes in where the points of a pair are whose forces are being found.
      *
      * @param onA whether points are taken relative to its first body, else to the second one
-     * @param adds whether what is found is to be added to the forces that there are, else to take their place
      */
-    void open(int pair, double tau, Manifold m, boolean onA, boolean adds) {
+    void open(int pair, double tau, Manifold m, boolean onA) {
         int o = turn(pair);
         data[o + NX] = m.nx;
         data[o + NY] = m.ny;
@@ -81,12 +80,12 @@ public final class ContactLedger implements Serializable {
                 data[p] = onA ? m.rAx[k] : m.rBx[k];
                 data[p + 1] = onA ? m.rAy[k] : m.rBy[k];
             }
-            for (int c = 0; c < 2 && !adds; c++) {
+            for (int c = 0; c < 2; c++) {
                 data[p + IMPULSE + c] += data[p + FORCE + c] * (tau - data[o + FROM]);
                 data[p + FORCE + c] = 0;
             }
         }
-        data[o + FROM] = adds ? data[o + FROM] : tau;
+        data[o + FROM] = tau;
     }
 
     /** Says along which normal the forces of a pair act, and where a point is then, if that is not as it was taken in. */

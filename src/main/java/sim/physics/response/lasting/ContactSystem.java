@@ -58,7 +58,7 @@ final class ContactSystem implements Serializable {
     private int near;
     private int bodyCount;
     private double[] data = new double[8 * STRIDE];
-    private final ContactRows rows = new ContactRows();
+    private final PointRows rows = new PointRows();
     private double[] before = {};
     private double slowest;
     private boolean frictionless;

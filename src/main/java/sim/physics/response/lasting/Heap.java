@@ -21,9 +21,6 @@ final class Heap implements Serializable {
     /** Gap from which a lasting pair has parted, relative to the smaller body. */
     private static final double PARTED = 1e-2;
 
-    /** Height of an edge's other end from which it is no contact, relative to the smaller body. */
-    static final double FLAT = 2e-2;
-
     /** Change of velocity that is none, relative to the speeds. */
     private static final double SAME = 1e-13;
 
@@ -139,11 +136,6 @@ final class Heap implements Serializable {
         this.ending = new HeapEnd(state, trajectories, motion, detection, points, by, system, members, scales, ledger);
         this.large = new LargeHeaps(trajectories, by, new Foresight(state, trajectories, pulls, detection, points, scales));
         this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales, driving.search().turning);
-    }
-
-    /** Lets a body go on without acceleration: it has got already what the forces give it. */
-    void coast(int body) {
-        pulls.endFor(body);
     }
 
     /** Lets the motors and stops of a body that lies on nothing any more decide by themselves. */
@@ -335,7 +327,7 @@ final class Heap implements Serializable {
         int a = detection.pairs().first(pair);
         int b = detection.pairs().second(pair);
         double size = scales.size(a, b);
-        detection.narrowPhase().contact(pair, tau, manifold, FLAT * size / (scales.radius(a) + scales.radius(b)));
+        detection.narrowPhase().contact(pair, tau, manifold, HeapGaps.FLAT * size / (scales.radius(a) + scales.radius(b)));
         if (manifold.gap > PARTED * size && !(isRough && large.foresees(pair))) {
             if (isFresh) {
                 members.part(pair);
@@ -343,7 +335,7 @@ final class Heap implements Serializable {
             return;
         }
         large.meet(manifold.gap, size);
-        ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
+        ledger.open(pair, tau, manifold, !state.body(a).isFixed());
         double left = regain.time();
         double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size) : HeapGaps.depth(manifold.gap, size);
         detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth)
@@ -452,14 +444,14 @@ final class Heap implements Serializable {
 
     private void publish(double tau, IntList changed) {
         double pull = pulls.most(heap);
-        double most = scales.fastest(heap, system.v);
-        boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && free.isStill(most, pull * (until - tau));
+        boolean isDissolved = system.contacts() == 0 && isFresh;
+        boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && free.isStill(scales.fastest(heap, system.v), pull * (until - tau));
         if (still) {
             free.bear(heap, motion, scale, until - tau, pull, isHalf);
         } else if (until < trajectories.h()) {
             members.plan(until);
         }
-        if (isDriven && !(system.contacts() == 0 && isFresh)) {
+        if (isDriven && !isDissolved) {
             driving.publish(heap, until - tau, members.isDriven());
         }
         boolean stands = isRubbed && !halts && rubbing.isStill(heap);
@@ -469,31 +461,35 @@ final class Heap implements Serializable {
             by.place[body] = 0;
             by.isStill[body] = still || stands;
             large.solved(body, isRough && !still);
-            if (system.contacts() == 0 && isFresh) {
+            boolean isChanged = true;
+            if (isDissolved) {
                 by.lies[body] = false;
                 motion.support(body, 0, 0, 0);
                 motion.ground().resume(body);
                 thaw(body);
-                changed.add(body);
-                continue;
-            }
-            if (isRubbed) {
+            } else if (isRubbed) {
                 rubbing.publish(k, body, until - tau, halts, fall);
-                changed.add(body);
-                continue;
-            }
-            by.isHalf[body] = false;
-            if (isDriven) {
+            } else if (isDriven) {
+                by.isHalf[body] = false;
                 by.paidUntil[body] = trajectories.isDriven(body) && !stands ? until : 0;
-                changed.add(body);
-                continue;
+            } else {
+                isChanged = send(k, body, tau, still);
             }
-            if (!(isResumed && !members.areTurned() && courses.isKept(k, body, tau, system.v, SAME * scale))) {
-                by.paidUntil[body] = still || pulls.isFalling() ? 0 : until;
-                courses.set(k, body, tau, system.v, isHalf && !still);
-                pulls.endSeen(body);
+            if (isChanged) {
                 changed.add(body);
             }
         }
+    }
+
+    /** Gives a body that nothing drives its velocity; false if it goes on as it did. */
+    private boolean send(int k, int body, double tau, boolean isStill) {
+        by.isHalf[body] = false;
+        if (isResumed && !members.areTurned() && courses.isKept(k, body, tau, system.v, SAME * scale)) {
+            return false;
+        }
+        by.paidUntil[body] = isStill || pulls.isFalling() ? 0 : until;
+        courses.set(k, body, tau, system.v, isHalf && !isStill);
+        pulls.endSeen(body);
+        return true;
     }
 }

@@ -126,7 +126,7 @@ final class HeapEnd implements Serializable {
         boolean isOfB = by.place[a] == 0 || by.place[b] != 0 && by.place[b] < by.place[a]; // a place of 0 is that of a fixed one
         double half = half(isOfB ? b : a, tau);
         double size = scales.size(a, b);
-        detection.narrowPhase().contact(pair, tau, manifold, Heap.FLAT * size / (scales.radius(a) + scales.radius(b)));
+        detection.narrowPhase().contact(pair, tau, manifold, HeapGaps.FLAT * size / (scales.radius(a) + scales.radius(b)));
         boolean presses = ledger.force(pair, 0, false) > 0 || ledger.force(pair, 1, false) > 0;
         int swap = isOther(pair, size) ? 1 : 0;
         for (int k = 0; k < 2; k++) { // k was that or, if the two have changed places, the other one in the first half

@@ -63,7 +63,7 @@ final class HeapEnergy {
         for (int p = 0; p < s.size(); p++) {
             double jn = s.isMotor(p) ? 0 : s.normalImpulse(p);
             double jt = s.tangentImpulse(p);
-            ContactRows rows = p < s.contacts() ? s.pressing() : s.rows();
+            PointRows rows = p < s.contacts() ? s.pressing() : s.rows();
             sum += jn == 0 ? 0 : jn * (rows.normal(p, s.v) + rows.normal(p, from));
             sum += jt == 0 ? 0 : jt * (rows.tangent(p, s.v) + rows.tangent(p, from));
         }

@@ -6,6 +6,9 @@ import sim.physics.internal.Tolerances;
 
 /** The gaps of lasting pairs: how deep they may be, which gap is kept for that, and how a missing one is regained. */
 final class HeapGaps {
+    /** Height of an edge's other end from which it is no contact, relative to the smaller body. */
+    static final double FLAT = 2e-2;
+
     /** How deep a pair may be, relative to the smaller body. */
     private static final double CUSHION = 1e-10;
 

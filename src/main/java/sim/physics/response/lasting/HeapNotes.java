@@ -101,7 +101,7 @@ final class HeapNotes implements Serializable {
 
     /** Notes along which normals, and where, the forces act that the points bear for a time. */
     void turn() {
-        ContactRows rows = system.pressing();
+        PointRows rows = system.pressing();
         for (int p = system.contacts() - 1; p >= 0; p--) { // a pair's normal is that of its first point
             int side = rows.body(p, 0) < 0 ? 1 : 0;
             double nx = rows.nx(p);

@@ -117,7 +117,7 @@ final class HeapPiece {
      * one to both.
      */
     void assemble(HeapSystem s, int p, double nn, double tn, double tt) {
-        ContactRows rows = s.rows();
+        PointRows rows = s.rows();
         double nx = rows.nx(p);
         double ny = rows.ny(p);
         for (int side = 0; side < 2; side++) {
@@ -136,7 +136,7 @@ final class HeapPiece {
     }
 
     /** Adds the products of a side's column with the rows of both sides. */
-    private void add(ContactRows rows, int p, int side, double cx, double cy, double ct, double x, double y, boolean along) {
+    private void add(PointRows rows, int p, int side, double cx, double cy, double ct, double x, double y, boolean along) {
         for (int other = 0; other < 2; other++) {
             int body = rows.body(p, other);
             if (body < 0) {

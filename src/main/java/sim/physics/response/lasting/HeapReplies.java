@@ -91,7 +91,7 @@ final class HeapReplies implements Serializable {
      * @param island the bodies, which have consecutive numbers in the heap
      * @param twice whether along the tangent too
      */
-    private void find(ContactRows rows, int p, double[] w, int side, int place, Ties ties, IntList island, boolean twice) {
+    private void find(PointRows rows, int p, double[] w, int side, int place, Ties ties, IntList island, boolean twice) {
         int n = 3 * island.size;
         int own = side == BOTH ? 2 * p : 2 * p + side;
         first[own] = place;

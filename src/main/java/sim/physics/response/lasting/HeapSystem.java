@@ -52,8 +52,8 @@ final class HeapSystem extends HeapPoints {
 
     private double[] scratch = {};
 
-    private final ContactRows rows = new ContactRows();
-    private final ContactRows middle = new ContactRows();
+    private final PointRows rows = new PointRows();
+    private final PointRows middle = new PointRows();
     private boolean isTurned;
 
     /** Points that are looked at or pushed in the time of a unit of work. */
@@ -235,12 +235,12 @@ final class HeapSystem extends HeapPoints {
         return replies;
     }
 
-    ContactRows rows() {
+    PointRows rows() {
         return rows;
     }
 
     /** The rows of contacts along which their impulses act, if those are not where they are now; to be filled. */
-    ContactRows middle() {
+    PointRows middle() {
         isTurned = true;
         return middle;
     }
@@ -254,7 +254,7 @@ final class HeapSystem extends HeapPoints {
     }
 
     /** The rows of contacts along which their impulses act. */
-    ContactRows pressing() {
+    PointRows pressing() {
         return isTurned ? middle : rows;
     }
 
@@ -366,7 +366,7 @@ final class HeapSystem extends HeapPoints {
     }
 
     private void pushAlone(double[] w, double[] v) {
-        ContactRows r = pressing();
+        PointRows r = pressing();
         for (int p = 0; p < contacts; p++) {
             r.pushSecond(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);
             r.pushFirst(p, data[STRIDE * p + IMPULSE_N], data[STRIDE * p + IMPULSE_T], w, v);

@@ -39,7 +39,7 @@ final class HeapTurn implements Serializable {
     private final HeapSystem system;
     private final TurnedPoint point = new TurnedPoint();
     private final Regain regain;
-    private final ContactRows end = new ContactRows();
+    private final PointRows end = new PointRows();
 
     /** By point: the least velocity for the sake of its gap, and the gap that there may be at the end. */
     private double[] least = {};
@@ -230,7 +230,7 @@ final class HeapTurn implements Serializable {
         }
     }
 
-    private void set(int p, ContactRows rows) {
+    private void set(int p, PointRows rows) {
         int a = system.rows().body(p, 0);
         int b = system.rows().body(p, 1);
         rows.set(p, a, b, point.nx, point.ny, point.leverA(), point.leverB(), point.armA(), point.armB());

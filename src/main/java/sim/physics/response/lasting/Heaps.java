@@ -301,7 +301,7 @@ public final class Heaps implements Serializable {
             return;
         }
         if (by.paidUntil[body] > 0 && !trajectories.isDriven(body)) {
-            heap.coast(body);
+            heap.pulls.endFor(body); // it has got already what the forces give it
         }
         by.turns[body]++;
         standing.loosen(body, heap.lasting);

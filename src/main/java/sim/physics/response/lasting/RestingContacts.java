@@ -457,19 +457,21 @@ public final class RestingContacts implements Serializable {
         }
     }
 
+    /** The radius of a body that can move; one that cannot is brought to where it is. */
+    private double reach(int body, double tau) {
+        if (!state.body(body).isFixed()) {
+            return trajectories.radius(body);
+        }
+        trajectories.bring(body, tau);
+        return Double.POSITIVE_INFINITY;
+    }
+
     private void collect(int pair, double tau, boolean near) {
         int a = detection.pairs().first(pair);
         int b = detection.pairs().second(pair);
         manifold = manifold == null ? new Manifold() : manifold;
         detection.narrowPhase().contact(pair, tau, manifold, PARTED);
-        double radius = Double.POSITIVE_INFINITY;
-        for (int body : new int[] {a, b}) {
-            if (!state.body(body).isFixed()) {
-                radius = Math.min(radius, trajectories.radius(body));
-            } else {
-                trajectories.bring(body, tau);
-            }
-        }
+        double radius = Math.min(reach(a, tau), reach(b, tau));
         for (int k = manifold.count; near && k < manifold.count + manifold.near; k++) {
             points.load(manifold, pair, k, point);
             system.addNear(number(a), number(b), point, manifold.gaps[k]);
@@ -481,7 +483,7 @@ public final class RestingContacts implements Serializable {
             detection.hold(pair, false);
             return;
         }
-        ledger.open(pair, tau, manifold, !state.body(a).isFixed(), false);
+        ledger.open(pair, tau, manifold, !state.body(a).isFixed());
         ground.add(manifold, !state.body(a).isFixed());
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);

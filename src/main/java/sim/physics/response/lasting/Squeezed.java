@@ -32,7 +32,7 @@ final class Squeezed {
         return s.bound(p) >= 0 && s.rows().isOnFixed(p);
     }
 
-    private static boolean areOpposed(ContactRows rows, int p, int q) {
+    private static boolean areOpposed(PointRows rows, int p, int q) {
         int side = rows.body(p, 0) < 0 ? 1 : 0;
         int other = rows.body(q, 0) < 0 ? 1 : 0;
         double along = rows.nx(p) * rows.nx(q) + rows.ny(p) * rows.ny(q);

@@ -12,7 +12,7 @@ import sim.physics.internal.IntList;
  * islands of ties (union–find, Tarjan 1975). Bodies that ties alone hold together are left to these, and so is an island of
  * which forces couple nothing but its own bodies.
  */
-public final class Groups implements Serializable {
+public final class CoupledGroups implements Serializable {
     private static final long serialVersionUID = 1L;
 
     private final State state;
@@ -35,7 +35,7 @@ public final class Groups implements Serializable {
     /** Only while groups are made. */
     private transient int[] parent;
 
-    Groups(State state, Generators generators) {
+    CoupledGroups(State state, Generators generators) {
         this.state = state;
         this.generators = generators;
     }

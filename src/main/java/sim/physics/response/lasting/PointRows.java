@@ -10,7 +10,7 @@ import java.util.Arrays;
  * of bodies move the points on one another, and how impulses at the points move the bodies. Bodies are numbers in the
  * cluster, −1 for what cannot move; velocities are three values for each, inverse masses and moments of inertia two.
  */
-final class ContactRows implements Serializable {
+final class PointRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Values per point: normal, levers, arms. */
@@ -26,7 +26,7 @@ final class ContactRows implements Serializable {
     private double[] data = new double[8 * STRIDE];
     private int[] bodies = new int[16];
 
-    ContactRows() {
+    PointRows() {
         // grows with the clusters
     }
 

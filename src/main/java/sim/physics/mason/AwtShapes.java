@@ -7,8 +7,8 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 
 /** Shapes of bodies as shapes of AWT, in local coordinates. */
-final class Outline {
-    private Outline() {}
+final class AwtShapes {
+    private AwtShapes() {}
 
     static Shape of(sim.physics.shape.Shape shape) {
         if (shape.vertexCount() == 1) {
