@@ -31,6 +31,7 @@ final class Invariants implements Serializable {
     private double[] whole = {};
     private double[] slip = {};
     private boolean isFree;
+    private final boolean mayBeSymplectic;
     private boolean isSymplectic;
 
     /** Growth of the energy beyond what is known, relative to it, that a step may have; and what is left to it. */
@@ -61,13 +62,16 @@ final class Invariants implements Serializable {
     Invariants(Island island) {
         this.island = island;
         boolean floating = true;
+        boolean rolls = false;
         for (int p = 0; p < island.nodes; p++) {
             floating &= island.blockA[p] >= 0 && island.blockB[p] >= 0;
         }
         for (Constraint constraint : island.constraints) {
             floating &= Joint.isInternal(constraint);
+            rolls |= Roll.isOf(constraint);
         }
         isFloating = floating;
+        mayBeSymplectic = !rolls;
     }
 
     /** Begins a step of some islands. */
@@ -130,7 +134,7 @@ final class Invariants implements Serializable {
 
     /** The step is one of a symplectic method. */
     void swing() {
-        isSymplectic = true;
+        isSymplectic = mayBeSymplectic;
     }
 
     /** There is no step whose values are to be kept. */

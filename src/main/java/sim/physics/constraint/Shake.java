@@ -89,9 +89,7 @@ final class Shake implements Serializable {
         boolean was = island.setPlacing(island.rolls());
         island.evaluate(state);
         island.setPlacing(was);
-        if (!island.rolls()) {
-            island.invariants.swing();
-        }
+        island.invariants.swing();
         island.writeRows();
         System.arraycopy(island.j, 0, rows, 0, rows.length);
         double[] w = state.w().values();
