@@ -457,36 +457,63 @@ class SleepTest {
         return sum;
     }
 
+    /** Lets what sleeps go on by events, and back again, for half a second each; how far its coordinates go. Nothing rises by more than that. */
+    private static double[] goOnByEvents(PhysicsEngine engine, double rise) {
+        double[] places = SleepScenes.places(engine);
+        double energy = SleepScenes.energy(engine);
+        engine.setTimeStepping(0);
+        Stepped.run(engine, 30);
+        engine.setTimeStepping(4);
+        Stepped.run(engine, 30);
+        double[] ways = SleepScenes.places(engine);
+        assertThat(SleepScenes.energy(engine)).isLessThan(energy + rise);
+        for (int k = 0; k < ways.length; k++) {
+            ways[k] = Math.abs(ways[k] - places[k]);
+        }
+        return ways;
+    }
+
     /**
-     * From sleep to events and back: bodies lie as they lay, and sleep again. A limb that just did not slip may fall to another rest, and
-     * so may what leans in a heap, and what lies on that: in one in eight heaps some bodies go farther than 0.05. A limb may turn over on its pin;
-     * but nothing rises.
+     * From sleep to events and back: bodies lie as they lay, and sleep again. A limb that just did not slip may fall to another rest, and turn over
+     * on its pin; but nothing rises.
      */
     @ParameterizedTest
-    @ValueSource(strings = {"stack", "heap", "ragdoll"})
+    @ValueSource(strings = {"stack", "ragdoll"})
     void sleepersMayGoOnByEvents(String name) {
         PhysicsEngine engine = SleepScenes.scene(name);
+        boolean mayFall = name.equals("ragdoll");
         for (int turn = 0; turn < 2; turn++) {
             boolean sleeps = SleepScenes.fallAsleep(engine);
             // limbs on pins without friction may rock on, one ragdoll in four: with no more than what a fall by a centimetre gives
-            assertThat(sleeps || name.equals("ragdoll") && turn > 0 && engine.kineticEnergy() < 0.1).isTrue();
-            double[] places = SleepScenes.places(engine);
-            double energy = SleepScenes.energy(engine);
-            double rise = name.equals("heap") ? 0.2 * pressedIn(engine) : 0.02;
-            engine.setTimeStepping(0);
-            Stepped.run(engine, 30);
-            engine.setTimeStepping(4);
-            Stepped.run(engine, 30);
-            double[] after = SleepScenes.places(engine);
-            assertThat(SleepScenes.energy(engine)).isLessThan(energy + rise);
-            int fell = 0;
-            for (int k = 0; k < places.length; k++) {
-                boolean mayFall = !name.equals("stack");
-                boolean mayTurnOver = name.equals("ragdoll") && k % 3 == 2;
-                assertThat(after[k]).isCloseTo(places[k], within(mayTurnOver ? 2 * Math.PI : mayFall ? 0.5 : 0.05));
-                fell += Math.abs(after[k] - places[k]) > 0.05 ? 1 : 0;
+            assertThat(sleeps || mayFall && turn > 0 && engine.kineticEnergy() < 0.1).isTrue();
+            double[] ways = goOnByEvents(engine, 0.02);
+            for (int k = 0; k < ways.length; k++) {
+                boolean mayTurnOver = mayFall && k % 3 == 2;
+                assertThat(ways[k]).isLessThanOrEqualTo(mayTurnOver ? 2 * Math.PI : mayFall ? 0.5 : 0.05);
             }
-            assertThat(fell).isLessThanOrEqualTo(name.equals("ragdoll") ? places.length : name.equals("heap") ? 3 * 4 : 0); // of four bodies
         }
+    }
+
+    /** What leans in a heap may fall to another rest, and what lies on that: one heap in ten, by no more than the size of a body, and few bodies. */
+    @Test
+    void heapsThatSleepMayGoOnByEvents() {
+        int rests = 0;
+        int changed = 0;
+        for (int seed = 1; seed <= 8; seed++) {
+            PhysicsEngine engine = SleepScenes.heap(seed);
+            for (int turn = 0; turn < 2 && SleepScenes.fallAsleep(engine); turn++) {
+                double[] ways = goOnByEvents(engine, 0.2 * pressedIn(engine));
+                int fell = 0;
+                for (double way : ways) {
+                    assertThat(way).as("heap %s", seed).isLessThan(1);
+                    fell += way > 0.05 ? 1 : 0;
+                }
+                assertThat(fell).as("heap %s", seed).isLessThanOrEqualTo(3 * 4); // of four bodies
+                changed += fell > 0 ? 1 : 0;
+                rests++;
+            }
+        }
+        assertThat(rests).isGreaterThan(12);
+        assertThat(changed).as("of %s rests", rests).isLessThanOrEqualTo(4);
     }
 }
