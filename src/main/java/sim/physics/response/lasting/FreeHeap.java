@@ -91,7 +91,7 @@ final class FreeHeap implements Serializable {
         system.tolerance().bear(system.tolerance().isRough() ? HeapGaps.fairSpeedOfMany(size, time) : HeapGaps.fairSpeed(size, time));
     }
 
-    /** Takes in where a point is, whose bodies go straight on, and how deep it may be. */
+    /** Takes in where a point is, whose bodies go straight on, and how deep it may be; NaN if it is not to be lifted. */
     void follow(int p, Manifold manifold, int k, double depth) {
         straight.set(p, manifold, k, depth);
     }

@@ -349,11 +349,12 @@ final class Heap implements Serializable {
             if (isTied && manifold.gaps[k] < -depth || isRubbed && HeapGaps.isNearly(manifold.gaps[k], depth)) {
                 deep.add(p);
             }
+            boolean isFollowed = isHalf && manifold.gaps[k] <= 2 * (depth + GapBend.most(manifold, k, point, left)); // else it may strike
             double roam = isDriven ? scales.roam(a, b, scale / left) : 0;
             double full = scales.bend(manifold, point, a, b, left);
             double bend = isDriven ? scales.bendOfTurned(point, full, roam) + size * regain.sag(sag)
-                    : isRubbed ? 0 : isHalf ? BodyScale.bendOfStraight(manifold, k, point, manifold.gaps[k] - depth, full, left) : full;
-            double any = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, left)
+                    : isRubbed ? 0 : isFollowed ? BodyScale.bendOfStraight(manifold, k, point, manifold.gaps[k] - depth, full, left) : full;
+            double any = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, regain)
                     : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven(), isTied);
             boolean isKnown = isResumed && any > 0 && !isRough;
             system.bound(p, isKnown ? HeapGaps.asFound(any, system.normal(p, courses.before()), manifold.gaps[k] + depth, bend, left) : any);
@@ -365,7 +366,7 @@ final class Heap implements Serializable {
             }
             system.drift(p, isHalf ? 0.5 * left * point.drifting() : 0);
             if (isHalf) {
-                free.follow(p, manifold, k, depth);
+                free.follow(p, manifold, k, isFollowed ? depth : Double.NaN);
             }
             if (!isEven()) {
                 free.take(p, size, left, given(left), isFresh || scale > 0);

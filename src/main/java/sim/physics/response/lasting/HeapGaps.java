@@ -121,11 +121,11 @@ final class HeapGaps {
         return Math.max(LARGE_CUSHION * size, LARGE_CUSHION * size - gap);
     }
 
-    /** The least normal velocity of a point of a large heap. */
-    static double leastSpeedOfMany(double gap, double bend, double size, double time) {
+    /** The least normal velocity of a point of a large heap, which regains no more in the last bit of a step than in others. */
+    static double leastSpeedOfMany(double gap, double bend, double size, Regain regain) {
         double room = Math.min(bend, LARGE_CUSHION * size);
         double missing = Math.max(0, -gap - FAIR_CUSHION * size);
-        return (gap >= room ? room - gap : Math.min(REGAIN * missing, MOST_REGAINED * size)) / time;
+        return gap >= room ? (room - gap) / regain.time() : regain.speed(Math.min(REGAIN * missing, MOST_REGAINED * size));
     }
 
     /** How deep a pair may be whose velocity is wrong by that much. */
