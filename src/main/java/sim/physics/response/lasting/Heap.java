@@ -349,7 +349,7 @@ final class Heap implements Serializable {
             if (isTied && manifold.gaps[k] < -depth || isRubbed && HeapGaps.isNearly(manifold.gaps[k], depth)) {
                 deep.add(p);
             }
-            boolean isFollowed = isHalf && manifold.gaps[k] <= 2 * (depth + GapBend.most(manifold, k, point, left)); // else it may strike
+            boolean isFollowed = isHalf && -point.opening * left <= 2 * (depth + GapBend.most(manifold, k, point, left)); // else it may strike
             double roam = isDriven ? scales.roam(a, b, scale / left) : 0;
             double full = scales.bend(manifold, point, a, b, left);
             double bend = isDriven ? scales.bendOfTurned(point, full, roam) + size * regain.sag(sag)
