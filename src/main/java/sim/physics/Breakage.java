@@ -3,7 +3,6 @@
 package sim.physics;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.Constraints;
@@ -60,9 +59,8 @@ final class Breakage implements Serializable {
         if (areUnsure == null || areUnsure.length < n) {
             areUnsure = new boolean[2 * n];
         }
-        Arrays.fill(areUnsure, false);
-        for (int k = 0; k < n; k++) {
-            areUnsure[k] = lies(k);
+        for (int k = 0; k < areUnsure.length; k++) {
+            areUnsure[k] = k < n && lies(k);
         }
         for (int k = 0; k < state.touchedCount(); k++) {
             int body = state.touched(k);

@@ -6,9 +6,9 @@ import java.io.Serializable;
 import java.util.Arrays;
 import java.util.List;
 import sim.physics.internal.IntList;
+import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
 import sim.physics.internal.Trig;
-import sim.physics.internal.Turns;
 import sim.physics.motion.State;
 
 /** The pins of a scene, (42)–(46), as time stepping solves them, all in one loop: two rows each, with equations as in {@link PinJoint}. */
@@ -399,7 +399,7 @@ final class PinImpulses implements Serializable {
     }
 
     /** Solves velocities of groups that have not settled once more; those have not in which some were off that count for something, compared with those of the bodies. */
-    void settle(int[] groups, Turns turns, boolean[] marks) {
+    void settle(int[] groups, OpenGroups turns, boolean[] marks) {
         for (int k = 0; k < awake; k++) {
             if (TieEquations.isMarked(blocks, k, marks)) {
                 boolean isFirst = state.w().values()[blocks[2 * k]] > 0;

@@ -3,8 +3,8 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
-import sim.physics.internal.Turns;
 import sim.physics.motion.State;
 
 /**
@@ -276,7 +276,7 @@ public final class StopRows implements Serializable {
      * @param turns those that are solved
      * @param part of what it asks for that is given
      */
-    public void compress(int[] groups, Turns turns, double part) {
+    public void compress(int[] groups, OpenGroups turns, double part) {
         for (int n = 0; n < metCount; n++) {
             int group = group(met[n], groups);
             if (turns.isOpen(group)) {
@@ -307,7 +307,7 @@ public final class StopRows implements Serializable {
      * @param turns those that are solved
      * @param part of what it asks for that is given
      */
-    public void part(int[] groups, Turns turns, double part) {
+    public void part(int[] groups, OpenGroups turns, double part) {
         for (int n = 0; n < metCount; n++) {
             int group = group(met[n], groups);
             if (turns.isOpen(group)) {

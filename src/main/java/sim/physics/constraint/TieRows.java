@@ -9,8 +9,8 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import sim.physics.internal.IntList;
+import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
-import sim.physics.internal.Turns;
 import sim.physics.motion.State;
 
 /**
@@ -446,7 +446,7 @@ public final class TieRows implements Serializable {
      * @param turns those that are solved
      * @param marks by body, of those that are of a group
      */
-    public void settle(int[] groups, Turns turns, boolean[] marks) {
+    public void settle(int[] groups, OpenGroups turns, boolean[] marks) {
         for (int k = 0; k < equations.count(); k++) {
             if (equations.kinds[k].ties() && equations.isMarked(k, marks) && turns.isOpen(groups[equations.movable(k)])) {
                 turns.change(groups[equations.movable(k)], equations.areOff(k));

@@ -80,7 +80,7 @@ public final class Decisions implements Serializable {
         boolean isOpen = !near.is(pair, NearPairs.DECIDED);
         boolean touches = rows.touches(row, h);
         if (touches) {
-            thirds.strike(row);
+            thirds.strike(row, approach(row));
         }
         if (isOpen && (touches || isReached)) {
             asked.add(pair);
@@ -100,18 +100,22 @@ public final class Decisions implements Serializable {
 
     private Contact contact(int row) {
         int b = State.BLOCK * rows.second(row);
-        double approach = rows.approach(row, 0);
         double x = rows.armX(row, 0);
         double y = rows.armY(row, 0);
         if (rows.pointCount(row) == 2) {
-            approach = Math.max(approach, rows.approach(row, 1));
             x = 0.5 * (x + rows.armX(row, 1));
             y = 0.5 * (y + rows.armY(row, 1));
         }
         findMean(rows, row);
         return new Contact(
                 state.body(rows.first(row)), state.body(rows.second(row)), time,
-                state.x()[b] + x, state.x()[b + 1] + y, mean[0], mean[1], Math.max(0, approach), mean[2]);
+                state.x()[b] + x, state.x()[b + 1] + y, mean[0], mean[1], Math.max(0, approach(row)), mean[2]);
+    }
+
+    /** How fast the two bodies of a row come towards one another, at the faster one of its points. */
+    private double approach(int row) {
+        double first = rows.approach(row, 0);
+        return rows.pointCount(row) == 2 ? Math.max(first, rows.approach(row, 1)) : first;
     }
 
     /** {@return whether listeners are to be asked} */

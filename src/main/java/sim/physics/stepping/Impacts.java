@@ -32,7 +32,7 @@ import java.util.Arrays;
 import sim.physics.constraint.StopRows;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
-import sim.physics.internal.Turns;
+import sim.physics.internal.OpenGroups;
 import sim.physics.motion.State;
 
 /**
@@ -366,7 +366,7 @@ final class Impacts implements Serializable {
     }
 
     /** Opens the groups in which something has met. */
-    void open(Turns turns) {
+    void open(OpenGroups turns) {
         turns.begin(groups.count);
         for (int g = 0; g < groups.count; g++) {
             if (counts[g] > 0) {
@@ -376,7 +376,7 @@ final class Impacts implements Serializable {
     }
 
     /** Compresses what has met once more in turn. */
-    void compress(Turns turns, double part) {
+    void compress(OpenGroups turns, double part) {
         for (int m = 0; m < met.size; m += 2) {
             int group = groups.of(met.values[m], rows);
             if (turns.isOpen(group)) {
@@ -386,7 +386,7 @@ final class Impacts implements Serializable {
     }
 
     /** Lets what bounces alone part. */
-    void part(Turns turns, double part) {
+    void part(OpenGroups turns, double part) {
         for (int m = 0; m < met.size; m += 2) {
             int k = met.values[m];
             int p = met.values[m + 1];
@@ -422,7 +422,7 @@ final class Impacts implements Serializable {
     }
 
     /** Gives what compression has taken of several once more, in part: first along normals, and then what rubs. */
-    void restore(Turns turns) {
+    void restore(OpenGroups turns) {
         if (limits.length < met.size) {
             limits = new double[Growth.length(limits.length, met.size)];
         }

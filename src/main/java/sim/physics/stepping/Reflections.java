@@ -15,7 +15,7 @@ import static sim.physics.stepping.ContactRows.TANGENT;
 
 import java.io.Serializable;
 import java.util.Arrays;
-import sim.physics.internal.Turns;
+import sim.physics.internal.OpenGroups;
 import sim.physics.motion.State;
 
 /**
@@ -50,7 +50,7 @@ final class Reflections implements Serializable {
     private double[] fastest = {};
 
     /** Groups that have not settled in a round. */
-    private final Turns turns = new Turns();
+    private final OpenGroups turns = new OpenGroups();
 
     private double h;
 

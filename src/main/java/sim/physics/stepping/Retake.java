@@ -5,8 +5,8 @@ package sim.physics.stepping;
 import java.io.Serializable;
 import sim.physics.constraint.StopRows;
 import sim.physics.constraint.TieRows;
+import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
-import sim.physics.internal.Turns;
 import sim.physics.motion.SpringRows;
 import sim.physics.motion.State;
 import sim.physics.motion.SteppedForces;
@@ -43,7 +43,7 @@ final class Retake implements Serializable {
     private final Belts belts;
 
     /** Groups in which something has met, until it has settled. */
-    private final Turns turns = new Turns();
+    private final OpenGroups turns = new OpenGroups();
 
     /** Whether joints, springs or bodies are others than when the groups were found. */
     private boolean isStale;

@@ -47,12 +47,8 @@ final class ThirdParties implements Serializable {
         isAny = false;
     }
 
-    /** The two bodies of a row strike one another. */
-    void strike(int row) {
-        double approach = rows.approach(row, 0);
-        for (int m = 1; m < rows.pointCount(row); m++) {
-            approach = Math.max(approach, rows.approach(row, m));
-        }
+    /** The two bodies of a row strike one another with a speed. */
+    void strike(int row, double approach) {
         gain(rows.first(row), GAIN * approach);
         gain(rows.second(row), GAIN * approach);
     }

@@ -6,7 +6,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 
 /** Which of some groups are still solved in turn, each until it has settled: how often must not depend on what happens in others. */
-public final class Turns implements Serializable {
+public final class OpenGroups implements Serializable {
     private static final long serialVersionUID = 1L;
 
     private boolean[] open = {};
@@ -14,7 +14,7 @@ public final class Turns implements Serializable {
     private int count;
 
     /** Makes one of no group. */
-    public Turns() {
+    public OpenGroups() {
         // they are opened
     }
 
