@@ -4,6 +4,7 @@ package sim.physics.response;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.motion.State;
 
 /**
  * Impulses of an impact at several points with friction, along normals and tangents together. First Moreau's inelastic impact with
@@ -34,6 +35,9 @@ final class RoughImpact implements Serializable {
     /** Friction that matters to no normal impulse, relative to the largest one. */
     private static final double NONE = 1e-9;
 
+    /** What surfaces give and take in an impact, relative to what makes bodies as fast as they are: more than what strikes them rubs off. */
+    private static final double RUBBED = 4;
+
     /** By rows: two for each point. */
     private double[] mobility = {};
 
@@ -48,8 +52,10 @@ final class RoughImpact implements Serializable {
     private transient double[][] velocity;
     private transient Replies replies;
 
-    RoughImpact() {
-        // grows with the impacts
+    private final State state;
+
+    RoughImpact(State state) {
+        this.state = state;
     }
 
     /** Whether there is friction at points of several, or some stick. */
@@ -70,11 +76,12 @@ final class RoughImpact implements Serializable {
      * @param placeA the first body of each, −1 for what cannot move
      * @param placeB the second one
      * @param v velocities of that many bodies
+     * @param body which these are
      * @param ties what they reply to the points' normal impulses, and behind them to the tangential ones; null without ties
      * @param allowance energy that may be created
      * @return false, with velocities as they were, if points bounce and no friction acts: normals have a better solution then
      */
-    boolean solve(Impact[] which, int count, int[] placeA, int[] placeB, double[][] v, int bodies, Replies ties, double allowance) {
+    boolean solve(Impact[] which, int count, int[] placeA, int[] placeB, double[][] v, int[] body, int bodies, Replies ties, double allowance) {
         points = count;
         impacts = which;
         first = placeA;
@@ -83,11 +90,9 @@ final class RoughImpact implements Serializable {
         replies = ties;
         begin();
         double[][] before = copy(velocity, bodies);
-        relax(impulse, true);
+        compress(before, body, bodies);
         boolean isSolved = compressed(before, bodies, allowance);
-        for (int k = 0; k < bodies; k++) {
-            System.arraycopy(before[k], 0, velocity[k], 0, before[k].length); // the sweeps have added their rounding
-        }
+        reset(before, bodies); // the sweeps have added their rounding
         for (int row = 0; isSolved && row < 2 * points; row++) {
             load(row / 2);
             push(row, impulse[row]);
@@ -97,6 +102,58 @@ final class RoughImpact implements Serializable {
             impacts[k].jt = impulse[2 * k + 1];
         }
         return isSolved;
+    }
+
+    /**
+     * Stops the points. Where surfaces that move wedge a body, what each of them pulls presses on the other, and impulses would grow without end: these
+     * surfaces stand still.
+     */
+    private void compress(double[][] before, int[] body, int bodies) {
+        relax(impulse, true);
+        double fastest = 0;
+        double exchanged = 0;
+        for (int k = 0; k < points; k++) {
+            fastest = Math.max(fastest, Math.abs(impacts[k].belt));
+            exchanged += Math.abs(impulse[2 * k + 1] * impacts[k].belt);
+        }
+        if (fastest == 0 || !isWedged(fastest, exchanged, before, body, bodies)) {
+            return;
+        }
+        reset(before, bodies);
+        Arrays.fill(impulse, 0, 2 * points, 0);
+        for (int k = 0; k < points; k++) {
+            impacts[k].belt = 0;
+        }
+        relax(impulse, true);
+    }
+
+    /** Whether bodies gain more than surfaces give them that make them as fast as the fastest of these, or are given or lose much more. */
+    private boolean isWedged(double fastest, double exchanged, double[][] before, int[] body, int bodies) {
+        double gained = 0;
+        double bearable = 0;
+        for (int k = 0; k < bodies; k++) {
+            double w = state.w().values()[State.BLOCK * body[k]];
+            double square = square(before[k], body[k]);
+            gained += 0.5 * (square(velocity[k], body[k]) - square);
+            bearable += w > 0 ? fastest * (fastest + Math.sqrt(square * w)) / w : 0;
+        }
+        return gained > bearable || exchanged > RUBBED * bearable;
+    }
+
+    /** Twice the kinetic energy of a body with a velocity. */
+    private double square(double[] v, int body) {
+        double sum = 0;
+        for (int c = 0; c < State.BLOCK; c++) {
+            double w = state.w().values()[State.BLOCK * body + c];
+            sum += w > 0 ? v[c] * v[c] / w : 0;
+        }
+        return sum;
+    }
+
+    private void reset(double[][] before, int bodies) {
+        for (int k = 0; k < bodies; k++) {
+            System.arraycopy(before[k], 0, velocity[k], 0, before[k].length);
+        }
     }
 
     /** Goes on from the compression, if points bounce; false if no friction acts. */

@@ -331,7 +331,7 @@ final class SimultaneousImpact implements Serializable {
     }
 
     private boolean solveRough() {
-        rough = rough == null ? new RoughImpact() : rough;
+        rough = rough == null ? new RoughImpact(state) : rough;
         int[] placeA = new int[points];
         int[] placeB = new int[points];
         for (int k = 0; k < points; k++) {
@@ -341,7 +341,7 @@ final class SimultaneousImpact implements Serializable {
                 replies.find(points + k, bodyA[k], bodyB[k], impacts[k], true);
             }
         }
-        return rough.solve(impacts, points, placeA, placeB, velocity, bodies, tied ? replies : null, allowance());
+        return rough.solve(impacts, points, placeA, placeB, velocity, body, bodies, tied ? replies : null, allowance());
     }
 
     /** A = J W Jᵀ over the points, b = J v. */

@@ -61,6 +61,21 @@ final class Belts implements Serializable {
         boundDriven(rows, groups);
     }
 
+    /**
+     * Takes note that bodies have met: what strikes presses as much as it takes to stop it, and a surface rubs that.
+     *
+     * @param before velocities with which they met
+     */
+    void strike(ContactRows rows, Groups groups, double[] before) {
+        for (int g = 0; g < groups.count; g++) {
+            for (int k = groups.begins[g]; fastest[g] > 0 && k < groups.begins[g + 1]; k++) {
+                double mass = groups.masses[2 * k];
+                most[g] += mass * (fastest[g] + length(before, groups.blocks[k], groups.masses[2 * k + 1] / mass));
+            }
+        }
+        boundDriven(rows, groups);
+    }
+
     /** Finds the speed of the fastest surface that drives a group. */
     private void findFastest(ContactRows rows, Groups groups) {
         for (int k = 0; k < rows.count; k++) {
@@ -72,7 +87,7 @@ final class Belts implements Serializable {
     }
 
     /** Bounds the friction of pairs that surfaces drive, by group, with what presses in them now. */
-    private void boundDriven(ContactRows rows, Groups groups) {
+    void boundDriven(ContactRows rows, Groups groups) {
         for (int k = 0; k < rows.count; k++) {
             if (rows.isDriven(k)) {
                 double asked = rows.normals[ContactRows.PAIR * k + ContactRows.ASKED];

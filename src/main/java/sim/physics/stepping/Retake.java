@@ -172,12 +172,19 @@ final class Retake implements Serializable {
         double part = isTied ? Softness.EAGER.mass() : 1;
         impacts.mark(marks, true);
         ties.keep();
+        boolean isDriven = rows.driven > 0;
+        if (isDriven) {
+            belts.strike(rows, groups, balance.speeds());
+        }
         boolean goesOn = true;
         impacts.open(turns);
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
             ties.settle(groups.slots, turns, marks);
             stops.compress(groups.slots, turns, part);
             impacts.compress(turns, part);
+            if (isDriven) {
+                belts.boundDriven(rows, groups);
+            }
             goesOn = turns.goOn();
         }
         contacts.straighten();

@@ -9,7 +9,7 @@ import java.util.HashSet;
 import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.collision.narrow.Distance;
 import sim.physics.motion.Body;
@@ -24,10 +24,10 @@ class LeftHeapTest {
     private static final double G = 9.81;
 
     @ParameterizedTest
-    @ValueSource(doubles = {60, 240})
-    void whatTouchesNothingFallsFreely(double stepsInASecond) {
+    @CsvSource({"60, 150", "240, 400"})
+    void whatTouchesNothingFallsFreely(double stepsInASecond, int seeds) {
         int checked = 0;
-        for (int seed = 0; seed < 150; seed++) {
+        for (int seed = 0; seed < seeds; seed++) {
             PhysicsEngine engine = bin(new Random(seed), 1 / stepsInASecond);
             Set<Body> struck = new HashSet<>();
             engine.addListener(new CollisionListener() {

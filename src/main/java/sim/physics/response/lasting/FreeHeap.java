@@ -5,6 +5,7 @@ package sim.physics.response.lasting;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.collision.CollisionDetection;
+import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
@@ -57,6 +58,7 @@ final class FreeHeap implements Serializable {
     private final HeapSystem system;
     private final HeapNotes notes;
     private final BodyScale scales;
+    private final StraightGaps straight;
 
     FreeHeap(
             CollisionDetection detection,
@@ -69,6 +71,7 @@ final class FreeHeap implements Serializable {
         this.system = system;
         this.notes = notes;
         this.scales = scales;
+        this.straight = new StraightGaps(system);
     }
 
     /** Begins to take in the points of a heap. */
@@ -86,6 +89,11 @@ final class FreeHeap implements Serializable {
             notes.start(p, given);
         }
         system.tolerance().bear(system.tolerance().isRough() ? HeapGaps.fairSpeedOfMany(size, time) : HeapGaps.fairSpeed(size, time));
+    }
+
+    /** Takes in where a point is, whose bodies go straight on, and how deep it may be. */
+    void follow(int p, Manifold manifold, int k, double depth) {
+        straight.set(p, manifold, k, depth);
     }
 
     /** Whether a heap whose bodies have a speed at most stands still, against what forces give in the time. */
@@ -140,6 +148,10 @@ final class FreeHeap implements Serializable {
         for (int k = 0; k < heap.size; k++) {
             by.relents[heap.values[k]] = relents;
             by.failures[heap.values[k]] += done ? 0 : 1;
+        }
+        if (done && isHalf && straight.lift(time)) {
+            system.again();
+            done = system.solve(scale, true);
         }
         soften(time);
         return done;

@@ -351,7 +351,9 @@ final class Heap implements Serializable {
             }
             double roam = isDriven ? scales.roam(a, b, scale / left) : 0;
             double full = scales.bend(manifold, point, a, b, left);
-            double bend = isDriven ? scales.bendOfTurned(point, full, roam) + size * regain.sag(sag) : isRubbed ? 0 : full;
+            boolean isFollowed = isHalf && -point.opening * left <= 2 * (depth + full) + HeapGaps.fairDepth(size); // else it may strike
+            double bend = isDriven ? scales.bendOfTurned(point, full, roam) + size * regain.sag(sag)
+                    : isRubbed ? 0 : isFollowed ? BodyScale.bendOfStraight(manifold, k, point, manifold.gaps[k] - depth, full, left) : full;
             double any = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, regain)
                     : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven(), isTied);
             boolean isKnown = isResumed && any > 0 && !isRough;
@@ -363,6 +365,9 @@ final class Heap implements Serializable {
                 driving.turn(p, manifold, k, Math.min(-depth, manifold.gaps[k]) + kept, roam);
             }
             system.drift(p, isHalf ? 0.5 * left * point.drifting() : 0);
+            if (isHalf) {
+                free.follow(p, manifold, k, depth);
+            }
             if (!isEven()) {
                 free.take(p, size, left, given(left), isFresh || scale > 0);
             }
@@ -386,11 +391,13 @@ final class Heap implements Serializable {
             done = findImpulses(tau);
             isDear = isDear(tau, isPressed);
         }
+        if (isDear) {
+            system.unwedge(isDriven);
+        }
         if (halts && isPressed) {
             done = isRubbed ? regainNothing() : free.hop(heap, courses.before(), from(), scale, regain.time());
             notes.deepen(detection, scales);
         } else if (isDear) {
-            system.unwedge(isDriven);
             done = regainNothing(); // that must not add energy
             by.afford(heap, HeapEnergy.gained(system, from()), 0);
         }
@@ -417,7 +424,7 @@ final class Heap implements Serializable {
         if (isRubbed && isPressed) {
             effort.isTooMuch(system, courses.before(), pulls, heap, until - tau, trajectories.h());
         }
-        return isDriven || isRubbed && isPressed ? effort.isOver() : !free.affords(heap, pulls, from(), isHalf);
+        return isDriven || isRubbed && isPressed ? effort.isOver() : HeapEnergy.isWedged(system, from()) || !free.affords(heap, pulls, from(), isHalf);
     }
 
     /** Solves for the impulses of the points that have been taken in; false if they are not right. */
@@ -436,11 +443,6 @@ final class Heap implements Serializable {
         double time = regain.time();
         return isDriven ? driving.search().regainNothing(scale)
                 : isRubbed ? (halts ? rubbing.hop(heap, deep, scale) : rubbing.regainNothing(heap, time, scale)) : free.regainNothing(scale, time);
-    }
-
-    /** Whether something has happened to a body of a heap that stands still. */
-    boolean stirs(int body) {
-        return driving.stirs(body, members.ties());
     }
 
     private void publish(double tau, IntList changed) {

@@ -138,7 +138,8 @@ final class HeapEnd implements Serializable {
                 continue;
             }
             points.load(manifold, pair, k, point);
-            double none = 2 * (HeapGaps.depth(false, size) + scales.bend(manifold, point, a, b, 2 * half));
+            double bend = Math.max(scales.bend(manifold, point, a, b, 2 * half), GapBend.most(manifold, k, point, 2 * half));
+            double none = 2 * (HeapGaps.depth(false, size) + bend);
             if (manifold.gaps[k] <= none || fn > 0 || presses && manifold.gaps[k] == manifold.gap) {
                 int p = system.size();
                 system.add(by.place[a] - 1, by.place[b] - 1, point);

@@ -4,21 +4,38 @@ package sim.physics.response.lasting;
 
 /** The energy that the impulses of a {@link HeapSystem} give, and how to take all of it. */
 final class HeapEnergy {
+    /** What surfaces give and take, relative to what makes bodies as fast as they are: more than their weight rubs off. */
+    private static final double RUBBED = 10;
+
     private HeapEnergy() {}
 
     /**
      * Twice the kinetic energy that the bodies have more than with other velocities, mostly those without impulses; without that of motors
-     * and of moving surfaces, as far as bodies can bear it.
+     * and of moving surfaces, as far as bodies can bear it. What these give that is lost at once is not counted as lost.
      */
     static double gained(HeapSystem s, double[] from) {
         double fastest = s.fastestBelt();
-        return gainedOrLost(s, from) - (fastest == 0 ? 0 : 2 * Math.min(given(s), bearable(s, from, fastest)));
+        double gained = gainedOrLost(s, from);
+        return fastest == 0 ? gained : Math.max(Math.min(0, gained), gained - 2 * Math.min(given(s), bearable(s, from, fastest)));
     }
 
-    /** Whether moving surfaces have wedged bodies: these have more from other velocities on than surfaces give that take them along. */
+    /**
+     * Whether moving surfaces have wedged bodies: these have more from other velocities on than surfaces give that take them along, or are
+     * given or lose much more.
+     */
     static boolean isWedged(HeapSystem s, double[] from) {
         double fastest = s.fastestBelt();
-        return fastest > 0 && gainedOrLost(s, from) > 2 * bearable(s, from, fastest);
+        double bearable = fastest == 0 ? 0 : bearable(s, from, fastest);
+        return fastest > 0 && (gainedOrLost(s, from) > 2 * bearable || exchanged(s) > RUBBED * bearable);
+    }
+
+    /** What moving surfaces give and take. */
+    private static double exchanged(HeapSystem s) {
+        double work = 0;
+        for (int p = 0; p < s.contacts(); p++) {
+            work += Math.abs(s.tangentImpulse(p) * s.belt(p));
+        }
+        return work;
     }
 
     /**

@@ -14,6 +14,9 @@ import sim.physics.motion.Trajectories;
 final class HeapMembers implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Part of a step that is hardly any of it. */
+    private static final double BEGUN = 1e-3;
+
     private final State state;
     private final Trajectories trajectories;
     private final Motion motion;
@@ -89,6 +92,7 @@ final class HeapMembers implements Serializable {
         bending = 0;
         pulls.stand();
         paidUntil = trajectories.h();
+        boolean begun = true;
         include(seed);
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
@@ -96,10 +100,7 @@ final class HeapMembers implements Serializable {
             detection.unplan(body);
             if (by.paidUntil[body] > tau) {
                 struck = true;
-                paidUntil = Math.min(paidUntil, by.paidUntil[body]);
-                motion.fall(body, fall, 0);
-                boolean isPulled = fall[0] != 0 || fall[1] != 0 || fall[2] != 0;
-                turned |= by.complete(body, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX, isPulled);
+                begun &= by.isHalf[body] && tau <= BEGUN * trajectories.h() && isPulled(body);
             }
             for (int m = 0; m < detection.pairs().countOf(body); m++) {
                 int pair = detection.pairs().of(body, m);
@@ -113,6 +114,37 @@ final class HeapMembers implements Serializable {
                 }
             }
         }
+        if (struck) {
+            resume(tau, begun);
+        }
+    }
+
+    /**
+     * Lets bodies that have got what is to move them for a time which is not over go on with all of it; or, if the step has hardly begun, as
+     * when a corner's two sides are touched one after the other, takes that back, and the heap is solved for the first time then.
+     */
+    private void resume(double tau, boolean isBegun) {
+        struck = !isBegun;
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            if (!(by.paidUntil[body] > tau)) {
+                continue;
+            }
+            int o = body * Trajectories.STRIDE + Trajectories.VX;
+            if (isBegun) {
+                by.unpay(body, tau, trajectories.data(), o);
+                by.paidUntil[body] = 0;
+                by.isHalf[body] = false;
+            } else {
+                paidUntil = Math.min(paidUntil, by.paidUntil[body]);
+                turned |= by.complete(body, trajectories.data(), o, isPulled(body));
+            }
+        }
+    }
+
+    private boolean isPulled(int body) {
+        motion.fall(body, fall, 0);
+        return fall[0] != 0 || fall[1] != 0 || fall[2] != 0;
     }
 
     /** Since when the bodies of a body's heap are all on their present courses; it is found without being moved. */

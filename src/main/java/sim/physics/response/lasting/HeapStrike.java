@@ -102,6 +102,11 @@ final class HeapStrike implements Serializable {
             system.bound(p, Math.max(least, p < system.contacts() ? bounces[p] : rebounds[p - system.contacts()]));
         }
         boolean right = system.solve(scale, true);
+        if (HeapEnergy.isWedged(system, system.free())) {
+            system.unwedge(false);
+            system.again();
+            right = system.solve(scale, true);
+        }
         if (!right || !(HeapEnergy.gained(system, system.free()) <= GAIN * HeapEnergy.of(system, system.free()))) {
             system.solveSoftly(scale);
         }
