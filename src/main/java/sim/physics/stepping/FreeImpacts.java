@@ -4,6 +4,7 @@ package sim.physics.stepping;
 
 import static sim.physics.stepping.ContactRows.BEFORE;
 import static sim.physics.stepping.ContactRows.NORMAL;
+import static sim.physics.stepping.ContactRows.NORMAL_MASS;
 import static sim.physics.stepping.ContactRows.NOW;
 import static sim.physics.stepping.ContactRows.OPENING;
 import static sim.physics.stepping.ContactRows.RESTORED;
@@ -183,13 +184,13 @@ final class FreeImpacts implements Serializable {
             rows.points[p + TANGENT] = 0;
         }
         rows.turns.forget(row, 1);
-        for (int look = 0; time < h && look < LOOKS; look++) { // else a wave has driven them together
+        for (int look = 0; time <= h && look < LOOKS; look++) { // of what forces alone bring together within the time, too
             fly(rows.first(row), time, before, a);
             fly(rows.second(row), time, before, a);
             follow(row);
             time = refine(row, time, before.speeds());
         }
-        if (time < h) {
+        if (time < h) { // else a wave has driven them together
             meets[rows.first(row)] = Math.min(meets[rows.first(row)], time);
             meets[rows.second(row)] = Math.min(meets[rows.second(row)], time);
         }
@@ -241,6 +242,22 @@ final class FreeImpacts implements Serializable {
         for (int n = 0; n < groups.struck.size; n++) {
             int row = groups.struck.values[n];
             if (has(row)) {
+                follow(row);
+                bear(row);
+            }
+        }
+    }
+
+    /** Bears what has struck and does not bounce from then on: it would fall deeper by what forces move it in the rest of the time. */
+    private void bear(int row) {
+        for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
+            double mass = rows.points[p + NORMAL_MASS];
+            double fallen = Math.min(0, rows.points[p + BEFORE]) - rows.points[p + NOW];
+            double opening = rows.opening(row, p, state.v());
+            if (rows.points[p + RESTORED] == Impacts.PLASTIC && fallen > 0 && opening < 0) {
+                rows.points[p + NORMAL] -= mass * opening;
+                rows.give(row, p, state.v(), -mass * opening, 0);
+                rows.give(row, p, state.x(), mass * fallen, 0);
                 follow(row);
             }
         }

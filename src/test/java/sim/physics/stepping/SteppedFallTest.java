@@ -57,10 +57,25 @@ class SteppedFallTest {
     @ParameterizedTest
     @CsvSource({"1, 4, 0.25", "2, 4, 0.25", "2, 32, 0.25", "0.0166666666666667, 1, 0.0003", "0.0166666666666667, 4, 0.0003", "0.5, 4, 0.05"})
     void whatFallsFromRestMeetsTheGround(double step, int substeps, double radius) {
+        double nearly = 1e-9 * Stepped.G * step * step;
         for (int k = 1; k <= 40; k++) {
             double height = k * 0.1 * Stepped.G * step * step;
-            assertThat(leastHeight(step, substeps, radius, height, true)).as("field, %s above", height).isGreaterThan(-sag(step, substeps));
+            assertThat(leastHeight(step, substeps, radius, height, true)).as("field, %s above", height).isGreaterThan(-nearly);
             assertThat(leastHeight(step, substeps, radius, height, false)).as("force, %s above", height).isGreaterThan(-sag(step, substeps));
+        }
+    }
+
+    /** Where it meets the ground as a substep ends, but for rounding or for a little more. */
+    @ParameterizedTest
+    @CsvSource({"1, 4, 0.25", "2, 4, 0.25", "2, 32, 0.25", "0.0166666666666667, 1, 0.0003", "0.0166666666666667, 4, 0.0003", "0.5, 4, 0.05"})
+    void whatMeetsTheGroundAsASubstepEnds(double step, int substeps, double radius) {
+        double nearly = 1e-9 * Stepped.G * step * step;
+        double part = 0.5 * Stepped.G * (step / substeps) * (step / substeps);
+        for (int n = 1; n <= 40; n++) {
+            for (double off : new double[] {-0.02, -1e-3, -1e-12, 0, 1e-12, 1e-3, 0.02}) {
+                double height = part * n * n * (1 + off);
+                assertThat(leastHeight(step, substeps, radius, height, true)).as("%s above", height).isGreaterThan(-nearly);
+            }
         }
     }
 
