@@ -137,6 +137,11 @@ final class HeldMotors implements Serializable {
         return more;
     }
 
+    /** Whether motors drive the coordinate of a stop. */
+    boolean has(int stop) {
+        return begin(stop) < end(stop);
+    }
+
     private int begin(int stop) {
         return begins.length == 0 ? 0 : begins[stop];
     }

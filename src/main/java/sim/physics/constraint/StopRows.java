@@ -177,10 +177,10 @@ public final class StopRows implements Serializable {
 
     private void bound(int k, int side, double gap, int sign, Softness softness, double substep) {
         int o = ROWS * k + side;
-        if (gap == Double.POSITIVE_INFINITY) {
-            return;
-        }
         double old = impulse[o];
+        if (gap == Double.POSITIVE_INFINITY || gap > 0 && old == 0 && softness.rate() == 0 && comesToRest(k)) {
+            return; // as a substep ends, what is open is free: the next one ends its way
+        }
         double pressed = old > 0 ? held.pressed(k, sign, softness.rate() * gap, impulse) : 0;
         double now = sign * turning.speed(k, softness.rate() > 0);
         boolean isOpen = gap > 0 && pressed <= old; // else a motor holds it there, a little off the bound, as a joint would
@@ -196,6 +196,11 @@ public final class StopRows implements Serializable {
             impulse[o] = given + more;
             equations.push(k, 0, sign * more);
         }
+    }
+
+    /** Whether what comes to a stop stays there, and no motor drives it. */
+    private boolean comesToRest(int k) {
+        return ((Limit) equations.ties[k]).getRestitution() == 0 && !held.has(k);
     }
 
     /** What a bound bears, without what motors press against it. */

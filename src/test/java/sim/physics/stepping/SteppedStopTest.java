@@ -74,6 +74,21 @@ class SteppedStopTest {
         }
     }
 
+    /** Wherever it is: it stopped short of it by up to the way of a substep. */
+    @Test
+    void whatComesToAStopIsAtIt() {
+        for (int n = 0; n < 200; n++) {
+            double bound = 0.5 + 0.00137 * n;
+            PhysicsEngine engine = Stepped.engine(0.01, 4);
+            Body wheel = smooth(engine, new Body(new Circle(0.1)).at(0, 0).moving(0, 0, 1));
+            engine.add(new PinJoint(wheel, 0, 0));
+            engine.add(Limit.angle(wheel, null, -1, bound));
+            Stepped.run(engine, 100);
+            assertThat(wheel.getAngle()).isCloseTo(bound, within(1e-12));
+            assertThat(wheel.getAngularVelocity()).isCloseTo(0, within(1e-12));
+        }
+    }
+
     @Test
     void elasticStopsKeepWhatFallsOnThem() {
         for (int substeps : new int[] {4, 16}) {
