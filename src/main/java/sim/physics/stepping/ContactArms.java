@@ -40,6 +40,9 @@ final class ContactArms implements Serializable {
     /** Way of a corner on the other body in a substep, relative to its own arm, from which it counts as slid off. */
     private static final double SLID = 0.5;
 
+    /** Of what are discs: the first one only. */
+    private static final int FIRST = 1;
+
     private final State state;
     private final ContactRows rows;
     private final ContactTurns turns;
@@ -193,17 +196,28 @@ final class ContactArms implements Serializable {
         if (x == 0 && y == 0) {
             return;
         }
-        int a = State.BLOCK * rows.first(k);
-        int b = State.BLOCK * rows.second(k);
-        if (pairs[INTS * k + DISCS] == BOTH && normals[PAIR * k + FRICTION] == 0) {
-            pushCentres(a, b, -x, -y);
+        if (pairs[INTS * k + DISCS] != 0 && normals[PAIR * k + FRICTION] == 0) {
+            pushCentre(k, p, -x, -y);
         } else {
-            rows.push(state.v(), state.w().values(), a, b, p, -x, -y);
+            rows.push(state.v(), state.w().values(), State.BLOCK * rows.first(k), State.BLOCK * rows.second(k), p, -x, -y);
         }
         turns.forget(k, 1);
     }
 
-    /** Gives the bodies an impulse at their centres, which is where that of discs without friction acts. */
+    /** Gives the bodies an impulse at the centre of the disc, which is where that of one without friction acts; at both centres, of two discs. */
+    private void pushCentre(int k, int p, double jx, double jy) {
+        int a = State.BLOCK * rows.first(k);
+        int b = State.BLOCK * rows.second(k);
+        pushCentres(a, b, jx, jy);
+        double turn = (points[p + AX] - points[p + BX]) * jy - (points[p + AY] - points[p + BY]) * jx; // about the disc's centre
+        int discs = pairs[INTS * k + DISCS];
+        if (discs != BOTH) {
+            int other = discs == FIRST ? b : a;
+            state.v()[other + 2] -= state.w().values()[other + 2] * turn;
+        }
+    }
+
+    /** Gives the bodies an impulse at their centres. */
     private void pushCentres(int a, int b, double jx, double jy) {
         double[] v = state.v();
         double[] w = state.w().values();

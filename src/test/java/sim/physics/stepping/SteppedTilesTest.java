@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
@@ -45,6 +46,23 @@ class SteppedTilesTest {
                 assertThat(body.getY()).isCloseTo(height, within(1e-3));
                 assertThat(body.getAngle()).isCloseTo(0, within(1e-3));
             }
+        }
+    }
+
+    /** Without friction nothing turns a disc, also if it comes to a seam just as a substep ends. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e-12, -1e-12, 3e-12, 1e-9})
+    void aSmoothDiscDoesNotTurn(double longer) {
+        for (int phase = 0; phase < 8; phase++) {
+            PhysicsEngine engine = world(0);
+            engine.setTimeStep((1 + longer) / 60);
+            Body disc = engine.add(new Body(new Circle(0.4)).at(0.5 + 0.125 * phase, 0.4).moving(8, 0));
+            for (Body each : engine.bodies()) {
+                each.setFriction(0);
+                each.setRestitution(0);
+            }
+            Stepped.run(engine, 90);
+            assertThat(disc.getAngle()).isCloseTo(0, within(1e-12));
         }
     }
 
