@@ -105,17 +105,6 @@ final class BodyScale implements Serializable {
         return Math.min(1, turn + roam) * bend;
     }
 
-    /**
-     * The same of bodies that go straight on for a time: which way their gap bends is known.
-     *
-     * @param gap beyond that which is kept
-     * @param bend what turning and sliding may take of it at most
-     */
-    static double bendOfStraight(Manifold manifold, int k, ContactPoint point, double gap, double bend, double time) {
-        double curvature = GapBend.curvature(manifold, k, point);
-        return Double.isNaN(curvature) ? bend : Math.min(bend, GapBend.reserve(curvature, gap, time));
-    }
-
     /** The bend of a contact that counts at most. */
     double mostBend(int a, int b) {
         return MOST_BEND * size(a, b);

@@ -91,9 +91,18 @@ final class FreeHeap implements Serializable {
         system.tolerance().bear(system.tolerance().isRough() ? HeapGaps.fairSpeedOfMany(size, time) : HeapGaps.fairSpeed(size, time));
     }
 
-    /** Takes in where a point is, whose bodies go straight on, and how deep it may be. */
-    void follow(int p, Manifold manifold, int k, double depth) {
+    /**
+     * Takes in where a point is, whose bodies go straight on for a time.
+     *
+     * @param depth that it may have
+     * @param bend what turning and sliding may take of its gap at most
+     * @return what they take, as it is known which way the gap bends; the most of what comes so near that it may strike
+     */
+    double follow(int p, Manifold manifold, int k, ContactPoint point, double depth, double bend, double size, double time) {
         straight.set(p, manifold, k, depth);
+        double curvature = GapBend.curvature(manifold, k, point);
+        boolean mayStrike = -point.opening * time > 2 * (depth + bend) + HeapGaps.fairDepth(size);
+        return mayStrike || Double.isNaN(curvature) ? bend : Math.min(bend, GapBend.reserve(curvature, manifold.gaps[k] - depth, time));
     }
 
     /** Whether a heap whose bodies have a speed at most stands still, against what forces give in the time. */

@@ -351,9 +351,8 @@ final class Heap implements Serializable {
             }
             double roam = isDriven ? scales.roam(a, b, scale / left) : 0;
             double full = scales.bend(manifold, point, a, b, left);
-            boolean isFollowed = isHalf && -point.opening * left <= 2 * (depth + full) + HeapGaps.fairDepth(size); // else it may strike
             double bend = isDriven ? scales.bendOfTurned(point, full, roam) + size * regain.sag(sag)
-                    : isRubbed ? 0 : isFollowed ? BodyScale.bendOfStraight(manifold, k, point, manifold.gaps[k] - depth, full, left) : full;
+                    : isRubbed ? 0 : isHalf ? free.follow(p, manifold, k, point, depth, full, size, left) : full;
             double any = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, regain)
                     : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven(), isTied);
             boolean isKnown = isResumed && any > 0 && !isRough;
@@ -365,9 +364,6 @@ final class Heap implements Serializable {
                 driving.turn(p, manifold, k, Math.min(-depth, manifold.gaps[k]) + kept, roam);
             }
             system.drift(p, isHalf ? 0.5 * left * point.drifting() : 0);
-            if (isHalf) {
-                free.follow(p, manifold, k, depth);
-            }
             if (!isEven()) {
                 free.take(p, size, left, given(left), isFresh || scale > 0);
             }
@@ -443,6 +439,11 @@ final class Heap implements Serializable {
         double time = regain.time();
         return isDriven ? driving.search().regainNothing(scale)
                 : isRubbed ? (halts ? rubbing.hop(heap, deep, scale) : rubbing.regainNothing(heap, time, scale)) : free.regainNothing(scale, time);
+    }
+
+    /** Whether something has happened to a body of a heap that stands still. */
+    boolean stirs(int body) {
+        return driving.stirs(body, members.ties());
     }
 
     private void publish(double tau, IntList changed) {

@@ -25,8 +25,11 @@ final class HeapEnergy {
      */
     static boolean isWedged(HeapSystem s, double[] from) {
         double fastest = s.fastestBelt();
-        double bearable = fastest == 0 ? 0 : bearable(s, from, fastest);
-        return fastest > 0 && (gainedOrLost(s, from) > 2 * bearable || exchanged(s) > RUBBED * bearable);
+        if (fastest == 0) {
+            return false;
+        }
+        double bearable = bearable(s, from, fastest);
+        return gainedOrLost(s, from) > 2 * bearable || exchanged(s) > RUBBED * bearable;
     }
 
     /** What moving surfaces give and take. */

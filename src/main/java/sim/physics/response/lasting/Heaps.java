@@ -274,7 +274,7 @@ public final class Heaps implements Serializable {
             }
             members.values[kept++] = body;
             by.begin(body);
-            if (!by.isStill[body] || heap.driving.stirs(body, heap.members.ties())) {
+            if (!by.isStill[body] || heap.stirs(body)) {
                 joining.mark(body);
             }
         }

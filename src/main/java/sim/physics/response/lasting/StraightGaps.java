@@ -44,9 +44,7 @@ final class StraightGaps implements Serializable {
     boolean lift(double time) {
         boolean lifts = false;
         for (int p = 0; p < system.contacts(); p++) {
-            double end = Double.isNaN(depths[p]) ? 0 : gap(p, time);
-            double when = Double.isNaN(depths[p]) ? 1 : least(gap(p, 0), gap(p, 0.5 * time), end);
-            double raise = Math.max(raise(p, end), raise(p, when < 1 ? gap(p, when * time) : end) / when) / time;
+            double raise = Double.isNaN(depths[p]) ? 0 : raise(p, time) / time;
             if (raise > 0) {
                 system.bound(p, Math.max(system.bound(p), system.normal(p) + raise));
                 lifts = true;
@@ -55,8 +53,15 @@ final class StraightGaps implements Serializable {
         return lifts;
     }
 
+    /** By how much higher a point is to be at the end of a time, to be nowhere too deep in it. */
+    private double raise(int p, double time) {
+        double end = gap(p, time);
+        double when = least(gap(p, 0), gap(p, 0.5 * time), end);
+        return Math.max(missing(p, end), missing(p, when < 1 ? gap(p, when * time) : end) / when);
+    }
+
     /** By how much a point is to be higher that would be at a gap; 0 if it may be there. */
-    private double raise(int p, double gap) {
+    private double missing(int p, double gap) {
         return gap < -depths[p] ? depths[p] - MORE * gap : 0;
     }
 
