@@ -22,11 +22,22 @@ final class Companions implements Serializable {
     /** Part of the speed of an impact from which on another one is as good. */
     private static final double COMPARABLE = 1e-3;
 
+    /** Roundings by which two gaps may differ that are one. */
+    private static final double BLUR = 4;
+
+    /** Cosine between normals that are the same. */
+    private static final double PARALLEL = 1 - 1e-12;
+
     private final Trajectories trajectories;
     private final Boxes boxes;
     private final Pairs pairs;
     private final PairMarks marks;
     private final NarrowPhase narrowPhase;
+
+    /** The normal of the impact that was looked at last, towards the body that can move. */
+    private double nx;
+
+    private double ny;
 
     Companions(Trajectories trajectories, Boxes boxes, Pairs pairs, PairMarks marks, NarrowPhase narrowPhase) {
         this.trajectories = trajectories;
@@ -57,12 +68,13 @@ final class Companions implements Serializable {
             if (boxes.isFixed(a) == boxes.isFixed(b) || trajectories.isDriven(body)) {
                 continue;
             }
+            double late = pairs.countOf(body) > 1 ? blur(together.values[k], body, tau) : tau;
             for (int m = 0; m < pairs.countOf(body); m++) {
                 int pair = pairs.of(body, m);
                 if (boxes.isFixed(pairs.other(pair, body))
-                        && mayTouch(pair, tau)
+                        && (mayTouch(pair, tau) || pairs.time(pair) <= late)
                         && !together.contains(pair) // last: all may land together
-                        && touches(pair, tau, pairs.time(pair))) {
+                        && (touches(pair, tau, pairs.time(pair)) || pairs.time(pair) <= late && touchesAlong(pair, body, tau))) {
                     pairs.setTime(pair, Double.NaN);
                     together.add(pair);
                 }
@@ -119,6 +131,29 @@ final class Companions implements Serializable {
 
     private double until(double tau) {
         return tau + Tolerances.SOON * trajectories.h();
+    }
+
+    /**
+     * Until when rounding may put off what is simultaneous with the impact of a body that has hardly any speed, as what is put down and falls by rounding
+     * only: that takes it far longer than anything else. Notes the normal of that impact.
+     */
+    private double blur(int pair, int body, double tau) {
+        if (!narrowPhase.touches(pair, tau)) {
+            return tau;
+        }
+        nx = towards(pair, body) * narrowPhase.normalX();
+        ny = towards(pair, body) * narrowPhase.normalY();
+        double speed = narrowPhase.approach();
+        return speed > 0 ? tau + BLUR * narrowPhase.roundingOfGap() / speed : tau;
+    }
+
+    private boolean touchesAlong(int pair, int body, double tau) {
+        return narrowPhase.touches(pair, tau)
+                && towards(pair, body) * (nx * narrowPhase.normalX() + ny * narrowPhase.normalY()) > PARALLEL;
+    }
+
+    private int towards(int pair, int body) {
+        return pairs.first(pair) == body ? -1 : 1;
     }
 
     private boolean touches(int pair, double tau, double planned) {

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
+import sim.physics.shape.Compound;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
 import sim.physics.shape.Shape;
@@ -55,6 +56,62 @@ class TilesTest {
             Body tiled = land(shape, true, seed);
             assertThat(tiled.getX()).as("seed " + seed).isCloseTo(whole.getX(), within(2e-2));
             assertThat(tiled.getVelocityX()).as("seed " + seed).isCloseTo(whole.getVelocityX(), within(1e-2));
+        }
+    }
+
+    /**
+     * What is put on tiles falls by no more than rounding, which takes it long: it met one of them alone, turned by 10⁻⁷ rad/s, and struck the next one's
+     * side. Boxes and what is made of two, at any place, and at any speed.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1})
+    void whatIsPutOnTilesSlidesOn(double restitution) {
+        SplittableRandom random = new SplittableRandom(3);
+        Compound two = new Compound(Compound.box(0, 0, 1, 1), Compound.box(0, 0.75, 0.3, 0.5));
+        for (int run = 0; run < 400; run++) {
+            double width = new double[] {0.1, 0.25, 0.3, 0.5, 0.7, 1, 2}[random.nextInt(7)];
+            double friction = 0.1 * random.nextInt(2);
+            double speed = 2 + 3 * random.nextDouble();
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(1.0 / 60);
+            engine.add(new Gravity(0, -10));
+            for (int k = -4; k < 5 / width; k++) {
+                engine.add(Body.fixed(new Rectangle(width, 0.5)).at(width * k, -0.25));
+            }
+            Body body = random.nextInt(2) == 0 ? new Body(new Rectangle(1, 1)).at(0, 0.5) : new Body(two).at(0, 0.5 + two.centroidY());
+            body.setPosition(0.2 + random.nextDouble(), body.getY());
+            engine.add(body).setVelocity(speed, 0);
+            for (Body each : engine.bodies()) {
+                each.setFriction(friction);
+                each.setRestitution(restitution);
+            }
+            for (int k = 1; k <= 30; k++) {
+                engine.step();
+                assertThat(body.getVelocityX()).as("run " + run).isCloseTo(speed - 10 * friction * k / 60, within(1e-10));
+            }
+        }
+    }
+
+    /** What came to lie far from the origin is as deep as rounding is there, and feels no seam where it is less. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1})
+    void whatComesFromFarSlidesOn(double restitution) {
+        SplittableRandom random = new SplittableRandom(5);
+        for (int run = 0; run < 20; run++) {
+            double width = 0.5 + random.nextDouble();
+            double speed = 5 + 4 * random.nextDouble();
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(1.0 / 60);
+            engine.add(new Gravity(0, -10));
+            for (int k = (int) (-300 / width) - 4; k < 10; k++) {
+                engine.add(Body.fixed(new Rectangle(width, 0.5)).at(width * k, -0.25)).setRestitution(restitution);
+            }
+            Body box = engine.add(new Body(new Rectangle(1, 1)).at(-300 + random.nextDouble(), 0.5).moving(speed, 0));
+            box.setRestitution(restitution);
+            while (box.getX() < 1) {
+                engine.step();
+                assertThat(box.getVelocityX()).as("run " + run).isCloseTo(speed, within(1e-9));
+            }
         }
     }
 }

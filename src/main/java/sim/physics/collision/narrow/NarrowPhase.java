@@ -192,29 +192,17 @@ public final class NarrowPhase implements Serializable {
         this.continuous = continuous;
     }
 
-    /**
-     * Whether impacts are found in continuous time.
-     *
-     * @return false for bisection
-     */
+    /** {@return whether impacts are found in continuous time; false for bisection} */
     public boolean isContinuous() {
         return continuous;
     }
 
-    /**
-     * How far a pair is apart where the last call of {@link #firstContact} looked last.
-     *
-     * @return length, or NaN if that is not known
-     */
+    /** {@return how far a pair is apart where the last call of {@link #firstContact} looked last; NaN if that is not known} */
     public double clearance() {
         return clearance;
     }
 
-    /**
-     * Whether the last call of {@link #firstContact} found a contact.
-     *
-     * @return true if the offset it returned is that of a contact
-     */
+    /** {@return whether the last call of {@link #firstContact} found a contact: then the offset it returned is that of a contact} */
     public boolean isTouching() {
         return touching;
     }
@@ -342,6 +330,16 @@ public final class NarrowPhase implements Serializable {
     /** {@return how fast the centres of the pair that was looked at last approach one another along its normal} */
     public double approach() {
         return -(pose.ux * features.nx + pose.uy * features.ny);
+    }
+
+    /** {@return x of the normal of the pair that was looked at last, from its first body} */
+    public double normalX() {
+        return features.nx;
+    }
+
+    /** {@return y of that normal} */
+    public double normalY() {
+        return features.ny;
     }
 
     /** {@return what rounding of coordinates may make of the gap of the pair that was looked at last, length} */

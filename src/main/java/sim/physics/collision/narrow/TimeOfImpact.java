@@ -50,6 +50,9 @@ final class TimeOfImpact {
     /** Way that bodies graze one another without approaching, relative to their sizes, from which that is no contact. */
     private static final double GRAZE = 1e-12;
 
+    /** Depth at which one of two lies on the edge of the other, relative to their sizes: what came to rest far from here is as deep as rounding is there. */
+    private static final double STEP = 1e-12;
+
     private static final int NUDGES = NUDGE.length;
 
     private final Pose pose;
@@ -192,7 +195,7 @@ final class TimeOfImpact {
             double ey = owner.normalY(edge);
             int k = other.support(-ex, -ey);
             double height = (other.vx[k] - owner.vx[edge]) * ex + (other.vy[k] - owner.vy[edge]) * ey;
-            if (height - pose.rounding >= -tolerance) {
+            if (height - pose.rounding >= -Math.max(tolerance, STEP * pose.size)) {
                 s = INFINITE;
                 touching = false;
                 advanceToEdge(owner, edge, other, k, side);
