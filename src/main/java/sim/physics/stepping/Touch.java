@@ -211,17 +211,18 @@ final class Touch implements Serializable {
                 double ex = x - hull.x[near];
                 double ey = y - hull.y[near];
                 distance = Math.sqrt(ex * ex + ey * ey);
-                if (distance > radius + margin) {
+                if (distance > radius + margin || joinsOn && seams.isHidden(near, ex / distance, ey / distance)) {
                     return;
                 }
-                n0 = ex / distance;
-                n1 = ey / distance;
-                turnsBy = ContactTurns.BETWEEN + (isOther ? ContactTurns.ON_SECOND : ContactTurns.ROUND);
-                setEdge(cos * hull.nx[best] - sin * hull.ny[best], sin * hull.nx[best] + cos * hull.ny[best], isOther ? -1 : 1, along < 0 ? 1 : -1);
-                cornerX = cos * hull.x[near] - sin * hull.y[near];
-                cornerY = sin * hull.x[near] + cos * hull.y[near];
-                if (joinsOn && seams.isHidden(near, n0, n1)) {
-                    return;
+                if (joinsOn && seams.goesOn(near, n0, n1, along > length)) {
+                    distance = most; // over a seam, but for rounding: no corner to go round
+                } else {
+                    n0 = ex / distance;
+                    n1 = ey / distance;
+                    turnsBy = ContactTurns.BETWEEN + (isOther ? ContactTurns.ON_SECOND : ContactTurns.ROUND);
+                    setEdge(cos * hull.nx[best] - sin * hull.ny[best], sin * hull.nx[best] + cos * hull.ny[best], isOther ? -1 : 1, along < 0 ? 1 : -1);
+                    cornerX = cos * hull.x[near] - sin * hull.y[near];
+                    cornerY = sin * hull.x[near] + cos * hull.y[near];
                 }
             }
         }
