@@ -5,6 +5,7 @@ package sim.physics.collision;
 import java.io.Serializable;
 import sim.physics.collision.broad.Boxes;
 import sim.physics.collision.broad.Pairs;
+import sim.physics.collision.narrow.Manifold;
 import sim.physics.collision.narrow.NarrowPhase;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Tolerances;
@@ -28,11 +29,16 @@ final class Companions implements Serializable {
     /** Cosine between normals that are the same. */
     private static final double PARALLEL = 1 - 1e-12;
 
+    /** Length along which sides lie on one another, relative to the smaller body. */
+    private static final double SIDE = 1e-9;
+
     private final Trajectories trajectories;
     private final Boxes boxes;
     private final Pairs pairs;
     private final PairMarks marks;
     private final NarrowPhase narrowPhase;
+
+    private transient Manifold manifold;
 
     /** The normal of the impact that was looked at last, towards the body that can move. */
     private double nx;
@@ -74,7 +80,7 @@ final class Companions implements Serializable {
                 if (boxes.isFixed(pairs.other(pair, body))
                         && (mayTouch(pair, tau) || pairs.time(pair) <= late)
                         && !together.contains(pair) // last: all may land together
-                        && (touches(pair, tau, pairs.time(pair)) || pairs.time(pair) <= late && touchesAlong(pair, body, tau))) {
+                        && (mayTouch(pair, tau) ? touches(pair, tau, pairs.time(pair)) : touchesAlong(pair, body, tau))) {
                     pairs.setTime(pair, Double.NaN);
                     together.add(pair);
                 }
@@ -138,18 +144,40 @@ final class Companions implements Serializable {
      * only: that takes it far longer than anything else. Notes the normal of that impact.
      */
     private double blur(int pair, int body, double tau) {
-        if (!narrowPhase.touches(pair, tau)) {
+        int code = pairs.code(pair);
+        boolean isSlow = narrowPhase.touches(pair, tau) && narrowPhase.approach() > 0;
+        double speed = narrowPhase.approach();
+        double rounding = narrowPhase.roundingOfGap();
+        isSlow &= isFlush(pair, tau);
+        pairs.setCode(pair, code); // as it was when its impact was looked for
+        if (!isSlow) {
             return tau;
         }
-        nx = towards(pair, body) * narrowPhase.normalX();
-        ny = towards(pair, body) * narrowPhase.normalY();
-        double speed = narrowPhase.approach();
-        return speed > 0 ? tau + BLUR * narrowPhase.roundingOfGap() / speed : tau;
+        nx = towards(pair, body) * manifold.nx;
+        ny = towards(pair, body) * manifold.ny;
+        return tau + BLUR * rounding / speed;
     }
 
+    /** Whether a pair touches with sides that are along those of the impact. */
     private boolean touchesAlong(int pair, int body, double tau) {
-        return narrowPhase.touches(pair, tau)
-                && towards(pair, body) * (nx * narrowPhase.normalX() + ny * narrowPhase.normalY()) > PARALLEL;
+        int code = pairs.code(pair);
+        boolean yes = narrowPhase.touches(pair, tau)
+                && isFlush(pair, tau)
+                && towards(pair, body) * (nx * manifold.nx + ny * manifold.ny) > PARALLEL;
+        if (!yes) {
+            pairs.setCode(pair, code);
+        }
+        return yes;
+    }
+
+    /** Whether sides lie on one another, and not a corner on a side or a corner; looks at the pair. */
+    private boolean isFlush(int pair, double tau) {
+        manifold = manifold == null ? new Manifold() : manifold;
+        narrowPhase.contact(pair, tau, manifold);
+        double x = manifold.rAx[0] - manifold.rAx[1];
+        double y = manifold.rAy[0] - manifold.rAy[1];
+        double least = SIDE * Math.min(trajectories.radius(pairs.first(pair)), trajectories.radius(pairs.second(pair)));
+        return manifold.count == 2 && x * x + y * y > least * least;
     }
 
     private int towards(int pair, int body) {

@@ -332,16 +332,6 @@ public final class NarrowPhase implements Serializable {
         return -(pose.ux * features.nx + pose.uy * features.ny);
     }
 
-    /** {@return x of the normal of the pair that was looked at last, from its first body} */
-    public double normalX() {
-        return features.nx;
-    }
-
-    /** {@return y of that normal} */
-    public double normalY() {
-        return features.ny;
-    }
-
     /** {@return what rounding of coordinates may make of the gap of the pair that was looked at last, length} */
     public double roundingOfGap() {
         return 4 * Tolerances.GAP * pose.extent;
