@@ -100,9 +100,9 @@ final class Balance implements Serializable {
     void force(double[] now, double[] then, double part) {
         for (int k = 0; k < groups.bodies; k++) {
             int b = groups.blocks[k];
-            for (int m = b; m < b + BLOCK; m++) {
-                speeds[m] += part * (now[m] - then[m]);
-            }
+            speeds[b] += part * (now[b] - then[b]);
+            speeds[b + 1] += part * (now[b + 1] - then[b + 1]);
+            speeds[b + 2] += part * (now[b + 2] - then[b + 2]);
         }
     }
 
