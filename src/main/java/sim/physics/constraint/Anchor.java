@@ -49,11 +49,25 @@ final class Anchor implements Serializable {
     }
 
     void evaluate() {
-        if (body == null) {
+        if (body != null) {
+            turn();
+            move();
+        } else {
             x = localX;
             y = localY;
-            return;
         }
+    }
+
+    /** The same without cosine and sine where they are not needed: at the centre of a body, as that of a wheel. */
+    void evaluateArm() {
+        if (body == null || localX != 0 || localY != 0) {
+            evaluate();
+        } else {
+            move(); // the arm is 0
+        }
+    }
+
+    private void turn() {
         double angle = body.getAngle();
         if (angle != known) {
             cos = Trig.cos(angle);
@@ -62,6 +76,9 @@ final class Anchor implements Serializable {
         }
         rx = cos * localX - sin * localY;
         ry = sin * localX + cos * localY;
+    }
+
+    private void move() {
         omega = body.getAngularVelocity();
         x = body.getX() + rx;
         y = body.getY() + ry;

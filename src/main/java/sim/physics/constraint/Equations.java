@@ -3,7 +3,6 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import sim.physics.motion.Body;
 
 /** Takes the equations of a {@link Constraint}: C, the blocks of J for its two bodies, and J̇ ẋ. */
@@ -24,10 +23,16 @@ public final class Equations implements Serializable {
     }
 
     void clear() {
-        Arrays.fill(c, 0);
-        Arrays.fill(rate, 0);
-        Arrays.fill(jA, 0);
-        Arrays.fill(jB, 0);
+        clear(ROWS);
+    }
+
+    /** Clears so many rows: to fill arrays that are so short costs more than to write them. */
+    void clear(int rows) {
+        for (int r = 0; r < rows; r++) {
+            set(r, 0, 0);
+            setA(r, 0, 0, 0);
+            setB(r, 0, 0, 0);
+        }
     }
 
     /** How fast the C of the first row changes; the second body may be null. */

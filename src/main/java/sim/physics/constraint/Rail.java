@@ -111,7 +111,7 @@ public abstract sealed class Rail extends Joint implements Link permits SliderJo
 
     /** How far the first point is from the second along n, which is given as the second body has it. */
     static void separate(Equations e, Anchor first, Anchor second, double normalX, double normalY) {
-        first.evaluate();
+        first.evaluateArm();
         second.evaluate();
         double nx = second.cos * normalX - second.sin * normalY;
         double ny = second.sin * normalX + second.cos * normalY;

@@ -263,16 +263,25 @@ final class TieEquations implements Serializable {
                 c[ROWS * k] = kinds[k] == Kind.JOINT ? limited(k, 0, off) : off;
                 continue;
             }
-            one.clear();
+            one.clear(rows[k]);
             (ties[k] instanceof Switched s ? s.coordinate() : ties[k]).evaluate(one);
             for (int r = 0; r < rows[k]; r++) {
                 c[ROWS * k + r] = kinds[k] == Kind.JOINT ? limited(k, r, one.c[r]) : one.c[r];
                 bend[ROWS * k + r] = one.rate[r] == 0 ? 0 : traced(k, h) * limited(k, r, 0.5 * h * h * one.rate[r]) / h;
             }
-            System.arraycopy(one.jA, 0, j, J * k, BLOCK * rows[k]);
-            System.arraycopy(one.jB, 0, j, J * k + BLOCK * ROWS, BLOCK * rows[k]);
+            for (int r = 0; r < rows[k]; r++) {
+                copy(r, one.jA, J * k);
+                copy(r, one.jB, J * k + BLOCK * ROWS);
+            }
             RowInverse.invert(rows[k], w, blocks[2 * k], blocks[2 * k + 1], j, J * k, inverse, ROWS * ROWS * k);
         }
+    }
+
+    private void copy(int row, double[] from, int to) {
+        int o = BLOCK * row;
+        j[to + o] = from[o];
+        j[to + o + 1] = from[o + 1];
+        j[to + o + 2] = from[o + 2];
     }
 
     /** Gives the bodies the impulse with which a row begins the substep. */

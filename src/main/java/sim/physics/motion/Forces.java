@@ -19,6 +19,9 @@ public final class Forces implements Serializable {
     /** For a generator, while it is asked for one force. */
     final double[] workspace = new double[State.BLOCK];
 
+    /** For a spring, the same. */
+    final double[] pull = new double[Spring.PULL];
+
     /** The body about which generators are asked; null while none are. */
     private Body asked;
 

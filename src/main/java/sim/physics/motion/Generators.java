@@ -53,6 +53,11 @@ final class Generators implements Serializable {
         /** The last sum that it was counted in; a body that it couples. */
         private transient long counted;
 
+        /** Of a spring: its pull, and the asking that it is of; null until time stepping asks. */
+        private transient double[] pull;
+
+        private transient long pulled;
+
         transient int first;
 
         Entry(ForceGenerator generator, long order) {
@@ -67,6 +72,9 @@ final class Generators implements Serializable {
             return bodies == null ? null : new ArrayList<>(bodies);
         }
     }
+
+    /** How often time stepping has asked for the forces on all bodies: a spring between two of them is evaluated once each time. */
+    long askings;
 
     /** In the order of adding. */
     private final List<Entry> all = new ArrayList<>();
@@ -366,11 +374,15 @@ final class Generators implements Serializable {
 
     /** The accelerations of all forces; the force vector takes those of generators, and what was applied. */
     void accelerate(State state, IntList bodies, double t, Forces forces, double[] a) {
-        accelerate(state, bodies, t, forces, a, null);
+        accelerate(state, bodies, t, forces, a, null, 0);
     }
 
-    /** The same without one generator, and without what time stepping solves for. */
-    void accelerate(State state, IntList bodies, double t, Forces forces, double[] a, ForceGenerator without) {
+    /**
+     * The same without one generator, and without what time stepping solves for.
+     *
+     * @param asking a number that was not used before, by which a spring between two of the bodies is evaluated once; 0: each body asks anew
+     */
+    void accelerate(State state, IntList bodies, double t, Forces forces, double[] a, ForceGenerator without, long asking) {
         double[] f = state.f();
         double[] w = state.w().values();
         for (int k = 0; k < bodies.size; k++) {
@@ -379,7 +391,7 @@ final class Generators implements Serializable {
             f[b] = body.appliedX();
             f[b + 1] = body.appliedY();
             f[b + 2] = body.appliedTorque();
-            addForces(body, t, forces, without);
+            addForces(body, t, forces, without, asking);
             a[b] = gravityX + w[b] * f[b]; // (5), (7)
             a[b + 1] = gravityY + w[b + 1] * f[b + 1];
             a[b + 2] = w[b + 2] * f[b + 2]; // (6), (8)
@@ -437,14 +449,27 @@ final class Generators implements Serializable {
     }
 
     /** Adds the forces on a body, but for those of uniform fields. */
-    private void addForces(Body body, double time, Forces forces, ForceGenerator without) {
+    private void addForces(Body body, double time, Forces forces, ForceGenerator without, long asking) {
         forces.ask(body);
         for (Entry entry : acting(body)) {
             if (entry.generator != without && !entry.isRow) {
-                entry.generator.addForce(body, time, forces);
+                if (asking > 0 && entry.generator instanceof Spring spring) {
+                    pull(entry, spring, body, forces, asking);
+                } else {
+                    entry.generator.addForce(body, time, forces);
+                }
             }
         }
         forces.ask(null);
+    }
+
+    private static void pull(Entry entry, Spring spring, Body body, Forces forces, long asking) {
+        if (entry.pulled != asking || entry.pull == null) {
+            entry.pull = entry.pull == null ? new double[Spring.PULL] : entry.pull;
+            spring.find(entry.pull);
+            entry.pulled = asking;
+        }
+        spring.give(entry.pull, body, forces);
     }
 
     /** The energy that is stored in generators which act on a body of a group. */

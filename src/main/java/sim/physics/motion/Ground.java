@@ -93,7 +93,7 @@ public final class Ground implements Serializable {
     private void load(IntList bodies, double tau) {
         motion.restore(bodies);
         all = all.length < State.BLOCK * state.size() ? new double[state.x().length] : all;
-        motion.generators.accelerate(state, bodies, motion.time(tau), motion.forces, all, motion.generators.surface);
+        motion.generators.accelerate(state, bodies, motion.time(tau), motion.forces, all, motion.generators.surface, 0);
     }
 
     /**

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.motion;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import sim.physics.internal.Check;
@@ -19,6 +20,9 @@ import sim.physics.internal.Trig;
  */
 public final class Spring implements ForceGenerator, Link {
     private static final long serialVersionUID = 1L;
+
+    /** Values of a pull: the force on the first body, and the arms of both. */
+    static final int PULL = 6;
 
     private final Body a;
     private final Body b;
@@ -209,6 +213,13 @@ public final class Spring implements ForceGenerator, Link {
 
     @Override
     public void addForce(Body body, double time, Forces forces) {
+        double[] pull = forces.pull;
+        find(pull);
+        give(pull, body, forces);
+    }
+
+    /** Finds with what force it pulls its first body, and where: of both bodies the same. */
+    void find(double[] pull) {
         turn();
         double rax = turn[0] * ax - turn[1] * ay;
         double ray = turn[1] * ax + turn[0] * ay;
@@ -222,22 +233,35 @@ public final class Spring implements ForceGenerator, Link {
         double dy = a.getY() + ray - rby - (b == null ? 0 : b.getY());
         double distance = Math.sqrt(dx * dx + dy * dy);
         if (distance == 0) {
+            Arrays.fill(pull, 0);
             return;
         }
         double nx = dx / distance;
         double ny = dy / distance;
-        double ux = a.getVelocityX() - a.getAngularVelocity() * ray;
-        double uy = a.getVelocityY() + a.getAngularVelocity() * rax;
+        double spin = a.getAngularVelocity();
+        double ux = a.getVelocityX() - spin * ray;
+        double uy = a.getVelocityY() + spin * rax;
         if (b != null) {
-            ux -= b.getVelocityX() - b.getAngularVelocity() * rby;
-            uy -= b.getVelocityY() + b.getAngularVelocity() * rbx;
+            spin = b.getAngularVelocity();
+            ux -= b.getVelocityX() - spin * rby;
+            uy -= b.getVelocityY() + spin * rbx;
         }
         double f = -(stiffness * (distance - length) + damping * (nx * ux + ny * uy));
+        pull[0] = f * nx;
+        pull[1] = f * ny;
+        pull[2] = rax;
+        pull[3] = ray;
+        pull[4] = rbx;
+        pull[5] = rby;
+    }
+
+    /** Gives one of the two bodies what it is pulled with. */
+    void give(double[] pull, Body body, Forces forces) {
         boolean first = body == a;
-        double fx = first ? f * nx : -f * nx;
-        double fy = first ? f * ny : -f * ny;
+        double fx = first ? pull[0] : -pull[0];
+        double fy = first ? pull[1] : -pull[1];
         forces.add(body, fx, fy);
-        forces.addTorque(body, first ? rax * fy - ray * fx : rbx * fy - rby * fx);
+        forces.addTorque(body, first ? pull[2] * fy - pull[3] * fx : pull[4] * fy - pull[5] * fx);
     }
 
     /**

@@ -62,7 +62,7 @@ public final class SteppedForces implements Serializable {
      */
     public void load(IntList bodies, double t, double[] a) {
         forces.soften(0, Double.POSITIVE_INFINITY); // or a second friction with the plane is what was asked for last, by events or a reaction
-        generators.accelerate(state, bodies, t, forces, a, generators.surface);
+        generators.accelerate(state, bodies, t, forces, a, generators.surface, ++generators.askings);
     }
 
     /** {@return the acceleration of the uniform fields} */
