@@ -49,6 +49,11 @@ final class ForceSearch implements Serializable {
     /** How far beyond the end of a path its change of velocity is believed, relative to the path. */
     private static final double MOST_SHARE = 100;
 
+    /** Energy, relative to all, that contacts do not give by what rounding or a long time makes of it; and the same where belts move bodies. */
+    private static final double LITTLE = 1e-4;
+
+    private static final double MUCH = 1e-3;
+
     private final State state;
     private final Trajectories trajectories;
     private final Motion motion;
@@ -70,6 +75,7 @@ final class ForceSearch implements Serializable {
     /** What velocities differ by as points were not where the last integration had them. */
     private double turned;
     private double[] impulses = {};
+    private double[] velocities = {};
 
     /** Whether the impulses are right or nearly so, and whether the last integration was made under them. */
     private boolean isRight;
@@ -181,9 +187,41 @@ final class ForceSearch implements Serializable {
         }
         if (isProbed) {
             kept.goBack();
+        } else if (!isSame && system.jams() && isGainful(heap, length)) {
+            isRight = false;
         }
         restore(heap);
         return most;
+    }
+
+    /**
+     * Whether contacts whose forces were not found right give energy, which bodies have neither now nor without them: these give none then,
+     * and what they are to bear strikes. Where friction locks what ties hardly let move, forces that are out by next to nothing do much.
+     */
+    private boolean isGainful(IntList heap, double length) {
+        velocities = velocities.length < 3 * heap.size ? new double[6 * heap.size] : velocities;
+        System.arraycopy(system.v, 0, velocities, 0, 3 * heap.size);
+        double gained = energyAfter(heap, length);
+        if (gained > (1 + LITTLE) * HeapEnergy.of(system, turning.before())) {
+            kept.keep();
+            system.liftContacts();
+            double without = energyAfter(heap, length);
+            double most = system.fastestBelt() > 0 ? 1 + MUCH : 1 + LITTLE;
+            if (!(gained <= most * without)) {
+                return true;
+            }
+            kept.goBack();
+        }
+        System.arraycopy(velocities, 0, system.v, 0, 3 * heap.size);
+        turning.aim(system.v, length);
+        return false;
+    }
+
+    /** Twice the kinetic energy after a time under the impulses at hand, and leaves the velocities there; infinite where these tear ties. */
+    private double energyAfter(IntList heap, double length) {
+        double fastest = tryProbe(heap, length);
+        system.applyAll();
+        return fastest < Double.POSITIVE_INFINITY ? HeapEnergy.of(system, system.v) : Double.POSITIVE_INFINITY;
     }
 
     private Extrapolation begin(IntList heap, double length, boolean regains) {

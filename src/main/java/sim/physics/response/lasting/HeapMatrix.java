@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.response.lasting;
 
+import java.util.Arrays;
+
 /**
  * Solves a {@link HeapSystem} of not too many rows as a whole, where ties reply: each row's impulse moves all others then, so
  * that a matrix of what they do to one another costs no more than bodies do, and sweeps over it cost little. Sweeps of
@@ -48,6 +50,20 @@ final class HeapMatrix extends HeapRows {
     /** Speed beside which a motor's or friction's is that of one which holds, relative to the scale. */
     private static final double HARDLY = 1e-3;
 
+    /** What impulses do together, as a part of what each does alone, where they jam; and what those are relative to others that are much less. */
+    private static final double JAMMED = 1e-3;
+
+    private static final double LESS = 0.25;
+    private static final double ALIKE = 4;
+
+    /** Speed that impulses give to bodies alone, relative to what speeds are. */
+    private static final double ABSURD = 1e4;
+
+    /** Impulses that jam, and whether there were any. */
+    private double[] strong = {};
+
+    private boolean jams;
+
     /** The bound at which a row is, −1 or +1, 0 for none. */
     private double[] side = {};
 
@@ -67,6 +83,7 @@ final class HeapMatrix extends HeapRows {
     @Override
     void forget() {
         super.forget();
+        jams = false;
         restart();
     }
 
@@ -82,6 +99,7 @@ final class HeapMatrix extends HeapRows {
         side = new double[n];
         unknown = new int[n];
         rest = new double[n];
+        strong = new double[n];
         equations.ensure(n);
     }
 
@@ -113,8 +131,75 @@ final class HeapMatrix extends HeapRows {
             restore();
             least = newton(relax(SWEEPS, least), exact, VAIN);
         }
+        if (isJammed()) {
+            jams = true;
+            least = loosen(least, exact, close, isAbsurd(s, scale));
+        }
         give(s);
         return least <= NEARLY * scale;
+    }
+
+    /** Whether the best impulses do next to nothing beside what each of them does alone: they press against one another. */
+    private boolean isJammed() {
+        restore();
+        double together = 0;
+        for (int i = 0; i < rows; i++) {
+            together += impulse[i] * (velocity[i] - without[i]);
+        }
+        return together < JAMMED * squares(impulse);
+    }
+
+    /** Whether they would make bodies so fast that nothing ties that no lever makes so much of how fast they are. */
+    private boolean isAbsurd(HeapSystem s, double scale) {
+        double most = 0;
+        for (int p = 0; p < s.contacts(); p++) {
+            most = normal[p] < 0 ? most : Math.max(most, impulse[normal[p]] * s.rows().normalMobility(p, s.w));
+        }
+        return most > ABSURD * scale;
+    }
+
+    private double squares(double[] impulses) {
+        double sum = 0;
+        for (int i = 0; i < rows; i++) {
+            sum += impulses[i] == 0 ? 0 : own(i) * impulses[i] * impulses[i];
+        }
+        return sum;
+    }
+
+    /**
+     * Looks for impulses that are about as good and much less. Where friction locks a point whose normal ties hardly let move any amount
+     * holds, as a wedge does; and sweeps make it larger and larger, until the slightest motion would throw the bodies about.
+     */
+    private double loosen(double least, double exact, double close, boolean isAbsurd) {
+        System.arraycopy(best, 0, strong, 0, rows);
+        soften();
+        Arrays.fill(impulse, 0, rows, 0);
+        evaluate();
+        double soft = newton(keep(Double.POSITIVE_INFINITY), exact, 1);
+        follow(soft, exact, close);
+        harden();
+        restore();
+        double error = keep(Double.POSITIVE_INFINITY);
+        if ((isAbsurd || error <= ALIKE * Math.max(close, least)) && squares(best) < LESS * squares(strong)) {
+            return error;
+        }
+        System.arraycopy(strong, 0, best, 0, rows);
+        return least;
+    }
+
+    /** Makes points a little soft. */
+    private void soften() {
+        restart();
+        for (int i = 0; i < rows; i++) {
+            replies[i * rows + i] *= 1 + SOFT;
+        }
+    }
+
+    private void harden() {
+        for (int i = 0; i < rows; i++) {
+            replies[i * rows + i] /= 1 + SOFT;
+        }
+        restart();
     }
 
     /**
@@ -124,20 +209,19 @@ final class HeapMatrix extends HeapRows {
      * @return whether they are right, or nearly so, for what is that soft
      */
     boolean solveSoftly(HeapSystem s, double exact, double scale) {
-        restart();
-        for (int i = 0; i < rows; i++) {
-            replies[i * rows + i] *= 1 + SOFT;
-        }
+        soften();
         boolean right = solve(s, exact, 0, 0, scale);
-        for (int i = 0; i < rows; i++) {
-            replies[i * rows + i] /= 1 + SOFT;
-        }
-        restart();
+        harden();
         return right;
     }
 
     double missed() {
         return missed;
+    }
+
+    /** Whether impulses have pressed against one another since what the rows do has changed. */
+    boolean jams() {
+        return jams;
     }
 
     /** Newton's method, until some steps were in vain; returns the least error so far. */

@@ -24,7 +24,7 @@ abstract class HeapRows implements Serializable {
     int rows;
 
     private final HeapNumbers numbers = new HeapNumbers();
-    private int[] normal = {};
+    int[] normal = {};
     private int[] tangent = {};
 
     /** By rows: the normal row of a tangential one, or −1; and its friction. */

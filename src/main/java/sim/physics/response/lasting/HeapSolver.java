@@ -127,6 +127,11 @@ final class HeapSolver implements Serializable {
         return hasMatrix(s) ? matrix.missed() : Double.POSITIVE_INFINITY;
     }
 
+    /** Whether impulses of bodies that are tied have jammed since the points changed. */
+    boolean jams() {
+        return matrix != null && matrix.jams();
+    }
+
     /** The same of points that are a little soft, where there are no bounded impulses, or none are found, that make them right. */
     boolean solveSoftly(HeapSystem s, double scale, double enough) {
         if (hasMatrix(s)) {

@@ -263,6 +263,11 @@ final class HeapSystem extends HeapPoints {
         spared = true;
     }
 
+    /** Whether impulses have jammed: what ties hardly let move gets any amount where friction locks it. */
+    boolean jams() {
+        return tied && solver.jams();
+    }
+
     /** Whether the last solution was found at once. */
     boolean wasEasy() {
         return solver.wasEasy();
@@ -314,6 +319,14 @@ final class HeapSystem extends HeapPoints {
         for (int p = 0; p < points; p++) {
             start(p, 0, 0);
         }
+    }
+
+    /** Lets contacts bear nothing, and motors and stops what they do. */
+    void liftContacts() {
+        for (int p = 0; p < contacts; p++) {
+            start(p, 0, 0);
+        }
+        restart();
     }
 
     double normal(int p) {

@@ -115,6 +115,11 @@ final class HeapTurn implements Serializable {
         turn(after, time, regains);
     }
 
+    /** Their velocities at the start of the time. */
+    double[] before() {
+        return before;
+    }
+
     /** Takes the velocities that bodies would have at the end of the time if they went on as they have done, to an array. */
     void foresee(double[] v, int bodies) {
         System.arraycopy(after, 0, v, 0, 3 * bodies);
