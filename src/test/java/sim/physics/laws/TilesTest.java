@@ -92,6 +92,39 @@ class TilesTest {
         }
     }
 
+    /**
+     * A box of the size of a tile that is put on one, edge on edge: its corners and those of the next tiles are one, but for rounding, and the sides of
+     * these held it like walls, at 99 of 100 places.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"slope", "force", "belt"})
+    void aBoxThatIsPutOnATileOfItsSizeIsSetOff(String by) {
+        for (int run = 0; run < 30; run++) {
+            double at = 0.1 * run;
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(1.0 / 60);
+            engine.add(new Gravity(by.equals("slope") ? 7 : 0, -10));
+            for (int k = -2; k < 5; k++) {
+                engine.add(Body.fixed(new Rectangle(1, 1)).at(at + k, -0.5)).setBeltSpeed(by.equals("belt") ? -1.25 : 0);
+            }
+            Body box = engine.add(new Body(new Rectangle(1, 1)).at(at, 0.5));
+            box.setMass(1);
+            for (Body each : engine.bodies()) {
+                each.setRestitution(0);
+                each.setFriction(0.5);
+            }
+            for (int k = 0; k < 60; k++) {
+                if (by.equals("force")) {
+                    box.addForce(7, 0);
+                }
+                engine.step();
+            }
+            double way = by.equals("belt") ? 1.25 - 1.25 * 1.25 / 10 : 1; // 2 m/s² more than friction for a second; 5 m/s² up to the belt's speed
+            assertThat(box.getX() - at).as("at " + at).isCloseTo(way, within(1e-6));
+            assertThat(box.getY()).as("at " + at).isCloseTo(0.5, within(1e-9));
+        }
+    }
+
     /** What came to lie far from the origin is as deep as rounding is there, and feels no seam where it is less. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 1})

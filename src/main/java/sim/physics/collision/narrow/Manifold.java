@@ -55,6 +55,12 @@ public final class Manifold {
     /** How far a single point is from the nearer end of the edge on which it lies, length; 0 if it lies on none. */
     public double room;
 
+    /**
+     * Whether sides that lie on one line have but their ends in common, as those of a box and of the tile beside the one on which it stands:
+     * either of two normals parts the bodies there.
+     */
+    public boolean isAtEnds;
+
     /** Distance of the surfaces, length; zero but for rounding. */
     public double gap;
 
@@ -77,6 +83,7 @@ public final class Manifold {
         ny = features.ny;
         gap = features.gap;
         room = 0;
+        isAtEnds = false;
         owner = (features.featureB & 1) != 0 ? 1 : (features.featureA & 1) != 0 ? 0 : -1;
         isEnd[0] = false;
         isEnd[1] = false;
@@ -95,6 +102,7 @@ public final class Manifold {
         gap = distance;
         owner = -1;
         isEnd[0] = false;
+        isAtEnds = false;
         room = 0;
         gaps[0] = distance;
         gaps[1] = distance;

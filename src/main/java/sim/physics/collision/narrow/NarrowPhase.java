@@ -18,6 +18,9 @@ import sim.physics.motion.Trajectories;
 public final class NarrowPhase implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** Length of a side that lies on another one which is none, relative to the bodies' sizes. */
+    private static final double ENDS = 1e-12;
+
     private final Pairs pairs;
     private final Trajectories trajectories;
     private final ShapeTable shapes;
@@ -131,7 +134,11 @@ public final class NarrowPhase implements Serializable {
             clearance = touching ? Double.NaN : features.gap;
         }
         boolean mayGraze = touching && !separatingLine.clean && !(isCircle(i) | isCircle(j));
-        return mayGraze ? beyondGrazes(pair, found, end) : found;
+        if (!mayGraze) {
+            return found;
+        }
+        load(pair);
+        return beyondGrazes(pair, found, end);
     }
 
     /** Turns to the two parts that a pair is of. */
@@ -143,7 +150,6 @@ public final class NarrowPhase implements Serializable {
 
     /** Goes on from an instant at which two polygons touch for as long as they only graze one another. */
     private double beyondGrazes(int pair, double tau, double end) {
-        load(pair);
         double t = tau;
         while (touching) {
             double next = timeOfImpact.graze(t, end);
@@ -180,7 +186,8 @@ public final class NarrowPhase implements Serializable {
         double found = timeOfImpact.search(tau, end, pairs.code(pair));
         pairs.setCode(pair, timeOfImpact.code);
         touching = timeOfImpact.touching;
-        return found;
+        boolean mayGraze = touching && !(isCircle(pairs.first(pair)) | isCircle(pairs.second(pair)));
+        return mayGraze ? beyondGrazes(pair, found, end) : found;
     }
 
     /**
@@ -407,6 +414,7 @@ public final class NarrowPhase implements Serializable {
         contact.gaps[1] = contact.gap + slope * (end - at);
         contact.isEnd[0] = from == 0;
         contact.isEnd[1] = end == owner.length(edge);
+        contact.isAtEnds = end - from <= ENDS * pose.size;
         double x = owner.vx[edge];
         double y = owner.vy[edge];
         contact.add(x - ey * from, y + ex * from, pose.px, pose.py);

@@ -341,7 +341,7 @@ final class Heap implements Serializable {
         detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth)
                 : isDriven && !members.isDriven() ? HeapGaps.watched(manifold.gap, depth) : depth);
         system.tolerance().allow(HeapGaps.littleSpeed(depth, left), HeapGaps.isDeeper(depth, size));
-        for (int k = 0; k < manifold.count; k++) {
+        for (int k = 0; k < manifold.count && !manifold.isAtEnds; k++) {
             points.load(manifold, pair, k, point);
             int p = system.size();
             system.add(members.number(a), members.number(b), point);
