@@ -144,18 +144,21 @@ final class Companions implements Serializable {
      * only: that takes it far longer than anything else. Notes the normal of that impact.
      */
     private double blur(int pair, int body, double tau) {
+        if (narrowPhase.isCircle(body)) {
+            return tau; // it has no side
+        }
         int code = pairs.code(pair);
-        boolean isSlow = narrowPhase.touches(pair, tau) && narrowPhase.approach() > 0;
+        boolean isTouching = narrowPhase.touches(pair, tau);
         double speed = narrowPhase.approach();
-        double rounding = narrowPhase.roundingOfGap();
-        isSlow &= isFlush(pair, tau);
+        double late = tau + BLUR * narrowPhase.roundingOfGap() / speed;
+        boolean isSlow = isTouching && speed > 0 && late > until(tau) && isFlush(pair, tau);
         pairs.setCode(pair, code); // as it was when its impact was looked for
         if (!isSlow) {
             return tau;
         }
         nx = towards(pair, body) * manifold.nx;
         ny = towards(pair, body) * manifold.ny;
-        return tau + BLUR * rounding / speed;
+        return late;
     }
 
     /** Whether a pair touches with sides that are along those of the impact. */

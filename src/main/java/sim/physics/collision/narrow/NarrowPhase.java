@@ -133,8 +133,7 @@ public final class NarrowPhase implements Serializable {
             touching = timeOfImpact.touching;
             clearance = touching ? Double.NaN : features.gap;
         }
-        boolean mayGraze = touching && !separatingLine.clean && !(isCircle(i) | isCircle(j));
-        if (!mayGraze) {
+        if (separatingLine.clean || !mayGraze(pair)) {
             return found;
         }
         load(pair);
@@ -146,6 +145,10 @@ public final class NarrowPhase implements Serializable {
         int i = pairs.first(pair);
         int j = pairs.second(pair);
         pose.load(i, shapes.base(i, pairs.firstPart(pair)), j, shapes.base(j, pairs.secondPart(pair)));
+    }
+
+    private boolean mayGraze(int pair) {
+        return touching && !(isCircle(pairs.first(pair)) | isCircle(pairs.second(pair)));
     }
 
     /** Goes on from an instant at which two polygons touch for as long as they only graze one another. */
@@ -186,8 +189,7 @@ public final class NarrowPhase implements Serializable {
         double found = timeOfImpact.search(tau, end, pairs.code(pair));
         pairs.setCode(pair, timeOfImpact.code);
         touching = timeOfImpact.touching;
-        boolean mayGraze = touching && !(isCircle(pairs.first(pair)) | isCircle(pairs.second(pair)));
-        return mayGraze ? beyondGrazes(pair, found, end) : found;
+        return mayGraze(pair) ? beyondGrazes(pair, found, end) : found;
     }
 
     /**

@@ -139,6 +139,34 @@ final class HeapMatrix extends HeapRows {
         return least <= NEARLY * scale;
     }
 
+    /**
+     * The same of a system that is heavier on its diagonal, as if points were a little soft: there are always impulses for that which no
+     * lever makes large, and if no point has to part they give no energy.
+     *
+     * @return whether they are right, or nearly so, for what is that soft
+     */
+    boolean solveSoftly(HeapSystem s, double exact, double scale) {
+        soften();
+        boolean right = solve(s, exact, 0, 0, scale);
+        harden();
+        return right;
+    }
+
+    /** Makes points a little soft. */
+    private void soften() {
+        restart();
+        for (int i = 0; i < rows; i++) {
+            replies[i * rows + i] *= 1 + SOFT;
+        }
+    }
+
+    private void harden() {
+        for (int i = 0; i < rows; i++) {
+            replies[i * rows + i] /= 1 + SOFT;
+        }
+        restart();
+    }
+
     /** Whether the best impulses do next to nothing beside what each of them does alone: they press against one another. */
     private boolean isJammed() {
         restore();
@@ -185,34 +213,6 @@ final class HeapMatrix extends HeapRows {
         }
         System.arraycopy(strong, 0, best, 0, rows);
         return least;
-    }
-
-    /** Makes points a little soft. */
-    private void soften() {
-        restart();
-        for (int i = 0; i < rows; i++) {
-            replies[i * rows + i] *= 1 + SOFT;
-        }
-    }
-
-    private void harden() {
-        for (int i = 0; i < rows; i++) {
-            replies[i * rows + i] /= 1 + SOFT;
-        }
-        restart();
-    }
-
-    /**
-     * The same of a system that is heavier on its diagonal, as if points were a little soft: there are always impulses for that which no
-     * lever makes large, and if no point has to part they give no energy.
-     *
-     * @return whether they are right, or nearly so, for what is that soft
-     */
-    boolean solveSoftly(HeapSystem s, double exact, double scale) {
-        soften();
-        boolean right = solve(s, exact, 0, 0, scale);
-        harden();
-        return right;
     }
 
     double missed() {
