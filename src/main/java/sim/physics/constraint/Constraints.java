@@ -342,6 +342,11 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
+    public boolean isTired(IntList bodies, double step) {
+        return Creep.areTired(of(bodies), step);
+    }
+
+    @Override
     public void creep(IntList bodies, double h) {
         Creep.advance(of(bodies), state, solver, projection, h);
     }

@@ -123,6 +123,16 @@ final class Creep implements Serializable {
         return spare;
     }
 
+    /** Whether such evaluations were noted in a step of the engine. */
+    static boolean areTired(List<Island> those, double step) {
+        boolean yes = false;
+        for (int k = 0; k < those.size(); k++) {
+            Creep one = those.get(k).passage.creep;
+            yes |= one.vainIn == step && one.vain > 0;
+        }
+        return yes;
+    }
+
     private int tire(double step, int evaluations) {
         vain = vainIn == step ? vain + evaluations : evaluations;
         vainIn = step;

@@ -50,6 +50,9 @@ public abstract sealed class AdaptiveIntegrator implements Integrator
     /** Rounding of a coordinate, or of a body's size, below which no step is made smaller. */
     private static final double ROUNDING = 2 * 0x1p-52;
 
+    /** The same beside a singular pose, where ties make far more of it: a tolerance that asks for less ends in steps of next to no length. */
+    private static final double BLURRED = 0x1p12 * ROUNDING;
+
     private final double tolerance;
 
     AdaptiveIntegrator(double tolerance) {
@@ -109,7 +112,8 @@ public abstract sealed class AdaptiveIntegrator implements Integrator
         Stages stages = path.stages;
         boolean mayGiveUp = stages.mayGiveUp;
         stages.mayGiveUp = false;
-        stages.load(coordinates, state, bodies, tolerance, ROUNDING);
+        stages.load(coordinates, state, bodies, tolerance, stages.isBlurred ? BLURRED : ROUNDING);
+        stages.isBlurred = false;
         stages.isOpen = isOpen;
         stages.begin(t, path);
         int first = bodies.values[0];

@@ -82,6 +82,9 @@ final class Stages implements Serializable {
     /** Whether the next step, if it cannot be short enough, is none: who asks for it can go on otherwise. */
     boolean mayGiveUp;
 
+    /** Whether ties make far more of rounding where the next step begins than it is. */
+    boolean isBlurred;
+
     /** The length in which ties bend the bodies' ways, for the next step alone; else infinite. */
     double bend = Double.POSITIVE_INFINITY;
 

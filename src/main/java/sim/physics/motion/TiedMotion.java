@@ -285,6 +285,7 @@ final class TiedMotion implements Serializable {
             ties.begin(group, !motion.hasForces());
             path.stages.bend = ties.bend(group);
             path.stages.mayGiveUp = true;
+            path.stages.isBlurred = ties.isTired(group, trajectories.step());
             double done = motion.getIntegrator().advance(motion, state, group, t, limit, path);
             hasGivenUp = done == 0;
             if (done != 0 && ties.project(group)) {

@@ -194,6 +194,15 @@ public interface Ties extends Serializable {
     int tire(IntList bodies, double step, int evaluations, boolean isTorn);
 
     /**
+     * Whether such evaluations were made in a step of the engine.
+     *
+     * @param bodies all bodies of an island, or of several and others
+     * @param step number of the engine's step
+     * @return false if none were noted
+     */
+    boolean isTired(IntList bodies, double step);
+
+    /**
      * Advances islands for which steps are too long however short they are: to the nearest place to where they would be
      * without their ties.
      *
