@@ -43,9 +43,6 @@ import sim.physics.motion.State;
 final class Impacts implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** When an impulse has settled, relative to itself. */
-    private static final double SETTLED = 1e-4;
-
     /** Points of a group up to which it is solved to the end though nothing in it bounces. */
     private static final int FEW = 24;
 
@@ -68,6 +65,7 @@ final class Impacts implements Serializable {
     private final ContactRows rows;
     private final Groups groups;
     private final StruckPoints struck;
+    private final Compression compression;
     private final FreeImpacts free;
 
     /** The points that have met: row and first value of each; only they give something back. */
@@ -105,6 +103,7 @@ final class Impacts implements Serializable {
         this.rows = rows;
         this.groups = groups;
         struck = new StruckPoints(state, rows);
+        compression = new Compression(state, rows, groups, struck);
         this.free = free;
     }
 
@@ -375,14 +374,15 @@ final class Impacts implements Serializable {
         }
     }
 
+    /** Begins to compress what has met, of the groups in which something has. */
+    void beginCompression(OpenGroups turns) {
+        open(turns);
+        compression.begin(met);
+    }
+
     /** Compresses what has met once more in turn. */
     void compress(OpenGroups turns, double part) {
-        for (int m = 0; m < met.size; m += 2) {
-            int group = groups.of(met.values[m], rows);
-            if (turns.isOpen(group)) {
-                turns.change(group, struck.solve(met.values[m], met.values[m + 1], 0, 0, part, false) > SETTLED);
-            }
-        }
+        compression.compress(met, turns, part, counts, areTied);
     }
 
     /** Lets what bounces alone part. */
@@ -394,7 +394,7 @@ final class Impacts implements Serializable {
             if (turns.isOpen(group) && isAlone(k) && !isReflected(p)) {
                 double forced = free.has(k) ? 0 : time(p) * rows.points[p + FORCED];
                 double speed = Math.max(0, -rows.points[p + OPENING] - forced);
-                turns.change(group, struck.solve(k, p, 0, rows.points[p + RESTORED] * speed, part, !isTied(k)) > SETTLED);
+                turns.change(group, struck.solve(k, p, 0, rows.points[p + RESTORED] * speed, part, !isTied(k)) > Compression.settled(counts[group]));
             }
         }
     }
@@ -467,6 +467,6 @@ final class Impacts implements Serializable {
         double by = limits[m + 1] - old;
         rows.points[p + TANGENT] += by;
         rows.give(k, p, state.v(), 0, by);
-        return Math.abs(by) > SETTLED * limits[m];
+        return Math.abs(by) > Compression.settled(counts[groups.of(k, rows)]) * limits[m];
     }
 }

@@ -33,7 +33,7 @@ final class Reflections implements Serializable {
     private static final int TURNS = 32;
 
     /** When an impulse has settled, relative to itself. */
-    private static final double SETTLED = 1e-4;
+    private static final double SETTLED = 1e-12;
 
     /** Approach that counts as none, relative to the fastest one of the step. */
     private static final double NEGLIGIBLE = 1e-9;

@@ -177,7 +177,7 @@ final class Retake implements Serializable {
             belts.strike(rows, groups, balance.speeds());
         }
         boolean goesOn = true;
-        impacts.open(turns);
+        impacts.beginCompression(turns);
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
             ties.settle(groups.slots, turns, marks);
             stops.compress(groups.slots, turns, part);

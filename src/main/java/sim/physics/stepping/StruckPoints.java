@@ -28,10 +28,10 @@ final class StruckPoints implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** How often the points of a pair are solved in turn at most. */
-    private static final int TURNS = 8;
+    private static final int TURNS = 32;
 
     /** When an impulse has settled, relative to itself. */
-    private static final double SETTLED = 1e-3;
+    private static final double SETTLED = 1e-10;
 
     private final State state;
     private final ContactRows rows;
