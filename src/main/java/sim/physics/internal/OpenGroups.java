@@ -11,7 +11,9 @@ public final class OpenGroups implements Serializable {
 
     private boolean[] open = {};
     private boolean[] changes = {};
-    private int count;
+
+    /** The open ones: most settle long before the last one does. */
+    private final IntList list = new IntList();
 
     /** Makes one of no group. */
     public OpenGroups() {
@@ -24,7 +26,7 @@ public final class OpenGroups implements Serializable {
      * @param groups their number
      */
     public void begin(int groups) {
-        count = groups;
+        list.clear();
         if (open.length < groups) {
             open = new boolean[Growth.length(open.length, groups)];
             changes = new boolean[open.length];
@@ -39,7 +41,10 @@ public final class OpenGroups implements Serializable {
      * @param group its number
      */
     public void open(int group) {
-        open[group] = true;
+        if (!open[group]) {
+            open[group] = true;
+            list.add(group);
+        }
     }
 
     /**
@@ -68,12 +73,16 @@ public final class OpenGroups implements Serializable {
      * @return whether there is a group that goes on
      */
     public boolean goOn() {
-        boolean any = false;
-        for (int g = 0; g < count; g++) {
-            open[g] &= changes[g];
-            changes[g] = false;
-            any |= open[g];
+        int left = 0;
+        for (int k = 0; k < list.size; k++) {
+            int group = list.values[k];
+            open[group] = changes[group];
+            changes[group] = false;
+            if (open[group]) {
+                list.values[left++] = group;
+            }
         }
-        return any;
+        list.size = left;
+        return left > 0;
     }
 }

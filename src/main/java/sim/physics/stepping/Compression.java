@@ -23,10 +23,18 @@ final class Compression implements Serializable {
     /** The most points that are few. */
     private static final int FEW = 24;
 
+    /** What is kept of a point's ends, and a body that cannot move. */
+    private static final int ENDS = 3;
+
+    private static final int FIXED = -1;
+
     private final State state;
     private final ContactRows rows;
     private final Groups groups;
     private final StruckPoints struck;
+
+    /** By point: its group and its two bodies, −1 for one that cannot move. */
+    private int[] ends = {};
 
     /** By point: when it was solved last; by body: when that changed its velocity last; counted in points that were solved. */
     private int[] solved = {};
@@ -53,18 +61,27 @@ final class Compression implements Serializable {
      * @param met the points: row and first value of each
      */
     void begin(IntList met) {
-        if (solved.length < met.size) {
-            solved = new int[Growth.length(solved.length, met.size)];
+        int points = met.size / 2;
+        if (solved.length < points) {
+            solved = new int[Growth.length(solved.length, points)];
+            ends = new int[ENDS * solved.length];
         }
         if (changed.length < state.size()) {
             changed = new int[Growth.length(changed.length, state.size())];
         }
         clock = 0;
-        for (int m = 0; m < met.size; m += 2) {
+        for (int m = 0; m < points; m++) {
+            int k = met.values[2 * m];
             solved[m] = -1;
-            changed[rows.first(met.values[m])] = 0;
-            changed[rows.second(met.values[m])] = 0;
+            ends[ENDS * m] = groups.of(k, rows);
+            ends[ENDS * m + 1] = begin(rows.first(k));
+            ends[ENDS * m + 2] = begin(rows.second(k));
         }
+    }
+
+    private int begin(int body) {
+        changed[body] = 0;
+        return groups.isMovable(body) ? body : FIXED;
     }
 
     /**
@@ -75,27 +92,31 @@ final class Compression implements Serializable {
      * @param areTied by group: whether joints change the velocities of its bodies, too
      */
     void compress(IntList met, OpenGroups turns, double part, int[] counts, boolean[] areTied) {
-        for (int m = 0; m < met.size; m += 2) {
-            int k = met.values[m];
-            int group = groups.of(k, rows);
-            if (turns.isOpen(group) && (areTied[group] || isStale(m, k))) {
-                boolean changes = struck.solve(k, met.values[m + 1], 0, 0, part, false) > settled(counts[group]);
-                note(m, k, changes);
+        for (int m = 0; m < met.size / 2; m++) {
+            int group = ends[ENDS * m];
+            if (turns.isOpen(group) && (areTied[group] || isStale(m))) {
+                boolean changes = struck.solve(met.values[2 * m], met.values[2 * m + 1], 0, 0, part, false) > settled(counts[group]);
+                note(m, changes);
                 turns.change(group, changes);
             }
         }
     }
 
     /** Whether one of the bodies of a point has another velocity than when it was solved last. */
-    private boolean isStale(int m, int k) {
-        return solved[m] < changed[rows.first(k)] || solved[m] < changed[rows.second(k)];
+    private boolean isStale(int m) {
+        return solved[m] < changed(ends[ENDS * m + 1]) || solved[m] < changed(ends[ENDS * m + 2]);
     }
 
-    private void note(int m, int k, boolean changes) {
+    private int changed(int body) {
+        return body == FIXED ? 0 : changed[body];
+    }
+
+    private void note(int m, boolean changes) {
         solved[m] = ++clock;
-        if (changes) {
-            changed[rows.first(k)] = groups.isMovable(rows.first(k)) ? clock : 0;
-            changed[rows.second(k)] = groups.isMovable(rows.second(k)) ? clock : 0;
+        for (int end = ENDS * m + 1; changes && end < ENDS * m + ENDS; end++) {
+            if (ends[end] != FIXED) {
+                changed[ends[end]] = clock;
+            }
         }
     }
 }
