@@ -252,9 +252,9 @@ final class Bounces implements Serializable {
 
     /**
      * Ends the bouncing of bodies that are pressed together. They come to rest on one another when their bounces have
-     * become too short to matter, or too many; those that cannot, because an integrator drives them, bounce on at the
-     * shortest length. Without a pressing acceleration the first impacts of a step are not changed, and no speed is too
-     * small to bounce.
+     * become too short to matter, or too many; those that cannot, because they are round or an integrator drives them, bounce
+     * on at the shortest length, from when they might have lain on: before, and without a pressing acceleration, impacts are
+     * not changed, and no speed is too small to bounce.
      *
      * @return whether they come to rest
      */
@@ -284,7 +284,7 @@ final class Bounces implements Serializable {
             c.restitution = 0;
             return true;
         }
-        if (bounce < shortest && (!canRest || count > Tolerances.REST_AFTER)) {
+        if (bounce < shortest && count > (canRest ? Tolerances.REST_AFTER : Tolerances.LIE_AFTER)) {
             double most = Math.max(regained(pair, approachSpeed, c), Math.min(0.5 * pressing * shortest, mostByPressing(a, b)));
             c.restitution = Math.min(HUGE, Math.min(0.5 * closing * shortest, most) / approachSpeed);
         }
