@@ -252,13 +252,14 @@ final class Bounces implements Serializable {
 
     /**
      * Ends the bouncing of bodies that are pressed together. They come to rest on one another when their bounces have
-     * become too short to matter, or too many; those that cannot, because an integrator drives them, bounce on at the
-     * shortest length. Without a pressing acceleration the first impacts of a step are not changed, and no speed is too
-     * small to bounce.
+     * become too short to matter, or too many; those that cannot, because they are round, bounce on at the shortest length, from
+     * when they might have lain on: before, and without a pressing acceleration, impacts are not changed, and no speed is too
+     * small to bounce. Those that an integrator drives or that meet a heap do so from their first impact on, as they would else rattle.
      *
+     * @param inHeap whether one of them lies on something
      * @return whether they come to rest
      */
-    boolean limit(int pair, int a, int b, Impact c, boolean canRest) {
+    boolean limit(int pair, int a, int b, Impact c, boolean canRest, boolean inHeap) {
         int count = counts[pair];
         double approachSpeed = -c.normalVelocity();
         double pressing = pressing(a, b, c);
@@ -284,7 +285,9 @@ final class Bounces implements Serializable {
             c.restitution = 0;
             return true;
         }
-        if (bounce < shortest && (!canRest || count > Tolerances.REST_AFTER)) {
+        boolean isPressed = inHeap || trajectories.isDriven(a) || trajectories.isDriven(b);
+        int exact = canRest ? Tolerances.REST_AFTER : isPressed ? 0 : Tolerances.LIE_AFTER;
+        if (bounce < shortest && count > exact) {
             double most = Math.max(regained(pair, approachSpeed, c), Math.min(0.5 * pressing * shortest, mostByPressing(a, b)));
             c.restitution = Math.min(HUGE, Math.min(0.5 * closing * shortest, most) / approachSpeed);
         }

@@ -187,7 +187,7 @@ public final class CollisionResponse implements Serializable {
             bounces.count(pair);
             if (!canRest && startsToLie(pair, a, b)) {
                 impact.restitution = 0;
-            } else if (bounces.limit(pair, a, b, impact, canRest)) {
+            } else if (bounces.limit(pair, a, b, impact, canRest, heaps.has(a) || heaps.has(b))) {
                 rest(pair);
             }
             bounces.spend(pair, impact);
@@ -405,7 +405,7 @@ public final class CollisionResponse implements Serializable {
             if (rattles || lies) {
                 impact.restitution = lies ? 0 : bounces.rattle(impact, rattle, first);
             } else {
-                restsNow &= (canRest || impact.restitution < 1) && bounces.limit(pair, a, b, impact, canRest);
+                restsNow &= (canRest || impact.restitution < 1) && bounces.limit(pair, a, b, impact, canRest, heaps.has(a) || heaps.has(b));
             }
             simultaneous.add(a, b, impact);
         }
