@@ -150,7 +150,7 @@ final class ChainStep implements Serializable {
         Lanes.add(omega0, h, turn[2], chain.omega);
         accelerate(3);
         finish(h);
-        if (!close(place)) {
+        if (!close(place) || !isWithinWork(state.w().values())) {
             return false;
         }
         scatter(state);
@@ -160,6 +160,36 @@ final class ChainStep implements Serializable {
             return false;
         }
         return true;
+    }
+
+    /**
+     * Whether the kinetic energy has changed by the work of the loads, which are even: pins do none. A step that says otherwise is too long for a chain
+     * that is nearly taut: the general code corrects it, or makes it in parts.
+     */
+    private boolean isWithinWork(double[] w) {
+        double before = 0;
+        double growth = 0;
+        double most = 0;
+        double rounding = 0;
+        for (int k = 0; k < chain.block.length; k++) {
+            int b = chain.block[k];
+            if (b < 0) {
+                continue;
+            }
+            double fallen = isTurned ? fallTurn[k] : 0;
+            double workX = fallX[k] * (chain.x[k] - x0[k]);
+            double workY = fallY[k] * (chain.y[k] - y0[k]);
+            double workTurn = fallen * (chain.angle[k] - angle0[k]);
+            before += 0.5 * ((u0[k] * u0[k] + v0[k] * v0[k]) / w[b] + omega0[k] * omega0[k] / w[b + 2]);
+            growth += 0.5 * (((chain.u[k] - u0[k]) * (chain.u[k] + u0[k]) + (chain.v[k] - v0[k]) * (chain.v[k] + v0[k])) / w[b]
+                            + (chain.omega[k] - omega0[k]) * (chain.omega[k] + omega0[k]) / w[b + 2])
+                    - (workX + workY) / w[b] - workTurn / w[b + 2];
+            most += (Math.abs(workX) + Math.abs(workY)) / w[b] + Math.abs(workTurn) / w[b + 2];
+            rounding += (Math.abs(fallX[k]) * Math.max(Math.abs(x0[k]), island.mostSize)
+                                    + Math.abs(fallY[k]) * Math.max(Math.abs(y0[k]), island.mostSize)) / w[b]
+                    + Math.abs(fallen) * Math.max(Math.abs(angle0[k]), 1) / w[b + 2];
+        }
+        return most == 0 || Math.abs(growth) <= Invariants.LEFT * (before + most) + Invariants.ROUNDING * rounding;
     }
 
     /** Takes the state over; returns the largest coordinate. */

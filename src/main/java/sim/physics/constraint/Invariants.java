@@ -15,8 +15,10 @@ import sim.physics.motion.State;
  * momenta are kept by each of its steps. No method is symplectic where wheels roll, which are no constraints of places: energy is put back there.
  *
  * <p>Under other forces the work of these is all that kinetic energy can grow by, since constraints do none: a step that
- * says otherwise was too long for the pose, as those of a chain that is all but taut. That is asked within sight of singular
- * poses only: elsewhere the error of a step is the method's own, and that of a symplectic one is to go up and down.
+ * says otherwise was too long for the pose, as those of a chain that is all but taut. Where forces change within a step that is asked within sight of
+ * singular poses only: elsewhere the error of a step is the method's own. Where they do not, it is asked everywhere, but of symplectic methods, whose
+ * error is to go up and down, and of those of first order: a bridge that sags by a hundredth of its length swings much faster than a step can
+ * follow, without any pose that is singular, and would be thrown about.
  *
  * <p>In the metric of the masses the velocities are a sum of a motion of the whole and an internal one, which are
  * orthogonal and both satisfy the constraints. The first gets the momenta back, the second the energy that is left.
@@ -38,16 +40,20 @@ final class Invariants implements Serializable {
     private static final double WRONG = 3;
 
     private static final double WRONG_IF_STEADY = 0.1;
-    private static final double LEFT = 1e-3;
+    static final double LEFT = 1e-3;
 
     /** Rounding of the work, relative to that of the forces along the coordinates. */
-    private static final double ROUNDING = 1e-13;
+    static final double ROUNDING = 1e-13;
 
     /** Whether other forces act whose work is watched; the state at the start, accelerations there and the largest ones. */
     private boolean isWatched;
 
     private boolean isSteady;
     private boolean isNoted;
+
+    /** Whether the method has asked for accelerations more than once: one of first order gains or loses what it does, however short its steps are. */
+    private boolean isSubtle;
+
     private double[] x0 = {};
     private double[] v0 = {};
     private double[] pull = {};
@@ -88,6 +94,7 @@ final class Invariants implements Serializable {
         isSymplectic = false;
         isWatched = !free && island.switches.areIdle() && island.isOwn;
         isNoted = false;
+        isSubtle = false;
         if (isFree) {
             measure(state, before);
         }
@@ -153,6 +160,7 @@ final class Invariants implements Serializable {
             return;
         }
         isSteady |= !isNoted;
+        isSubtle = isNoted;
         for (int k = 0, m = 0; k < island.bodies.size; k++) {
             int s = State.BLOCK * island.bodies.values[k];
             for (int end = s + State.BLOCK; s < end; s++, m++) {
@@ -196,8 +204,11 @@ final class Invariants implements Serializable {
      * @return false if the energy has grown so much that the step was wrong
      */
     boolean restore(State state, boolean isEnd) {
-        if (isEnd && isWatched && isNoted && island.factor.pivots.isWeak()) {
-            return isWithinWork(state);
+        if (isEnd && isWatched && isNoted) {
+            boolean isWeak = island.factor.pivots.isWeak();
+            if (isWeak || isSteady && isSubtle && !isSymplectic) {
+                return isWithinWork(state, isWeak);
+            }
         }
         if (isFree && before[0] != 0) {
             if (isSymplectic) {
@@ -222,8 +233,11 @@ final class Invariants implements Serializable {
         return sum;
     }
 
-    /** Whether the energy has grown by no more than the work of the forces. What is a little more is taken away. */
-    private boolean isWithinWork(State state) {
+    /**
+     * Whether the energy has grown by no more than the work of the forces. What is a little more is taken away; what is a little less is put back, but
+     * for poses that let nothing pass, in which swings are lost.
+     */
+    private boolean isWithinWork(State state, boolean isWeak) {
         measure(state, after);
         double[] w = state.w().values();
         before[0] = energyAtStart(w);
@@ -244,13 +258,15 @@ final class Invariants implements Serializable {
             return after[0] <= (1 + WRONG) * known + room;
         }
         double excess = after[0] - before[0] - work - room;
-        if (excess > LEFT * known && excess < WRONG_IF_STEADY * known) {
-            double scale = Math.sqrt(Math.max(0, 1 - excess / after[0]));
+        double lack = isWeak ? 0 : -excess - 2 * room;
+        double wrong = Math.max(excess, lack);
+        if (wrong > LEFT * known && wrong < WRONG_IF_STEADY * known) {
+            double scale = Math.sqrt(Math.max(0, 1 - (excess > 0 ? excess : -lack) / after[0]));
             for (int k = 0; k < x0.length; k++) {
                 state.v()[slot(k)] *= scale;
             }
         }
-        return excess < WRONG_IF_STEADY * known || excess <= 0;
+        return wrong < WRONG_IF_STEADY * known || wrong <= 0;
     }
 
     private void restoreAll(State state) {

@@ -170,8 +170,8 @@ final class Bounces implements Serializable {
     }
 
     /**
-     * The greatest acceleration of a rattling pair that is believed to be that of forces, and not of what its bodies did at other points: of what
-     * nothing ties forces are known.
+     * The greatest acceleration of a pair that is believed to be that of forces, and not of what its bodies did at other points: of what nothing ties
+     * forces are known, and paths may be bent by 10¹³ times as much just after a body was struck.
      *
      * @param patience how often that much: more where they rattle on and on, as what lies on them presses, too
      */
@@ -263,13 +263,14 @@ final class Bounces implements Serializable {
         int count = counts[pair];
         double approachSpeed = -c.normalVelocity();
         double pressing = pressing(a, b, c);
-        double closing = pressing;
+        double again = 0;
         boolean isForced = canRest && c.restitution == 1; // elastic bodies come to rest by forces only
         if (count > Tolerances.ELASTIC_AFTER / 2 && !isForced) {
             // whatever pressed the two together since their last impact, spin for one, will do it again
             double since = Math.max(trajectories.offset(a) - lastTau[pair], Tolerances.REST * h);
-            closing = Math.max(closing, (approachSpeed + lastSpeed[pair]) / since);
+            again = (approachSpeed + lastSpeed[pair]) / since;
         }
+        double closing = Math.max(pressing, again);
         if (!canRest && count > Tolerances.ELASTIC_AFTER) {
             c.restitution = 1; // bodies that collapse on one another (Luding and McNamara 1998)
         }
@@ -288,7 +289,14 @@ final class Bounces implements Serializable {
         boolean isPressed = inHeap || trajectories.isDriven(a) || trajectories.isDriven(b);
         int exact = canRest ? Tolerances.REST_AFTER : isPressed ? 0 : Tolerances.LIE_AFTER;
         if (bounce < shortest && count > exact) {
-            double most = Math.max(regained(pair, approachSpeed, c), Math.min(0.5 * pressing * shortest, mostByPressing(a, b)));
+            double believed = Math.min(pressing, mostPressing(a, b, Math.max(1, count / FEW)));
+            if (believed < pressing) {
+                closing = Math.max(believed, again);
+                if (2 * c.restitution * approachSpeed >= shortest * closing) {
+                    return false; // it is no shorter than it is to be
+                }
+            }
+            double most = Math.max(regained(pair, approachSpeed, c), Math.min(0.5 * believed * shortest, mostByPressing(a, b)));
             c.restitution = Math.min(HUGE, Math.min(0.5 * closing * shortest, most) / approachSpeed);
         }
         return false;

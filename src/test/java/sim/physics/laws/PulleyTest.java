@@ -186,6 +186,27 @@ class PulleyTest {
         assertThat(right.getY()).isCloseTo(-3.5 - 0.25 * 5 / 7, within(1e-12));
     }
 
+    /** It swings round its pulley, much faster than a step can follow, and goes back. It got two fifths of its energy for that before. */
+    @Test
+    void whatPassesCloseByItsPulleyGainsNoEnergy() {
+        engine.add(new Gravity(0, -G));
+        Body light = engine.add(new Body(new Rectangle(0.5, 0.5)).at(0.01, 4));
+        light.setMass(0.5);
+        Body heavy = engine.add(new Body(new Rectangle(0.5, 0.5)).at(3, 4));
+        heavy.setMass(2);
+        engine.add(PulleyJoint.worldPoints(light, 0.01, 4, 0, 5, heavy, 3, 4, 3, 5, 1));
+        double lowest = 2;
+        double largest = 0;
+        for (int k = 0; k < 120; k++) {
+            go(1 / 60.0, 1);
+            lowest = Math.min(lowest, Math.hypot(light.getX(), light.getY() - 5));
+            double kinetic = light.kineticEnergy() + heavy.kineticEnergy();
+            largest = Math.max(largest, kinetic + G * (0.5 * (light.getY() - 4) + 2 * (heavy.getY() - 4)));
+        }
+        assertThat(lowest).isLessThan(0.1);
+        assertThat(largest).isLessThan(0.02);
+    }
+
     /** Kept on a taut rope by a stop of a rope, which lets go of nothing that pulls. */
     @Test
     void aTautRopeOfAStopIsTheJoint() {
