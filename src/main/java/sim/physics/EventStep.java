@@ -257,7 +257,7 @@ final class EventStep implements Serializable {
     private void respond() {
         double tau = detection.nextTime();
         instant = tau;
-        IntList touching = detection.nextImpacts();
+        IntList touching = detection.nextImpacts(motion);
         int pair = touching.size == 1 ? touching.values[0] : -1;
         if (pair >= 0 && !asksAuthors && bounce(pair, tau)) {
             return;

@@ -12,6 +12,7 @@ import sim.physics.internal.IntList;
 import sim.physics.internal.Team;
 import sim.physics.internal.Tolerances;
 import sim.physics.motion.Body;
+import sim.physics.motion.Motion;
 import sim.physics.motion.Neighbours;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
@@ -463,9 +464,10 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     /**
      * Takes the next impact off the queue, with those that are simultaneous.
      *
+     * @param motion says which bodies move together
      * @return the pairs that touch; valid until the next call
      */
-    public IntList nextImpacts() {
+    public IntList nextImpacts(Motion motion) {
         together.clear();
         double tau = queue.firstTime();
         double until = tau + Tolerances.SIMULTANEOUS * h;
@@ -475,7 +477,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
             pairs.setTime(pair, Double.NaN);
             together.add(pair);
         }
-        companions.gather(together, tau, hasEvent() ? queue.firstTime() : Double.POSITIVE_INFINITY);
+        companions.gather(together, tau, hasEvent() ? queue.firstTime() : Double.POSITIVE_INFINITY, motion);
         return together;
     }
 

@@ -9,6 +9,7 @@ import sim.physics.collision.narrow.Manifold;
 import sim.physics.collision.narrow.NarrowPhase;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Tolerances;
+import sim.physics.motion.Motion;
 import sim.physics.motion.Trajectories;
 
 /**
@@ -59,10 +60,12 @@ final class Companions implements Serializable {
      * @param together the pairs that touch; their planned impacts are NaN, and so are those of pairs that are added
      * @param tau offset in the present step
      * @param next offset of what happens next
+     * @param motion says which bodies move together
      */
-    void gather(IntList together, double tau, double next) {
+    void gather(IntList together, double tau, double next, Motion motion) {
         if (next <= until(tau)) {
             gatherMoving(together, tau);
+            gatherTied(together, tau, motion);
         }
         for (int k = 0; k < together.size; k++) {
             int a = pairs.first(together.values[k]);
@@ -84,6 +87,30 @@ final class Companions implements Serializable {
                     pairs.setTime(pair, Double.NaN);
                     together.add(pair);
                 }
+            }
+        }
+    }
+
+    /** What bodies strike that move together with one that does, as the links of a chain that fall flat. */
+    private void gatherTied(IntList together, double tau, Motion motion) {
+        for (int k = 0, struck = together.size; k < struck; k++) {
+            int pair = together.values[k];
+            int body = boxes.isFixed(pairs.first(pair)) ? pairs.second(pair) : pairs.first(pair);
+            if (trajectories.isDriven(body) && boxes.isFixed(pairs.other(pair, body))) {
+                IntList group = motion.companions(body);
+                for (int m = 0; m < group.size; m++) {
+                    gatherFixed(together, group.values[m], tau);
+                }
+            }
+        }
+    }
+
+    private void gatherFixed(IntList together, int body, double tau) {
+        for (int m = 0; m < pairs.countOf(body); m++) {
+            int pair = pairs.of(body, m);
+            if (pairs.time(pair) <= until(tau) && boxes.isFixed(pairs.other(pair, body)) && narrowPhase.touches(pair, tau)) {
+                pairs.setTime(pair, Double.NaN);
+                together.add(pair);
             }
         }
     }
