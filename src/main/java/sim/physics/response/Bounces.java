@@ -368,14 +368,17 @@ final class Bounces implements Serializable {
         return counts[pair] <= Tolerances.LIE_AFTER && isLong;
     }
 
-    /** The acceleration of two bodies towards one another. */
+    /**
+     * The acceleration of two bodies towards one another, with none of driven ones: what bends their paths is not known where they have just been brought
+     * by the integrator, and would be where an impact of the same instant has brought them before.
+     */
     double pressing(int a, int b, Impact c) {
-        double[] d = trajectories.bends();
-        int mask = trajectories.bendMask();
-        int oa = a * Trajectories.STRIDE;
-        int ob = b * Trajectories.STRIDE;
         return 2
-                * ((d[(oa & mask) + Trajectories.AX] - d[(ob & mask) + Trajectories.AX]) * c.nx
-                        + (d[(oa & mask) + Trajectories.AY] - d[(ob & mask) + Trajectories.AY]) * c.ny);
+                * ((bend(a, Trajectories.AX) - bend(b, Trajectories.AX)) * c.nx + (bend(a, Trajectories.AY) - bend(b, Trajectories.AY)) * c.ny);
+    }
+
+    private double bend(int body, int component) {
+        int o = body * Trajectories.STRIDE & trajectories.bendMask();
+        return trajectories.isDriven(body) ? 0 : trajectories.bends()[o + component];
     }
 }
