@@ -314,10 +314,15 @@ final class Bounces implements Serializable {
         return Math.max(approach, Math.sqrt(approach * approach + 2 * lost[pair] * c.normalMobility()));
     }
 
-    /** Whether so many impacts of a pair in a step have been so short that the two are to lie on one another. */
-    boolean jams(int pair, int a, int b, Impact c, boolean inHeap) {
-        if (c.restitution == 0 && (inHeap || pressing(a, b, c) > 0) && !trajectories.isDriven(a) && !trajectories.isDriven(b)) {
-            return true; // it does not bounce at all
+    /**
+     * Whether so many impacts of a pair in a step have been so short that the two are to lie on one another.
+     *
+     * @param isPut whether they have but been put on one another, as {@link #isByRounding} says of all of their points
+     */
+    boolean jams(int pair, int a, int b, Impact c, boolean inHeap, boolean isPut) {
+        boolean bounces = c.restitution == 1 || c.restitution > 0 && !isPut;
+        if (!bounces && (inHeap || pressing(a, b, c) > 0) && !trajectories.isDriven(a) && !trajectories.isDriven(b)) {
+            return true;
         }
         int count = counts[pair] * (c.restitution == 0 && c.friction > 0 && (motion.isTied(a) || motion.isTied(b)) ? TURNS : 1);
         if (count > Tolerances.LIE_AFTER && isTiny(a, b, c) || isNoise(pair, a, b, c)) {
@@ -352,6 +357,12 @@ final class Bounces implements Serializable {
         }
         double speed = c.normalVelocity();
         return speed * speed < 2 * (drive(a) + drive(b)) * noise(a, b);
+    }
+
+    /** Whether two bodies meet as fast as forces make them on a way that is but rounding, as what is put on one another. */
+    boolean isByRounding(int a, int b, Impact c) {
+        double speed = c.normalVelocity();
+        return speed * speed < 2 * (pull(a) + pull(b)) * noise(a, b);
     }
 
     private double pull(int body) {

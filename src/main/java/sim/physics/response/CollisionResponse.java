@@ -246,7 +246,12 @@ public final class CollisionResponse implements Serializable {
 
     /** Lets a pair lie on one another from now on if its bounces have become too many and too short. */
     private boolean startsToLie(int pair, int a, int b) {
-        if (!heaps.mayLie(a, b) || !bounces.jams(pair, a, b, impact, heaps.has(a) || heaps.has(b))) {
+        boolean isPut = true;
+        for (int point = manifold.count - 1; point >= 0; point--) {
+            instant.load(a, b, point);
+            isPut &= bounces.isByRounding(a, b, impact);
+        }
+        if (!heaps.mayLie(a, b) || !bounces.jams(pair, a, b, impact, heaps.has(a) || heaps.has(b), isPut)) {
             return false;
         }
         unstick(pair);
