@@ -339,6 +339,8 @@ final class Heap implements Serializable {
                 continue;
             }
             points.load(manifold, pair, k, point);
+            manifold.slide(k, point.slip);
+            flush.seams().follow(pair, k, manifold);
             int p = system.size();
             system.add(members.number(a), members.number(b), point);
             notes.add(pair, k, manifold.gaps[k]);
