@@ -10,6 +10,7 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
+import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.RodJoint;
 import sim.physics.constraint.WeldJoint;
@@ -122,11 +123,16 @@ class TurnedWorldTest {
         return w;
     }
 
-    private static World car(World w) {
-        Body chassis = w.put(new Rectangle(2, 0.4), 0.3, 0.9, 3, 0);
+    private static World car(World w, boolean hasMotors) {
+        double speed = hasMotors ? 0 : 3;
+        Body chassis = w.put(new Rectangle(2, 0.4), 0.3, 0.9, speed, 0);
         for (int side = -1; side <= 1; side += 2) {
             double x = 0.3 + 0.7 * side;
-            w.pin(chassis, w.put(new Circle(0.3), x, 0.3, 3, -10), x, 0.3);
+            Body wheel = w.put(new Circle(0.3), x, 0.3, speed, -speed / 0.3);
+            w.pin(chassis, wheel, x, 0.3);
+            if (hasMotors) {
+                w.engine.add(Motor.turning(chassis, wheel, 10, 3));
+            }
         }
         return w;
     }
@@ -165,7 +171,7 @@ class TurnedWorldTest {
 
     private static World make(String name, double angle, boolean isTiled) {
         boolean isAuthors = name.startsWith("author's ");
-        double friction = name.equals("car") ? 0.8 : name.endsWith("row") ? 0.3 : name.contains("smooth") ? 0 : 0.2;
+        double friction = name.endsWith("car") ? 0.8 : name.endsWith("row") ? 0.3 : name.contains("smooth") ? 0 : 0.2;
         World world = new World(angle, friction, isAuthors);
         world.floor(isTiled);
         return switch (name.replace("author's ", "").replace("smooth ", "")) {
@@ -173,7 +179,8 @@ class TurnedWorldTest {
             case "box" -> box(world, 0);
             case "pushed box" -> box(world, 1.2);
             case "table" -> table(world);
-            case "car" -> car(world);
+            case "car" -> car(world, false);
+            case "motor car" -> car(world, true);
             case "chain" -> chain(world);
             case "rod" -> rod(world);
             default -> row(world);
@@ -184,7 +191,8 @@ class TurnedWorldTest {
     @ParameterizedTest
     @CsvSource({
         "plank, 1e-8", "author's plank, 1e-8", "smooth plank, 1e-7", "author's smooth plank, 1e-7", "author's smooth box, 1e-9",
-        "author's box, 1e-8", "pushed box, 1e-6", "table, 1e-10", "chain, 1e-8", "rod, 1e-8", "car, 1e-8", "row, 3e-6", "author's row, 3e-6"
+        "author's box, 1e-8", "pushed box, 1e-6", "table, 1e-10", "chain, 1e-8", "rod, 1e-8", "car, 1e-8", "author's motor car, 1e-7", "row, 3e-6",
+        "author's row, 3e-6"
     })
     void onTilesAsOnOneFloorAtAnyAngle(String name, double bound) {
         List<Body> on = run(make(name, 0, false));

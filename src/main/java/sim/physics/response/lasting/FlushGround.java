@@ -98,10 +98,20 @@ final class FlushGround implements Serializable {
             int other = pairs.of(body, k);
             if (detection.marks().isHeld(other) || detection.marks().isLasting(other) && isGround(other, body)) {
                 look(pair, body, tau);
-                yes = isSame(other, body, tau);
+                yes = detection.narrowPhase().isCircle(body) ? meets(other, body, tau) : isSame(other, body, tau);
             }
         }
         return yes;
+    }
+
+    /** Whether a disc touches a ground where that is in line with the one that was looked at last, or ends in that line: behind a seam that is a corner. */
+    private boolean meets(int pair, int body, double tau) {
+        double x = nx;
+        double y = ny;
+        double radius = trajectories.radius(body);
+        double distance = radius + manifold.gap;
+        look(pair, body, tau);
+        return Math.abs((radius + manifold.gap) * (x * nx + y * ny) - distance) <= LYING * radius;
     }
 
     /** Whether a body touches several fixed ones, all of the same normal, and nothing else, and they can bear it together. */
