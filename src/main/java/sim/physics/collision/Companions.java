@@ -65,7 +65,9 @@ final class Companions implements Serializable {
     void gather(IntList together, double tau, double next, Motion motion) {
         if (next <= until(tau)) {
             gatherMoving(together, tau);
-            gatherTied(together, tau, motion);
+        }
+        if (next < Double.POSITIVE_INFINITY) {
+            gatherTied(together, tau, next, motion);
         }
         for (int k = 0; k < together.size; k++) {
             int a = pairs.first(together.values[k]);
@@ -91,28 +93,48 @@ final class Companions implements Serializable {
         }
     }
 
-    /** What bodies strike that move together with one that does, as the links of a chain that fall flat. */
-    private void gatherTied(IntList together, double tau, Motion motion) {
+    /** What bodies strike that move together with one that does, as the links of a chain that fall flat, or the wheels of a car that is put down. */
+    private void gatherTied(IntList together, double tau, double next, Motion motion) {
         for (int k = 0, struck = together.size; k < struck; k++) {
             int pair = together.values[k];
             int body = boxes.isFixed(pairs.first(pair)) ? pairs.second(pair) : pairs.first(pair);
-            if (trajectories.isDriven(body) && boxes.isFixed(pairs.other(pair, body))) {
-                IntList group = motion.companions(body);
-                for (int m = 0; m < group.size; m++) {
-                    gatherFixed(together, group.values[m], tau);
-                }
+            if (!trajectories.isDriven(body) || !boxes.isFixed(pairs.other(pair, body))) {
+                continue;
+            }
+            double late = Math.max(until(tau), blurOfTied(pair, tau));
+            IntList group = motion.companions(body);
+            for (int m = 0; m < group.size && next <= late; m++) {
+                gatherFixed(together, group.values[m], tau, late);
             }
         }
     }
 
-    private void gatherFixed(IntList together, int body, double tau) {
+    private void gatherFixed(IntList together, int body, double tau, double late) {
         for (int m = 0; m < pairs.countOf(body); m++) {
             int pair = pairs.of(body, m);
-            if (pairs.time(pair) <= until(tau) && boxes.isFixed(pairs.other(pair, body)) && narrowPhase.touches(pair, tau)) {
+            if (pairs.time(pair) <= late && boxes.isFixed(pairs.other(pair, body)) && touchesNow(pair, tau)) {
                 pairs.setTime(pair, Double.NaN);
                 together.add(pair);
             }
         }
+    }
+
+    private boolean touchesNow(int pair, double tau) {
+        int code = pairs.code(pair);
+        boolean yes = narrowPhase.touches(pair, tau);
+        if (!yes) {
+            pairs.setCode(pair, code); // as it was when its impact was looked for
+        }
+        return yes;
+    }
+
+    /** The same as {@link #blur} for bodies that move together, whatever touches of them: all that are put down fall by rounding only. */
+    private double blurOfTied(int pair, double tau) {
+        int code = pairs.code(pair);
+        boolean isTouching = narrowPhase.touches(pair, tau);
+        double speed = narrowPhase.approach();
+        pairs.setCode(pair, code);
+        return isTouching && speed > 0 ? tau + BLUR * narrowPhase.roundingOfGap() / speed : tau;
     }
 
     /**

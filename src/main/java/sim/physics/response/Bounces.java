@@ -325,10 +325,15 @@ final class Bounces implements Serializable {
         return Math.max(approach, Math.sqrt(approach * approach + 2 * lost[pair] * c.normalMobility()));
     }
 
-    /** Whether so many impacts of a pair in a step have been so short that the two are to lie on one another. */
-    boolean jams(int pair, int a, int b, Impact c, boolean inHeap) {
-        if (c.restitution == 0 && (inHeap || pressing(a, b, c) > 0) && !trajectories.isDriven(a) && !trajectories.isDriven(b)) {
-            return true; // it does not bounce at all
+    /**
+     * Whether so many impacts of a pair in a step have been so short that the two are to lie on one another.
+     *
+     * @param isPut whether they have but been put on one another, as {@link #isByRounding} says of all of their points
+     */
+    boolean jams(int pair, int a, int b, Impact c, boolean inHeap, boolean isPut) {
+        boolean bounces = c.restitution == 1 || c.restitution > 0 && !isPut;
+        if (!bounces && (inHeap || pressing(a, b, c) > 0) && !trajectories.isDriven(a) && !trajectories.isDriven(b)) {
+            return true;
         }
         int count = counts[pair] * (c.restitution == 0 && c.friction > 0 && (motion.isTied(a) || motion.isTied(b)) ? TURNS : 1);
         if (count > Tolerances.LIE_AFTER && isTiny(a, b, c) || isNoise(pair, a, b, c)) {
@@ -365,6 +370,12 @@ final class Bounces implements Serializable {
         return speed * speed < 2 * (drive(a) + drive(b)) * noise(a, b);
     }
 
+    /** Whether two bodies meet as fast as forces make them on a way that is but rounding, as what is put on one another. */
+    boolean isByRounding(int a, int b, Impact c) {
+        double speed = c.normalVelocity();
+        return speed * speed < 2 * (pull(a) + pull(b)) * noise(a, b);
+    }
+
     private double pull(int body) {
         double[] d = trajectories.bends();
         int o = body * Trajectories.STRIDE & trajectories.bendMask();
@@ -379,14 +390,17 @@ final class Bounces implements Serializable {
         return counts[pair] <= Tolerances.LIE_AFTER && isLong;
     }
 
-    /** The acceleration of two bodies towards one another. */
+    /**
+     * The acceleration of two bodies towards one another, with none of driven ones: what bends their paths is not known where they have just been brought
+     * by the integrator, and would be where an impact of the same instant has brought them before.
+     */
     double pressing(int a, int b, Impact c) {
-        double[] d = trajectories.bends();
-        int mask = trajectories.bendMask();
-        int oa = a * Trajectories.STRIDE;
-        int ob = b * Trajectories.STRIDE;
         return 2
-                * ((d[(oa & mask) + Trajectories.AX] - d[(ob & mask) + Trajectories.AX]) * c.nx
-                        + (d[(oa & mask) + Trajectories.AY] - d[(ob & mask) + Trajectories.AY]) * c.ny);
+                * ((bend(a, Trajectories.AX) - bend(b, Trajectories.AX)) * c.nx + (bend(a, Trajectories.AY) - bend(b, Trajectories.AY)) * c.ny);
+    }
+
+    private double bend(int body, int component) {
+        int o = body * Trajectories.STRIDE & trajectories.bendMask();
+        return trajectories.isDriven(body) ? 0 : trajectories.bends()[o + component];
     }
 }

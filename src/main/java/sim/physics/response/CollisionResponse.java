@@ -45,6 +45,10 @@ public final class CollisionResponse implements Serializable {
     /** Null while nothing ties bodies together. */
     private JointedBodies jointed;
     private final IntList changed = new IntList();
+
+    /** The pairs of an instant that have lasted before it: what comes to lie with another one of them strikes with that. */
+    private final IntList lasted = new IntList();
+
     private final Bounces bounces;
     private final RestingContacts resting;
     private final Heaps heaps;
@@ -114,6 +118,12 @@ public final class CollisionResponse implements Serializable {
      */
     public IntList respond(IntList touching, double tau, double time) {
         changed.clear();
+        lasted.clear();
+        for (int k = 0; k < touching.size && !heaps.isEmpty(); k++) {
+            if (heaps.lasts(touching.values[k])) {
+                lasted.add(touching.values[k]);
+            }
+        }
         manifold = instant.begin(touching, tau);
         wedged.stalls(tau);
         listeners.setInstant(tau, time);
@@ -214,7 +224,7 @@ public final class CollisionResponse implements Serializable {
             return true;
         }
         bounces.attend(a, b, tau);
-        return heaps.lasts(pair) && closes(pair);
+        return lasted.contains(pair) && closes(pair);
     }
 
     /** Whether a lasting pair is left to its heap, because a bounce at the loaded points would be short, or one too many. */
@@ -236,7 +246,12 @@ public final class CollisionResponse implements Serializable {
 
     /** Lets a pair lie on one another from now on if its bounces have become too many and too short. */
     private boolean startsToLie(int pair, int a, int b) {
-        if (!heaps.mayLie(a, b) || !bounces.jams(pair, a, b, impact, heaps.has(a) || heaps.has(b))) {
+        boolean isPut = true;
+        for (int point = manifold.count - 1; point >= 0; point--) {
+            instant.load(a, b, point);
+            isPut &= bounces.isByRounding(a, b, impact);
+        }
+        if (!heaps.mayLie(a, b) || !bounces.jams(pair, a, b, impact, heaps.has(a) || heaps.has(b), isPut)) {
             return false;
         }
         unstick(pair);
@@ -397,7 +412,7 @@ public final class CollisionResponse implements Serializable {
         bounces.writeOff(pair);
         int body = state.body(a).isFixed() ? b : a;
         boolean canRest = canRest(pair, a, b, tau, meetings.isOnly(body));
-        boolean lies = isLocked || !rattles && !canRest && startsToLie(pair, a, b);
+        boolean lies = isLocked || !rattles && !canRest && (heaps.lasts(pair) || startsToLie(pair, a, b));
         boolean restsNow = !rattles && !lies;
         impact.isEarly = bounces.areFew(pair);
         for (int point = 0; point < manifold.count; point++) {

@@ -52,6 +52,9 @@ public final class Manifold {
     /** Whether a point is the end of that edge, on an edge of the other body, else a corner of the other body or of none. */
     public final boolean[] isEnd = new boolean[POINTS];
 
+    /** Whether a point of two is the end of both edges. Which of the two stays on the other one's edge is said by how they slide. */
+    private final boolean[] isOfBoth = new boolean[POINTS];
+
     /** How far a single point is from the nearer end of the edge on which it lies, length; 0 if it lies on none. */
     public double room;
 
@@ -130,6 +133,47 @@ public final class Manifold {
         double first = ry[0] * nx - rx[0] * ny;
         double second = ry[1] * nx - rx[1] * ny;
         return first * second <= 0;
+    }
+
+    /** Takes in the stretch along which an edge lies on the owner's, given by where its ends are along that, and how near ends are one. */
+    void stretch(double first, double last, double length, double near) {
+        isEnd[0] = first <= 0;
+        isEnd[1] = last >= length;
+        isOfBoth[0] = Math.abs(first) <= near;
+        isOfBoth[1] = Math.abs(last - length) <= near;
+        isAtEnds = Math.min(last, length) - Math.max(first, 0) <= near;
+    }
+
+    /**
+     * Says which corner is followed where those of both bodies are one point: the one that does not leave the other one's edge.
+     *
+     * @param point 0 or 1, of two
+     * @param slip velocity of B's point relative to A's along the normal turned counter-clockwise
+     */
+    public void slide(int point, double slip) {
+        if (isOfBoth(point) && slip != 0) {
+            isEnd[point] = point == 0 == slip < 0;
+        }
+    }
+
+    /**
+     * Whether a point is the end of both edges.
+     *
+     * @param point 0 or 1
+     * @return false also for a single point
+     */
+    public boolean isOfBoth(int point) {
+        return count == 2 && isOfBoth[point];
+    }
+
+    /**
+     * Says whose corner is followed at a point of two.
+     *
+     * @param point 0 or 1
+     * @param ofA whether that of A, else that of B
+     */
+    public void follow(int point, boolean ofA) {
+        isEnd[point] = ofA == (owner == 0);
     }
 
     /** Adds a point given relative to the centre of A; B's centre is at (px, py). */

@@ -414,9 +414,7 @@ public final class NarrowPhase implements Serializable {
         double slope = (height(owner, edge, other, flush) - height(owner, edge, other, vertex)) / (to - at);
         contact.gaps[0] = contact.gap + slope * (from - at);
         contact.gaps[1] = contact.gap + slope * (end - at);
-        contact.isEnd[0] = from == 0;
-        contact.isEnd[1] = end == owner.length(edge);
-        contact.isAtEnds = end - from <= ENDS * pose.size;
+        contact.stretch(Math.min(at, to), Math.max(at, to), owner.length(edge), ENDS * pose.size);
         double x = owner.vx[edge];
         double y = owner.vy[edge];
         contact.add(x - ey * from, y + ex * from, pose.px, pose.py);

@@ -222,6 +222,14 @@ final class DrivenHeap implements Serializable {
         probes.stir(body);
     }
 
+    /** Lets the motors and stops of a body that lies on nothing any more decide by themselves. */
+    void thaw(int body, Ties those) {
+        if (motion.isTied(body)) {
+            stir(body);
+            those.switched(those.island(body)).thaw();
+        }
+    }
+
     /** Whether something has happened to a body that stands still, or its motors or stops have been set. */
     boolean stirs(int body, Ties those) {
         return motion.isTied(body) && (!probes.rests(body) || areSet(those.island(body), body, those));

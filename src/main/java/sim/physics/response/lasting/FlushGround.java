@@ -23,6 +23,7 @@ final class FlushGround implements Serializable {
     private final State state;
     private final Trajectories trajectories;
     private final CollisionDetection detection;
+    private final GroundSeams seams;
     private final IntList found = new IntList();
     private transient Manifold manifold;
 
@@ -40,6 +41,12 @@ final class FlushGround implements Serializable {
         this.state = state;
         this.trajectories = trajectories;
         this.detection = detection;
+        this.seams = new GroundSeams(state, trajectories, detection);
+    }
+
+    /** The seams under what lies on it. */
+    GroundSeams seams() {
+        return seams;
     }
 
     /** Lets a body that rests lie also on what goes on flush with that, from the instant on at which it touches it. */
@@ -54,21 +61,25 @@ final class FlushGround implements Serializable {
         }
     }
 
-    /** Lets the bodies of a heap lie also on what goes on flush with the ground that they lie on. */
-    void spread(IntList heap, double tau, LastingPairs lasting) {
-        IntList onto = find(heap, tau);
+    /**
+     * Lets the bodies of a heap lie also on what goes on flush with the ground that they lie on.
+     *
+     * @param depth how deep bodies may be in that, relative to their size
+     */
+    void spread(IntList heap, double tau, double depth, LastingPairs lasting) {
+        IntList onto = find(heap, tau, Math.max(LYING, HeapMeeting.NEAR * depth));
         for (int k = 0; k < onto.size; k++) {
             lasting.begin(onto.values[k]);
         }
     }
 
     /** The pairs of fixed ones on which they are to lie, too. They lie at a distance. */
-    private IntList find(IntList heap, double tau) {
+    private IntList find(IntList heap, double tau, double near) {
         Pairs pairs = detection.pairs();
         found.clear();
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
-            double reach = LYING * trajectories.radius(body);
+            double reach = near * trajectories.radius(body);
             for (int m = 0; m < pairs.countOf(body); m++) {
                 int pair = pairs.of(body, m);
                 boolean isNew = !detection.marks().isUnseen(pair) && !detection.marks().isLasting(pair) && isGround(pair, body);
@@ -82,14 +93,25 @@ final class FlushGround implements Serializable {
 
     private boolean goesOn(int pair, int body, double tau) {
         Pairs pairs = detection.pairs();
-        for (int k = 0; k < pairs.countOf(body); k++) {
+        boolean yes = false;
+        for (int k = 0; k < pairs.countOf(body) && !yes; k++) {
             int other = pairs.of(body, k);
             if (detection.marks().isHeld(other) || detection.marks().isLasting(other) && isGround(other, body)) {
                 look(pair, body, tau);
-                return isSame(other, body, tau);
+                yes = detection.narrowPhase().isCircle(body) ? meets(other, body, tau) : isSame(other, body, tau);
             }
         }
-        return false;
+        return yes;
+    }
+
+    /** Whether a disc touches a ground where that is in line with the one that was looked at last, or ends in that line: behind a seam that is a corner. */
+    private boolean meets(int pair, int body, double tau) {
+        double x = nx;
+        double y = ny;
+        double radius = trajectories.radius(body);
+        double distance = radius + manifold.gap;
+        look(pair, body, tau);
+        return Math.abs((radius + manifold.gap) * (x * nx + y * ny) - distance) <= LYING * radius;
     }
 
     /** Whether a body touches several fixed ones, all of the same normal, and nothing else, and they can bear it together. */

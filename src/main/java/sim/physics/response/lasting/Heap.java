@@ -133,17 +133,9 @@ final class Heap implements Serializable {
         this.striking = new HeapStrike(system, notes, courses, scales);
         this.members = new HeapMembers(state, trajectories, motion, detection, by, lasting, scales, pulls);
         this.heap = members.bodies();
-        this.ending = new HeapEnd(state, trajectories, motion, detection, points, by, system, members, scales, ledger);
+        this.ending = new HeapEnd(state, trajectories, motion, detection, points, by, system, members, scales, ledger, flush.seams());
         this.large = new LargeHeaps(trajectories, by, new Foresight(state, trajectories, pulls, detection, points, scales));
         this.rubbing = new RubbedHeap(trajectories, motion, by, system, notes, scales, driving.search().turning);
-    }
-
-    /** Lets the motors and stops of a body that lies on nothing any more decide by themselves. */
-    void thaw(int body) {
-        if (motion.isTied(body)) {
-            driving.stir(body);
-            members.ties().switched(members.ties().island(body)).thaw();
-        }
     }
 
     void setTies(Ties those) {
@@ -160,7 +152,7 @@ final class Heap implements Serializable {
         if (isFresh && !isEven() && heap.size <= FreeHeap.FEW && members.split(tau, PARTED, parted)) {
             find(seed, tau);
         }
-        flush.spread(heap, tau, lasting);
+        flush.spread(heap, tau, HeapGaps.depth(isEven(), 1), lasting);
         if (isDriven) {
             driving.unpay(heap, tau, members.ties());
         } else if (isRubbed) {
@@ -261,8 +253,7 @@ final class Heap implements Serializable {
     /** Takes in the bodies of the heap and their points; the time ends where the first of these strikes. */
     private void gather(double tau) {
         take(tau);
-        boolean isFollowed = !isRough && heap.size <= FreeHeap.FEW && by.mostTurns(heap) <= MOST;
-        if (isFollowed && strikes(tau, trajectories.h() / SOLUTIONS)) {
+        if (!isRough && heap.size <= FreeHeap.FEW && by.mostTurns(heap) <= MOST && strikes(tau, trajectories.h() / SOLUTIONS)) {
             take(tau);
         }
     }
@@ -293,6 +284,7 @@ final class Heap implements Serializable {
         deep.clear();
         scale = 0;
         large.begin();
+        flush.seams().forget();
         system.tolerance().hurry(!isRough && large.wasRough(heap));
         system.tolerance().roughen(isRough);
         if (!isEven()) {
@@ -327,7 +319,7 @@ final class Heap implements Serializable {
         int a = detection.pairs().first(pair);
         int b = detection.pairs().second(pair);
         double size = scales.size(a, b);
-        detection.narrowPhase().contact(pair, tau, manifold, HeapGaps.FLAT * size / (scales.radius(a) + scales.radius(b)));
+        detection.narrowPhase().contact(pair, tau, manifold, HeapGaps.flat(size, scales.radius(a) + scales.radius(b)));
         if (manifold.gap > PARTED * size && !(isRough && large.foresees(pair))) {
             if (isFresh) {
                 members.part(pair);
@@ -342,7 +334,13 @@ final class Heap implements Serializable {
                 : isDriven && !members.isDriven() ? HeapGaps.watched(manifold.gap, depth) : depth);
         system.tolerance().allow(HeapGaps.littleSpeed(depth, left), HeapGaps.isDeeper(depth, size));
         for (int k = 0; k < manifold.count && !manifold.isAtEnds; k++) {
+            if (flush.seams().has(pair, k, tau)) {
+                ledger.setStart(pair, k, 0, 0);
+                continue;
+            }
             points.load(manifold, pair, k, point);
+            manifold.slide(k, point.slip);
+            flush.seams().follow(pair, k, manifold);
             int p = system.size();
             system.add(members.number(a), members.number(b), point);
             notes.add(pair, k, manifold.gaps[k]);
@@ -436,9 +434,9 @@ final class Heap implements Serializable {
     }
 
     private boolean regainNothing() {
-        double time = regain.time();
         return isDriven ? driving.search().regainNothing(scale)
-                : isRubbed ? (halts ? rubbing.hop(heap, deep, scale) : rubbing.regainNothing(heap, time, scale)) : free.regainNothing(scale, time);
+                : !isRubbed ? free.regainNothing(scale, regain.time())
+                : halts ? rubbing.hop(heap, deep, scale) : rubbing.regainNothing(heap, regain.time(), scale);
     }
 
     /** Whether something has happened to a body of a heap that stands still. */
@@ -470,7 +468,7 @@ final class Heap implements Serializable {
                 by.lies[body] = false;
                 motion.support(body, 0, 0, 0);
                 motion.ground().resume(body);
-                thaw(body);
+                driving.thaw(body, members.ties());
             } else if (isRubbed) {
                 rubbing.publish(k, body, until - tau, halts, fall);
             } else if (isDriven) {

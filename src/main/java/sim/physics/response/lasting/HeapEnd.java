@@ -29,6 +29,7 @@ final class HeapEnd implements Serializable {
     private final HeapMembers members;
     private final BodyScale scales;
     private final ContactLedger ledger;
+    private final GroundSeams seams;
     private final ContactPoint point = new ContactPoint();
     private final double[] fall = new double[State.BLOCK];
 
@@ -47,7 +48,8 @@ final class HeapEnd implements Serializable {
             HeapSystem system,
             HeapMembers members,
             BodyScale scales,
-            ContactLedger ledger) {
+            ContactLedger ledger,
+            GroundSeams seams) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
@@ -58,6 +60,7 @@ final class HeapEnd implements Serializable {
         this.members = members;
         this.scales = scales;
         this.ledger = ledger;
+        this.seams = seams;
     }
 
     /** Whether the time of a body's solution is over, and the body has only half of what it gets in it. */
@@ -71,6 +74,7 @@ final class HeapEnd implements Serializable {
         manifold = manifold == null ? new Manifold() : manifold;
         system.clear();
         origin.clear();
+        seams.forget();
         double scale = 0;
         for (int k = 0; k < heap.size; k++) {
             scale = Math.max(scale, enter(k, heap.values[k], tau));
@@ -126,7 +130,7 @@ final class HeapEnd implements Serializable {
         boolean isOfB = by.place[a] == 0 || by.place[b] != 0 && by.place[b] < by.place[a]; // a place of 0 is that of a fixed one
         double half = half(isOfB ? b : a, tau);
         double size = scales.size(a, b);
-        detection.narrowPhase().contact(pair, tau, manifold, HeapGaps.FLAT * size / (scales.radius(a) + scales.radius(b)));
+        detection.narrowPhase().contact(pair, tau, manifold, HeapGaps.flat(size, scales.radius(a) + scales.radius(b)));
         boolean presses = ledger.force(pair, 0, false) > 0 || ledger.force(pair, 1, false) > 0;
         int swap = isOther(pair, size) ? 1 : 0;
         for (int k = 0; k < 2; k++) { // k was that or, if the two have changed places, the other one in the first half
@@ -134,7 +138,7 @@ final class HeapEnd implements Serializable {
             double fn = ledger.force(pair, noted, false);
             double ft = ledger.force(pair, noted, true);
             ledger.strike(pair, noted, -half * fn, -half * ft); // which it was taken to bear for all of the time
-            if (k >= manifold.count) {
+            if (k >= manifold.count || manifold.isAtEnds || seams.has(pair, k, tau)) {
                 continue;
             }
             points.load(manifold, pair, k, point);

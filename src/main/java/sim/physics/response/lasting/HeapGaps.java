@@ -7,7 +7,7 @@ import sim.physics.internal.Tolerances;
 /** The gaps of lasting pairs: how deep they may be, which gap is kept for that, and how a missing one is regained. */
 final class HeapGaps {
     /** Height of an edge's other end from which it is no contact, relative to the smaller body. */
-    static final double FLAT = 2e-2;
+    private static final double FLAT = 2e-2;
 
     /** How deep a pair may be, relative to the smaller body. */
     private static final double CUSHION = 1e-10;
@@ -59,6 +59,11 @@ final class HeapGaps {
     private static final double OUT = 0.5;
 
     private HeapGaps() {}
+
+    /** The same relative to the two bodies, of which both may be larger. */
+    static double flat(double size, double radii) {
+        return FLAT * size / radii;
+    }
 
     /** How deep a pair of free bodies may be that moves at most. */
     static double fairDepth(double size) {

@@ -18,7 +18,7 @@ final class HeapMeeting implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** Gap that is none, in parts of the depth that is allowed: what lies in a heap is off its ground by as much. */
-    private static final double NEAR = 4;
+    static final double NEAR = 4;
 
     private final State state;
     private final Motion motion;

@@ -403,7 +403,7 @@ public final class Heaps implements Serializable {
         }
         if (has(body)) {
             by.lies[body] = false;
-            heap.thaw(body);
+            heap.driving.thaw(body, heap.members.ties());
         }
     }
 
