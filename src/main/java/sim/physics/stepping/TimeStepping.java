@@ -70,7 +70,6 @@ public final class TimeStepping implements Serializable {
     private final TieRows ties;
     private final Onset onset;
     private final Speeds speeds;
-    private final Followers followers;
     private final Decisions decisions;
     private final Sleep sleep;
     private final Retake retake;
@@ -131,7 +130,6 @@ public final class TimeStepping implements Serializable {
         onset = new Onset(state);
         near = new NearPairs(state, poses, filter, onset);
         speeds = new Speeds(state, poses, near, onset);
-        followers = new Followers(state, near, rows, onset);
         decisions = new Decisions(state, laws, rows);
         sleep = new Sleep(state, poses, near, forces, rows);
         decisions.setPairs(near, sleep.kept());
@@ -281,7 +279,6 @@ public final class TimeStepping implements Serializable {
 
     private void look() {
         speeds.begin();
-        followers.begin();
         Pairs pairs = near.pairs();
         near.order.update();
         for (int k = 0; k < near.order.size(); k++) {
@@ -290,15 +287,9 @@ public final class TimeStepping implements Serializable {
                 look(pair, pairs.first(pair), pairs.second(pair));
             }
         }
-        for (IntList again = followers.find(); again.size > 0; again = followers.find()) {
-            look(again);
-        }
-        look(decisions.reached());
-    }
-
-    private void look(IntList those) {
-        for (int k = 0; k < those.size; k++) {
-            look(those.values[k], near.pairs().first(those.values[k]), near.pairs().second(those.values[k]));
+        IntList reached = decisions.reached();
+        for (int k = 0; k < reached.size; k++) {
+            look(reached.values[k], pairs.first(reached.values[k]), pairs.second(reached.values[k]));
         }
     }
 
@@ -307,10 +298,13 @@ public final class TimeStepping implements Serializable {
         looks++;
         Pairs pairs = near.pairs();
         double bounce = laws.restitution(first, second);
-        double way = speeds.way(first, second, bounce > 0, a, h) + h * followers.of(first, second);
+        double way = speeds.way(first, second, bounce > 0, a, h);
         touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + way);
         if (touch.count == 0) {
-            followers.leave(pair, sleep.isIdle(first, second), bounce > 0);
+            near.flags[pair] = 0;
+            if (sleep.isIdle(first, second)) {
+                near.leave(pair);
+            }
             return;
         }
         if (near.is(pair, NearPairs.IGNORED) || sleep.wakes(first, second)) {
