@@ -18,7 +18,7 @@ public final class SurfaceRows implements Serializable {
     private static final int ROUNDS = 20;
     private static final double REACHED = 1e-12;
 
-    private static final int STRIDE = 6;
+    private static final int STRIDE = 7;
 
     /** Largest force, at rest and while sliding; torque over force. */
     private static final int STATIC = 3;
@@ -26,12 +26,24 @@ public final class SurfaceRows implements Serializable {
     private static final int KINETIC = 4;
     private static final int ARM = 5;
 
+    /** Whether it slides, by the last solution. */
+    private static final int SLIDES = 6;
+
+    /**
+     * Substeps for which a body that others push slides against static friction: in the first ones after a push has grown, they give more and less than
+     * the push by turns.
+     */
+    private static final int BREAKAWAY = 8;
+
     private final State state;
     private final Generators generators;
     private final IntList bodies = new IntList();
 
     /** Per body of the list: force, torque, and the largest ones, as impulses of a substep. */
     private double[] rows = {};
+
+    /** By body: for how many substeps on end it has slid. */
+    private int[] slid = {};
 
     private final double[] out = new double[State.BLOCK];
 
@@ -55,6 +67,7 @@ public final class SurfaceRows implements Serializable {
         if (STRIDE * movable.size > rows.length) {
             rows = new double[STRIDE * Growth.length(movable.size, movable.size)];
         }
+        slid = slid.length < state.size() ? Arrays.copyOf(slid, Growth.length(slid.length, state.size())) : slid;
         for (int k = 0; k < movable.size; k++) {
             Body body = state.body(movable.values[k]);
             if (!generators.surface.actsOn(body)) {
@@ -67,13 +80,22 @@ public final class SurfaceRows implements Serializable {
             rows[o + KINETIC] = body.getSurfaceFriction() * weight;
             body.surfacePatch().friction(0, 0, 1, 0, out);
             rows[o + ARM] = -out[State.THETA];
+            rows[o + SLIDES] = slid[movable.values[k]] > 0 ? 1 : 0;
+            slid[movable.values[k]] = Math.max(0, slid[movable.values[k]] - 1); // which the first substep counts once more
         }
     }
 
-    /** Begins a substep: nothing is known of its impulses, as each body's are found at once. */
-    public void start() {
-        for (int o = 0; o < STRIDE * bodies.size; o += STRIDE) {
-            Arrays.fill(rows, o, o + State.BLOCK, 0);
+    /**
+     * Begins a substep, in which nothing but forces has acted: nothing is known of its impulses, as each body's are found at once.
+     *
+     * @param h substep
+     */
+    public void start(double h) {
+        for (int k = 0; k < bodies.size; k++) {
+            int body = bodies.values[k];
+            Arrays.fill(rows, STRIDE * k, STRIDE * k + State.BLOCK, 0);
+            boolean isForced = isBeyond(k, h);
+            slid[body] = isForced ? BREAKAWAY : rows[STRIDE * k + SLIDES] == 0 ? 0 : Math.min(BREAKAWAY, slid[body] + 1);
         }
     }
 
@@ -125,6 +147,7 @@ public final class SurfaceRows implements Serializable {
         double spin = v[b + 2] - w[b + 2] * rows[o + 2];
         double arm = rows[o + ARM];
         boolean rests = held(vx, vy, spin, w[b], w[b + 2], arm) <= rows[o + STATIC] * h;
+        rows[o + SLIDES] = rests ? 0 : 1;
         if (rests) {
             rows[o] = -vx / w[b];
             rows[o + 1] = -vy / w[b];
@@ -133,8 +156,16 @@ public final class SurfaceRows implements Serializable {
             v[b + 1] = 0;
             v[b + 2] = 0;
         } else {
-            slide(o, b, vx, vy, spin, rows[o + KINETIC] * h);
+            slide(o, b, vx, vy, spin, rows[o + (slid[bodies.values[k]] < BREAKAWAY ? STATIC : KINETIC)] * h);
         }
+    }
+
+    /** Whether static friction does not bear what forces and the speed of before ask for. */
+    private boolean isBeyond(int k, double h) {
+        double[] v = state.v();
+        double[] w = state.w().values();
+        int b = State.BLOCK * bodies.values[k];
+        return held(v[b], v[b + 1], v[b + 2], w[b], w[b + 2], rows[STRIDE * k + ARM]) > rows[STRIDE * k + STATIC] * h;
     }
 
     /** The force to stop a body, in the measure of the ellipsoid. */

@@ -376,7 +376,7 @@ public final class TimeStepping implements Serializable {
         if (rows.driven > 0) {
             retake.boundBelts(a, d);
         }
-        start(isTied, isRubbed);
+        start(isTied, isRubbed, d);
         halves.halve();
         for (int m = 0; m < turns; m++) {
             solve(isTied, isRubbed, true, d);
@@ -423,9 +423,9 @@ public final class TimeStepping implements Serializable {
         }
     }
 
-    private void start(boolean isTied, boolean isRubbed) {
+    private void start(boolean isTied, boolean isRubbed, double d) {
         if (isRubbed) {
-            surface.start();
+            surface.start(d);
         }
         forces.springs().start();
         if (isTied) {

@@ -264,4 +264,46 @@ class SteppedFrictionTest {
         double a = (8.1 - 0.3 * 2 * Stepped.G) / 2;
         assertThat(body.getVelocityY()).isCloseTo(a, within(0.01 * a));
     }
+
+    /** Two bodies flush on the plane, 2 and 3 kg; static friction bears 11.8 N and kinetic 8.8 N of a push that begins at once. */
+    private static PhysicsEngine pushed() {
+        PhysicsEngine engine = Stepped.engine(STEP, 4);
+        engine.add(new SurfaceFriction(9.81));
+        Body box = engine.add(new Body(new Rectangle(1, 1)).at(1, 0));
+        box.setMass(3);
+        box.setSurfaceFriction(0.3, 0.4);
+        Body pusher = engine.add(new Body(new Circle(0.5)).at(0, 0));
+        pusher.setMass(2);
+        Stepped.rough(box);
+        Stepped.rough(pusher);
+        Stepped.run(engine, 60);
+        return engine;
+    }
+
+    private static void push(PhysicsEngine engine, double force, int steps) {
+        for (int k = 0; k < steps; k++) {
+            engine.bodies().get(1).addForce(force, 0);
+            engine.step();
+        }
+    }
+
+    /** It overshoots in the first substeps: that tore the box off from 9 N on. */
+    @ParameterizedTest
+    @ValueSource(doubles = {8, 9, 9.5, 10, 10.5, 11})
+    void staticFrictionBearsASuddenPush(double force) {
+        PhysicsEngine engine = pushed();
+        push(engine, force, 120);
+        assertThat(engine.bodies().get(0).getX()).isEqualTo(1, within(2e-4));
+        assertThat(engine.bodies().get(0).getVelocityX()).isEqualTo(0, within(1e-9));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {12.5, 14, 20})
+    void beyondItTheyGoOnAgainstKineticFriction(double force) {
+        PhysicsEngine engine = pushed();
+        push(engine, force, 30);
+        double before = engine.bodies().get(0).getVelocityX();
+        push(engine, force, 60);
+        assertThat(engine.bodies().get(0).getVelocityX() - before).isEqualTo((force - 0.3 * 3 * 9.81) / 5, within(1e-6));
+    }
 }
