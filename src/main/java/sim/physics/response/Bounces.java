@@ -7,6 +7,7 @@ import java.util.Arrays;
 import sim.physics.internal.Tolerances;
 import sim.physics.motion.Drive;
 import sim.physics.motion.Motion;
+import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
 
 /**
@@ -42,6 +43,7 @@ final class Bounces implements Serializable {
     /** Time, relative to the step, in which no force brings bodies back together that have parted. */
     private static final double INSTANT = 1e-9;
 
+    private final State state;
     private final Trajectories trajectories;
     private final Motion motion;
     private final Drive drive;
@@ -74,7 +76,8 @@ final class Bounces implements Serializable {
     /** Energy that the pair has lost to restitution, at impacts of one point. */
     private double[] lost = {};
 
-    Bounces(Trajectories trajectories, Motion motion) {
+    Bounces(State state, Trajectories trajectories, Motion motion) {
+        this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
         this.drive = new Drive(motion, trajectories);
@@ -392,15 +395,16 @@ final class Bounces implements Serializable {
 
     /**
      * The acceleration of two bodies towards one another, with none of driven ones: what bends their paths is not known where they have just been brought
-     * by the integrator, and would be where an impact of the same instant has brought them before.
+     * by the integrator, and would be where an impact of the same instant has brought them before. That of what joints tie counts for what lies on it.
      */
     double pressing(int a, int b, Impact c) {
         return 2
-                * ((bend(a, Trajectories.AX) - bend(b, Trajectories.AX)) * c.nx + (bend(a, Trajectories.AY) - bend(b, Trajectories.AY)) * c.ny);
+                * ((bend(a, b, Trajectories.AX) - bend(b, a, Trajectories.AX)) * c.nx
+                        + (bend(a, b, Trajectories.AY) - bend(b, a, Trajectories.AY)) * c.ny);
     }
 
-    private double bend(int body, int component) {
-        int o = body * Trajectories.STRIDE & trajectories.bendMask();
-        return trajectories.isDriven(body) ? 0 : trajectories.bends()[o + component];
+    private double bend(int body, int other, int component) {
+        boolean counts = !trajectories.isDriven(body) || motion.isTied(body) && !state.body(other).isFixed();
+        return counts ? trajectories.bends()[(body * Trajectories.STRIDE & trajectories.bendMask()) + component] : 0;
     }
 }

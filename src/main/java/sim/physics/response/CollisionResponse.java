@@ -84,7 +84,7 @@ public final class CollisionResponse implements Serializable {
         this.part = new SimultaneousImpact(state);
         this.apart = new ApartImpacts(simultaneous, part);
         this.freeBounce = new FreeBounce(state, trajectories, detection.narrowPhase(), loader);
-        this.bounces = new Bounces(trajectories, motion);
+        this.bounces = new Bounces(state, trajectories, motion);
         ContactLedger ledger = new ContactLedger(trajectories);
         this.resting = new RestingContacts(state, trajectories, motion, detection, loader, ledger);
         this.heaps = new Heaps(state, trajectories, motion, detection, loader, resting, ledger);
