@@ -66,7 +66,7 @@ final class BareStep {
         detection.look();
         while (detection.hasEvent()) {
             double tau = detection.nextTime();
-            IntList touching = detection.nextImpacts();
+            IntList touching = detection.nextImpacts(null); // nothing is driven
             for (int k = 0; k < touching.size; k++) {
                 collide(touching.values[k], tau);
             }

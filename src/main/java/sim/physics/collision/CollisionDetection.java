@@ -464,7 +464,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     /**
      * Takes the next impact off the queue, with those that are simultaneous.
      *
-     * @param motion says which bodies move together
+     * @param motion says which bodies move together; asked about driven ones only
      * @return the pairs that touch; valid until the next call
      */
     public IntList nextImpacts(Motion motion) {

@@ -60,7 +60,7 @@ final class Companions implements Serializable {
      * @param together the pairs that touch; their planned impacts are NaN, and so are those of pairs that are added
      * @param tau offset in the present step
      * @param next offset of what happens next
-     * @param motion says which bodies move together
+     * @param motion says which bodies move together; asked about driven ones only
      */
     void gather(IntList together, double tau, double next, Motion motion) {
         if (next <= until(tau)) {
