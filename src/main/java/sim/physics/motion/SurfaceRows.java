@@ -18,7 +18,7 @@ public final class SurfaceRows implements Serializable {
     private static final int ROUNDS = 20;
     private static final double REACHED = 1e-12;
 
-    private static final int STRIDE = 7;
+    private static final int STRIDE = 6;
 
     /** Largest force, at rest and while sliding; torque over force. */
     private static final int STATIC = 3;
@@ -26,14 +26,11 @@ public final class SurfaceRows implements Serializable {
     private static final int KINETIC = 4;
     private static final int ARM = 5;
 
-    /** Whether it slides, by the last solution. */
-    private static final int SLIDES = 6;
-
     /**
      * Substeps for which a body that others push slides against static friction: in the first ones after a push has grown, they give more and less than
      * the push by turns.
      */
-    private static final int BREAKAWAY = 8;
+    private static final int BREAKAWAY = 12;
 
     private final State state;
     private final Generators generators;
@@ -42,7 +39,9 @@ public final class SurfaceRows implements Serializable {
     /** Per body of the list: force, torque, and the largest ones, as impulses of a substep. */
     private double[] rows = {};
 
-    /** By body: for how many substeps on end it has slid. */
+    /** By body: whether it slides by the last solution, and for how many substeps on end it has. */
+    private boolean[] slides = {};
+
     private int[] slid = {};
 
     private final double[] out = new double[State.BLOCK];
@@ -67,7 +66,10 @@ public final class SurfaceRows implements Serializable {
         if (STRIDE * movable.size > rows.length) {
             rows = new double[STRIDE * Growth.length(movable.size, movable.size)];
         }
-        slid = slid.length < state.size() ? Arrays.copyOf(slid, Growth.length(slid.length, state.size())) : slid;
+        if (slid.length < state.size()) {
+            slid = Arrays.copyOf(slid, Growth.length(slid.length, state.size()));
+            slides = Arrays.copyOf(slides, slid.length);
+        }
         for (int k = 0; k < movable.size; k++) {
             Body body = state.body(movable.values[k]);
             if (!generators.surface.actsOn(body)) {
@@ -80,8 +82,6 @@ public final class SurfaceRows implements Serializable {
             rows[o + KINETIC] = body.getSurfaceFriction() * weight;
             body.surfacePatch().friction(0, 0, 1, 0, out);
             rows[o + ARM] = -out[State.THETA];
-            rows[o + SLIDES] = slid[movable.values[k]] > 0 ? 1 : 0;
-            slid[movable.values[k]] = Math.max(0, slid[movable.values[k]] - 1); // which the first substep counts once more
         }
     }
 
@@ -94,8 +94,7 @@ public final class SurfaceRows implements Serializable {
         for (int k = 0; k < bodies.size; k++) {
             int body = bodies.values[k];
             Arrays.fill(rows, STRIDE * k, STRIDE * k + State.BLOCK, 0);
-            boolean isForced = isBeyond(k, h);
-            slid[body] = isForced ? BREAKAWAY : rows[STRIDE * k + SLIDES] == 0 ? 0 : Math.min(BREAKAWAY, slid[body] + 1);
+            slid[body] = isBeyond(k, h) ? BREAKAWAY : slides[body] ? Math.min(BREAKAWAY, slid[body] + 1) : 0;
         }
     }
 
@@ -147,7 +146,7 @@ public final class SurfaceRows implements Serializable {
         double spin = v[b + 2] - w[b + 2] * rows[o + 2];
         double arm = rows[o + ARM];
         boolean rests = held(vx, vy, spin, w[b], w[b + 2], arm) <= rows[o + STATIC] * h;
-        rows[o + SLIDES] = rests ? 0 : 1;
+        slides[bodies.values[k]] = !rests;
         if (rests) {
             rows[o] = -vx / w[b];
             rows[o + 1] = -vy / w[b];

@@ -266,8 +266,8 @@ class SteppedFrictionTest {
     }
 
     /** Two bodies flush on the plane, 2 and 3 kg; static friction bears 11.8 N and kinetic 8.8 N of a push that begins at once. */
-    private static PhysicsEngine pushed() {
-        PhysicsEngine engine = Stepped.engine(STEP, 4);
+    private static PhysicsEngine pushed(int substeps) {
+        PhysicsEngine engine = Stepped.engine(STEP, substeps);
         engine.add(new SurfaceFriction(9.81));
         Body box = engine.add(new Body(new Rectangle(1, 1)).at(1, 0));
         box.setMass(3);
@@ -291,7 +291,7 @@ class SteppedFrictionTest {
     @ParameterizedTest
     @ValueSource(doubles = {8, 9, 9.5, 10, 10.5, 11})
     void staticFrictionBearsASuddenPush(double force) {
-        PhysicsEngine engine = pushed();
+        PhysicsEngine engine = pushed(4);
         push(engine, force, 120);
         assertThat(engine.bodies().get(0).getX()).isEqualTo(1, within(2e-4));
         assertThat(engine.bodies().get(0).getVelocityX()).isEqualTo(0, within(1e-9));
@@ -300,10 +300,21 @@ class SteppedFrictionTest {
     @ParameterizedTest
     @ValueSource(doubles = {12.5, 14, 20})
     void beyondItTheyGoOnAgainstKineticFriction(double force) {
-        PhysicsEngine engine = pushed();
+        PhysicsEngine engine = pushed(4);
         push(engine, force, 30);
         double before = engine.bodies().get(0).getVelocityX();
         push(engine, force, 60);
         assertThat(engine.bodies().get(0).getVelocityX() - before).isEqualTo((force - 0.3 * 3 * 9.81) / 5, within(1e-6));
+    }
+
+    /** However few the substeps of a step are, it is soon kinetic friction that they go on against. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void soonItIsKineticFriction(int substeps) {
+        PhysicsEngine engine = pushed(substeps);
+        push(engine, 12.5, 14);
+        double before = engine.bodies().get(0).getVelocityX();
+        push(engine, 12.5, 10);
+        assertThat(engine.bodies().get(0).getVelocityX() - before).isEqualTo((12.5 - 0.3 * 3 * 9.81) / 5 / 6, within(1e-3));
     }
 }
