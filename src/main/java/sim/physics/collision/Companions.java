@@ -101,7 +101,9 @@ final class Companions implements Serializable {
             if (!trajectories.isDriven(body) || !boxes.isFixed(pairs.other(pair, body))) {
                 continue;
             }
-            double late = Math.max(until(tau), blurOfTied(pair, tau));
+            int code = pairs.code(pair);
+            double late = Math.max(until(tau), late(pair, tau)); // whatever touches of them: all that are put down fall by rounding only
+            pairs.setCode(pair, code);
             IntList group = motion.companions(body);
             for (int m = 0; m < group.size && next <= late; m++) {
                 gatherFixed(together, group.values[m], tau, late);
@@ -126,15 +128,6 @@ final class Companions implements Serializable {
             pairs.setCode(pair, code); // as it was when its impact was looked for
         }
         return yes;
-    }
-
-    /** The same as {@link #blur} for bodies that move together, whatever touches of them: all that are put down fall by rounding only. */
-    private double blurOfTied(int pair, double tau) {
-        int code = pairs.code(pair);
-        boolean isTouching = narrowPhase.touches(pair, tau);
-        double speed = narrowPhase.approach();
-        pairs.setCode(pair, code);
-        return isTouching && speed > 0 ? tau + BLUR * narrowPhase.roundingOfGap() / speed : tau;
     }
 
     /**
@@ -197,10 +190,8 @@ final class Companions implements Serializable {
             return tau; // it has no side
         }
         int code = pairs.code(pair);
-        boolean isTouching = narrowPhase.touches(pair, tau);
-        double speed = narrowPhase.approach();
-        double late = tau + BLUR * narrowPhase.roundingOfGap() / speed;
-        boolean isSlow = isTouching && speed > 0 && late > until(tau) && isFlush(pair, tau);
+        double late = late(pair, tau);
+        boolean isSlow = late > until(tau) && isFlush(pair, tau);
         pairs.setCode(pair, code); // as it was when its impact was looked for
         if (!isSlow) {
             return tau;
@@ -208,6 +199,13 @@ final class Companions implements Serializable {
         nx = towards(pair, body) * manifold.nx;
         ny = towards(pair, body) * manifold.ny;
         return late;
+    }
+
+    /** Until when rounding of the gap may put off what is simultaneous with the impact of a pair; looks at it. */
+    private double late(int pair, double tau) {
+        boolean isTouching = narrowPhase.touches(pair, tau);
+        double speed = narrowPhase.approach();
+        return isTouching && speed > 0 ? tau + BLUR * narrowPhase.roundingOfGap() / speed : tau;
     }
 
     /** Whether a pair touches with sides that are along those of the impact. */

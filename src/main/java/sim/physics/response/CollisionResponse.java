@@ -193,11 +193,11 @@ public final class CollisionResponse implements Serializable {
         boolean canRest = canRest(pair, a, b, tau, true);
         if (bounces.dampRattle(pair, a, b, impact)) {
             bounces.spend(pair, impact);
-        } else if (canRest || heaps.has(a) || heaps.has(b) || bounces.areCounted(pair, a, b, impact)) {
+        } else if (canRest || isInHeap(a, b) || bounces.areCounted(pair, a, b, impact)) {
             bounces.count(pair);
             if (!canRest && startsToLie(pair, a, b)) {
                 impact.restitution = 0;
-            } else if (bounces.limit(pair, a, b, impact, canRest, heaps.has(a) || heaps.has(b))) {
+            } else if (bounces.limit(pair, a, b, impact, canRest, isInHeap(a, b))) {
                 rest(pair);
             }
             bounces.spend(pair, impact);
@@ -246,17 +246,26 @@ public final class CollisionResponse implements Serializable {
 
     /** Lets a pair lie on one another from now on if its bounces have become too many and too short. */
     private boolean startsToLie(int pair, int a, int b) {
-        boolean isPut = true;
-        for (int point = manifold.count - 1; point >= 0; point--) {
-            instant.load(a, b, point);
-            isPut &= bounces.isByRounding(a, b, impact);
-        }
-        if (!heaps.mayLie(a, b) || !bounces.jams(pair, a, b, impact, heaps.has(a) || heaps.has(b), isPut)) {
+        if (!heaps.mayLie(a, b) || !bounces.jams(pair, a, b, impact, isInHeap(a, b), isPut(a, b))) {
             return false;
         }
         unstick(pair);
         heaps.add(pair);
         return true;
+    }
+
+    /** Whether two bodies that bounce, but not for ever, meet by rounding only at all of their points; the first of these is loaded afterwards. */
+    private boolean isPut(int a, int b) {
+        boolean is = impact.restitution > 0 && impact.restitution < 1;
+        for (int point = is ? manifold.count - 1 : -1; point >= 0; point--) {
+            instant.load(a, b, point);
+            is &= bounces.isByRounding(a, b, impact);
+        }
+        return is;
+    }
+
+    private boolean isInHeap(int a, int b) {
+        return heaps.has(a) || heaps.has(b);
     }
 
     /** Whether one of two bodies is fixed and can bear the other one at the points of the manifold, by itself or with others. */
@@ -420,7 +429,7 @@ public final class CollisionResponse implements Serializable {
             if (rattles || lies) {
                 impact.restitution = lies ? 0 : bounces.rattle(impact, rattle, first);
             } else {
-                restsNow &= (canRest || impact.restitution < 1) && bounces.limit(pair, a, b, impact, canRest, heaps.has(a) || heaps.has(b));
+                restsNow &= (canRest || impact.restitution < 1) && bounces.limit(pair, a, b, impact, canRest, isInHeap(a, b));
             }
             simultaneous.add(a, b, impact);
         }

@@ -20,9 +20,6 @@ final class Compression implements Serializable {
 
     private static final double NEARLY_SETTLED = 1e-4;
 
-    /** The most points that are few. */
-    private static final int FEW = 24;
-
     /** What is kept of a point's ends, and a body that cannot move. */
     private static final int ENDS = 3;
 
@@ -52,7 +49,7 @@ final class Compression implements Serializable {
 
     /** The change of an impulse of a group with so many points, relative to it, that is none. */
     static double settled(int points) {
-        return points <= FEW ? SETTLED : NEARLY_SETTLED;
+        return points <= Impacts.FEW ? SETTLED : NEARLY_SETTLED;
     }
 
     /**

@@ -43,8 +43,8 @@ import sim.physics.motion.State;
 final class Impacts implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Points of a group up to which it is solved to the end though nothing in it bounces. */
-    private static final int FEW = 24;
+    /** Points of a group up to which it is solved to the end though nothing in it bounces, and to rounding if something does. */
+    static final int FEW = 24;
 
     /** Gap that is none, of the depth that may be regained in a step. */
     private static final double CLOSED = 1e-3;
