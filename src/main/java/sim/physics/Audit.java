@@ -94,7 +94,7 @@ final class Audit implements CourseObserver {
     }
 
     private boolean isMovable(int body) {
-        return state.body(body) != null && !state.body(body).isFixed();
+        return state.body(body) != null && state.body(body).isDynamic();
     }
 
     /** All energy, where the state vectors have the bodies. */

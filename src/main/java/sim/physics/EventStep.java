@@ -12,6 +12,7 @@ import sim.physics.internal.Team;
 import sim.physics.internal.Work;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
+import sim.physics.motion.Steering;
 import sim.physics.motion.Trajectories;
 import sim.physics.response.CollisionResponse;
 
@@ -20,13 +21,16 @@ import sim.physics.response.CollisionResponse;
  * {@link #handleEvent} as often as there is one, and {@link #finish}, or {@link #breakOff}.
  */
 final class EventStep implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     /** Number of bodies from which the broad phase of a new engine is a {@link CellGrid}. */
     private static final int CROWD = 50;
 
     /** Work that an event costs beside looks, accelerations and heaps. */
     private static final int EVENT = 8;
+
+    /** Events after which it is looked whether bodies are squeezed. */
+    private static final int MANY = 32;
 
     private final State state;
     private final Trajectories trajectories;
@@ -37,6 +41,7 @@ final class EventStep implements Serializable {
     private final Admission admission;
     private final Breakage breakage;
     private final DrivenPaths paths;
+    private final Steering steering;
 
     /** Driven bodies whose applied forces have ended with the step before. */
     private final IntList changed = new IntList();
@@ -64,6 +69,9 @@ final class EventStep implements Serializable {
     private double time;
     private double instant;
 
+    /** Number of events of the step. */
+    private int events;
+
     EventStep(
             State state,
             Trajectories trajectories,
@@ -71,7 +79,8 @@ final class EventStep implements Serializable {
             Motion motion,
             CollisionDetection detection,
             CollisionResponse response,
-            Admission admission) {
+            Admission admission,
+            Steering steering) {
         this.state = state;
         this.trajectories = trajectories;
         this.work = work;
@@ -79,6 +88,7 @@ final class EventStep implements Serializable {
         this.detection = detection;
         this.response = response;
         this.admission = admission;
+        this.steering = steering;
         breakage = new Breakage(state, trajectories, motion, detection, response.resting(), response.heaps());
         paths = new DrivenPaths(state, trajectories, motion, detection, response.heaps(), admission, work);
     }
@@ -146,9 +156,10 @@ final class EventStep implements Serializable {
         state.setPresence(null, true);
         work.begin(limit, detection.narrowPhase().evaluations());
         state.settle(asksAuthors || audit != null || constraints != null || state.touchedCount() > 0);
-        if (constraints != null) {
+        if (constraints != null || steering.isAny()) {
             start.keep(state);
         }
+        events = 0;
         trajectories.begin(number, length);
         detection.begin(number, length);
         motion.begin(now);
@@ -245,11 +256,22 @@ final class EventStep implements Serializable {
         work.spend(EVENT, detection.narrowPhase().evaluations());
         paths.makeLate();
         motion.keepEnds();
+        events++;
+        if (events % MANY == 0) {
+            look(instant);
+        }
         int body = detection.takePathEnd();
         if (body >= 0) {
             goOn(body);
         } else {
             respond();
+        }
+    }
+
+    /** Looks whether bodies are squeezed, where some are moved by their author; not in an audit, which must have all events. */
+    private void look(double tau) {
+        if (audit == null) {
+            steering.refuseSqueezing(tau, timeStep, events > 0);
         }
     }
 
@@ -386,6 +408,7 @@ final class EventStep implements Serializable {
                 audit.noted(completed.values[k], timeStep);
             }
         }
+        look(timeStep);
         if (trajectories.areStraight()) {
             state.lag(trajectories);
         } else if (motion.driven().size < state.bodyCount()) {

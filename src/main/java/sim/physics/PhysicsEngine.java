@@ -27,6 +27,7 @@ import sim.physics.constraint.Joint;
 import sim.physics.constraint.Reaction;
 import sim.physics.constraint.Stabilization;
 import sim.physics.internal.Check;
+import sim.physics.internal.Squeezed;
 import sim.physics.internal.Team;
 import sim.physics.internal.Tolerances;
 import sim.physics.internal.Work;
@@ -35,6 +36,7 @@ import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Integrator;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
+import sim.physics.motion.Steering;
 import sim.physics.motion.Trajectories;
 import sim.physics.query.Queries;
 import sim.physics.response.CollisionListener;
@@ -53,7 +55,7 @@ import sim.physics.stepping.TimeStepping;
  * continues bit for bit.
  */
 public final class PhysicsEngine implements Steppable {
-    private static final long serialVersionUID = 3L;
+    private static final long serialVersionUID = 4L;
 
     /** The ordering at which {@link #scheduleOn(Schedule)} runs the engine. Agents that steer bodies come before it. */
     public static final int ORDERING = 10;
@@ -65,6 +67,7 @@ public final class PhysicsEngine implements Steppable {
     private final Trajectories trajectories = new Trajectories();
     private final Work work = new Work();
     private final Motion motion = new Motion(state, trajectories, work);
+    private final Steering steering = new Steering(state, trajectories, motion);
     private final CollisionDetection detection = new CollisionDetection(state, trajectories, new BruteForce());
     private final CollisionResponse response = new CollisionResponse(state, trajectories, motion, detection);
 
@@ -75,7 +78,7 @@ public final class PhysicsEngine implements Steppable {
             state, trajectories, motion, detection, response.resting(), response.heaps());
 
     /** What a step by events consists of. */
-    private final EventStep events = new EventStep(state, trajectories, work, motion, detection, response, admission);
+    private final EventStep events = new EventStep(state, trajectories, work, motion, detection, response, admission, steering);
 
     /** Null until the first constraint is added. */
     private Constraints constraints;
@@ -147,6 +150,7 @@ public final class PhysicsEngine implements Steppable {
         if (relief.isOver(steps)) {
             resume();
         }
+        steering.begin(timeStep);
         if (isStepped) {
             stepWithoutEvents(0);
         } else {
@@ -160,7 +164,7 @@ public final class PhysicsEngine implements Steppable {
         boolean isOver = false;
         boolean isFailed = false;
         try {
-            events.begin(steps, timeStep, getTime(), relief.limit(state.bodyCount(), audit != null));
+            events.begin(steps, timeStep, getTime(), relief.limit(state.bodyCount(), steering.isAny(), audit != null));
             events.drive(); // motion, (5)–(15)
             detection.look(); // collision detection: broad phase and narrow phase
             while (detection.hasEvent()) {
@@ -170,11 +174,11 @@ public final class PhysicsEngine implements Steppable {
             steps++;
             relief.goOn();
             isOver = true;
-        } catch (Work.Spent | ConstraintException e) {
+        } catch (Work.Spent | Squeezed | ConstraintException e) {
             if (e instanceof ConstraintException && events.isRefusal() && relief.tells(audit != null)) {
                 throw e; // the author's: what he has set, or a step that is too long
             }
-            isFailed = e instanceof ConstraintException && !events.isAdmitting();
+            isFailed = !(e instanceof Work.Spent) && !events.isAdmitting();
             relief.begin(steps); // time stepping makes the rest of the step, or all of it
         } finally {
             events.end();
@@ -330,6 +334,7 @@ public final class PhysicsEngine implements Steppable {
         }
         state.requireOpen();
         state.add(body);
+        steering.note(body);
         return body;
     }
 
@@ -822,7 +827,7 @@ public final class PhysicsEngine implements Steppable {
      * @return the limit, in units of {@link #getWork()}
      */
     public long getWorkLimit() {
-        return relief.limit(state.bodyCount());
+        return relief.limit(state.bodyCount(), steering.isAny());
     }
 
     /**
@@ -838,8 +843,8 @@ public final class PhysicsEngine implements Steppable {
      * closed that were added or whose bodies were written. Once a step has been relieved, those are too, since joints may be where
      * time stepping has left them. So is a step that you make after one that has thrown it, without having changed what it was thrown for.
      *
-     * <p>Unless set, the limit is 10 million units plus 200 for each body, which is some seconds. The step in which the limit is
-     * met and the eight after it are relieved. If events cost too much again within as many steps, twice as many are relieved, up
+     * <p>Unless set, the limit is 10 million units plus 200 for each body, which is some seconds; with a kinematic body, a twentieth of
+     * that. The step in which the limit is met and the eight after it are relieved. If events cost too much again within as many steps, twice as many are relieved, up
      * to 256. Events are found again as soon as the joints can be closed, and no two jointed bodies overlap more deeply than they
      * may by events. While the engine is audited, there is no limit.
      *

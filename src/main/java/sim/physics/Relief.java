@@ -29,6 +29,8 @@ final class Relief implements Serializable {
 
     private static final long USUAL_PER_BODY = 200;
 
+    private static final int SOONER = 20;
+
     /** Parts of a step at most that begin with a look at where bodies are, and the fewest substeps of one. */
     private static final int MOST_PARTS = 32;
 
@@ -65,14 +67,19 @@ final class Relief implements Serializable {
         limit = units;
     }
 
-    /** Work that a step may cost. */
-    long limit(int bodies) {
-        return limit > 0 ? limit : USUAL + USUAL_PER_BODY * bodies;
+    /**
+     * Work that a step may cost. Bodies that nothing moves jam others sooner than all else does.
+     *
+     * @param areSome whether there are such bodies that move
+     */
+    long limit(int bodies, boolean areSome) {
+        long usual = USUAL + USUAL_PER_BODY * bodies;
+        return limit > 0 ? limit : areSome ? usual / SOONER : usual;
     }
 
     /** The same, if there is anything that may take over. */
-    long limit(int bodies, boolean isAudited) {
-        return isAudited ? Work.UNLIMITED : limit(bodies);
+    long limit(int bodies, boolean areSome, boolean isAudited) {
+        return isAudited ? Work.UNLIMITED : limit(bodies, areSome);
     }
 
     boolean isOn() {

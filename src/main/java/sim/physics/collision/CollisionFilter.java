@@ -31,11 +31,12 @@ public final class CollisionFilter implements Serializable {
      *
      * @param a a body
      * @param b another body
-     * @return true unless a category, an exclusion or a joint forbids it
+     * @return true unless a category, an exclusion or a joint forbids it, or neither can be moved
      */
     public boolean allows(Body a, Body b) {
         return (a.getCategory() & b.getCollidesWith()) != 0
                 && (b.getCategory() & a.getCollidesWith()) != 0
+                && (a.isDynamic() || b.isDynamic())
                 && !isExcluded(a.index(), b.index())
                 && (ties == null || !ties.areTied(a, b));
     }

@@ -74,7 +74,7 @@ public final class Overlaps {
 
     private double depth(Body a, Body b) {
         double size = a.getShape().boundingRadius() + b.getShape().boundingRadius();
-        if (!CirclePairs.doOverlap(a, b) || a.isFixed() && b.isFixed() || !filter.allows(a, b)) {
+        if (!CirclePairs.doOverlap(a, b) || !a.isDynamic() && !b.isDynamic() || !filter.allows(a, b)) {
             return 0;
         }
         double gap = distance.between(a, b);

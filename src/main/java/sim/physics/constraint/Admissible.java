@@ -14,7 +14,7 @@ final class Admissible {
 
     static void check(Constraint constraint, boolean closed) {
         Body b = constraint.getBodyB();
-        if (constraint.getBodyA().isFixed() && (b == null || b.isFixed())) {
+        if (!constraint.getBodyA().isDynamic() && (b == null || !b.isDynamic())) {
             throw new IllegalArgumentException("constraint is " + constraint + ": none of its bodies can move, "
                     + "but one of them must");
         }

@@ -90,9 +90,9 @@ final class Invariants implements Serializable {
     /** Notes the values at the start of a step. */
     void begin(State state, boolean free) {
         island.passage.begin();
-        isFree = free && island.switches.isEmpty();
+        isFree = free && island.switches.isEmpty() && !island.isMoved;
         isSymplectic = false;
-        isWatched = !free && island.switches.areIdle() && island.isOwn;
+        isWatched = !free && island.switches.areIdle() && island.isOwn && !island.isMoved;
         isNoted = false;
         isSubtle = false;
         if (isFree) {

@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import sim.physics.constraint.tree.TreeStep;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
+import sim.physics.motion.KinematicBody;
 import sim.physics.motion.State;
 
 /**
@@ -94,6 +95,9 @@ final class Island implements Serializable {
 
     private final boolean onlyPins;
 
+    /** Whether an author moves some body: its mass is so large that forces between links lose digits. */
+    final boolean isMoved;
+
     /** Null unless the constraints are pins that form a tree. */
     final TreeStep tree;
 
@@ -168,9 +172,10 @@ final class Island implements Serializable {
         rolling = rolling();
         onlyPins = pins.areAll();
         pins.setShared(onlyPins ? shared : NONE);
-        tree = onlyPins ? pins.tree() : null;
-        chain = onlyPins && tree == null ? pins.chain() : null;
-        rigid = RigidStep.of(this);
+        isMoved = those.stream().anyMatch(Island::isMoved);
+        tree = onlyPins && !isMoved ? pins.tree() : null;
+        chain = onlyPins && !isMoved && tree == null ? pins.chain() : null;
+        rigid = isMoved ? null : RigidStep.of(this);
         switches = new Switches(this);
         invariants = new Invariants(this);
         shake = new Shake(this);
@@ -178,6 +183,10 @@ final class Island implements Serializable {
         reactions = new Reactions(this);
         effort = new Effort(nodes, factor.start);
         isOwn = those.stream().allMatch(Joint::isOwn);
+    }
+
+    private static boolean isMoved(Constraint c) {
+        return c.getBodyA() instanceof KinematicBody || c.getBodyB() instanceof KinematicBody;
     }
 
     private void measure() {

@@ -22,7 +22,7 @@ public class Body implements Serializable {
     private static final long serialVersionUID = 3L;
 
     /** Faster ones have energies that are no numbers, and pass through what is in their way. */
-    private static final double FASTEST = 1e150;
+    static final double FASTEST = 1e150;
 
     private Shape shape;
     private final boolean fixed;
@@ -284,8 +284,8 @@ public class Body implements Serializable {
 
     /**
      * Puts the body in another place. In a running simulation this teleports it: it passes through any body that was on the way,
-     * and that body feels nothing of the speed. To push others on its way, use a movable body, for example on a rail with a
-     * motor.
+     * and that body feels nothing of the speed. To push others on its way, use a {@link KinematicBody}, or a movable body on a rail with
+     * a motor.
      *
      * @param x x of the centre of mass, length
      * @param y y of the centre of mass, length
@@ -298,6 +298,7 @@ public class Body implements Serializable {
         state.x()[State.BLOCK * index + State.X] = x;
         state.x()[State.BLOCK * index + State.Y] = y;
         state.placed(index);
+        written(false);
     }
 
     /**
@@ -311,6 +312,7 @@ public class Body implements Serializable {
         state.write(index);
         state.x()[State.BLOCK * index + State.THETA] = angle;
         state.placed(index);
+        written(false);
     }
 
     /**
@@ -327,6 +329,7 @@ public class Body implements Serializable {
         state.write(index);
         state.v()[State.BLOCK * index + State.X] = vx;
         state.v()[State.BLOCK * index + State.Y] = vy;
+        written(true);
     }
 
     /**
@@ -340,6 +343,7 @@ public class Body implements Serializable {
         requireMovable("an angular velocity", omega != 0);
         state.write(index);
         state.v()[State.BLOCK * index + State.THETA] = omega;
+        written(true);
     }
 
     private static double speed(String name, double value) {
@@ -349,7 +353,7 @@ public class Body implements Serializable {
     /**
      * Returns the mass.
      *
-     * @return m, infinite for a fixed body
+     * @return m, infinite for a fixed and for a kinematic body
      */
     public final double getMass() {
         return mass;
@@ -359,7 +363,7 @@ public class Body implements Serializable {
      * Sets the mass. The moment of inertia becomes that of a body of uniform density.
      *
      * @param mass m, greater than 0
-     * @throws IllegalArgumentException if the mass is not a finite number greater than 0, or the body is fixed
+     * @throws IllegalArgumentException if the mass is not a finite number greater than 0, or the body is fixed or kinematic
      */
     public final void setMass(double mass) {
         Check.positive("mass", mass);
@@ -371,27 +375,38 @@ public class Body implements Serializable {
      *
      * @param mass m, greater than 0
      * @param inertia moment of inertia I about the centre of mass, mass·length², greater than 0
-     * @throws IllegalArgumentException if an argument is not a finite number greater than 0, or the body is fixed
+     * @throws IllegalArgumentException if an argument is not a finite number greater than 0, or the body is fixed or kinematic
      */
     public final void setMass(double mass, double inertia) {
         Check.positive("mass", mass);
         Check.positive("inertia", inertia);
         Check.positive("1 / mass", 1 / mass);
         Check.positive("1 / inertia", 1 / inertia);
-        requireMovable("a mass", true);
-        state.write(index);
+        requireDynamic("a mass");
+        weigh(mass, inertia);
         this.mass = mass;
         this.inertia = inertia;
+    }
+
+    /** Sets with which masses the body is moved, whatever its author reads. */
+    final void weigh(double mass, double inertia) {
+        state.write(index);
         double[] w = state.w().values();
         w[State.BLOCK * index + State.X] = 1 / mass;
         w[State.BLOCK * index + State.Y] = 1 / mass;
         w[State.BLOCK * index + State.THETA] = 1 / inertia;
     }
 
+    /** Lets nothing move the body but its author. */
+    final void stiffen() {
+        mass = Double.POSITIVE_INFINITY;
+        inertia = Double.POSITIVE_INFINITY;
+    }
+
     /**
      * Returns the moment of inertia about the centre of mass.
      *
-     * @return I, mass·length², infinite for a fixed body
+     * @return I, mass·length², infinite for a fixed and for a kinematic body
      */
     public final double getInertia() {
         return inertia;
@@ -557,12 +572,12 @@ public class Body implements Serializable {
      *
      * @param fx x component of the force
      * @param fy y component of the force
-     * @throws IllegalArgumentException if a component is not finite, the body is fixed, or the acceleration is beyond ±10¹⁵⁰
+     * @throws IllegalArgumentException if a component is not finite, the body is fixed or kinematic, or the acceleration is beyond ±10¹⁵⁰
      */
     public final void addForce(double fx, double fy) {
         Check.finite("fx", fx);
         Check.finite("fy", fy);
-        requireMovable("a force", true);
+        requireDynamic("a force");
         speed("fx over the mass", fx / mass);
         speed("fy over the mass", fy / mass);
         state.push(index);
@@ -579,7 +594,7 @@ public class Body implements Serializable {
      * @param fy y component of the force
      * @param px x of the point, in world coordinates
      * @param py y of the point, in world coordinates
-     * @throws IllegalArgumentException if an argument is not finite, the body is fixed, or an acceleration is beyond ±10¹⁵⁰
+     * @throws IllegalArgumentException if an argument is not finite, the body is fixed or kinematic, or an acceleration is beyond ±10¹⁵⁰
      */
     public final void addForceAt(double fx, double fy, double px, double py) {
         Check.finite("px", px);
@@ -596,7 +611,7 @@ public class Body implements Serializable {
      * Applies a torque during the next step.
      *
      * @param torque torque, force·length
-     * @throws IllegalArgumentException if the torque is not finite, the body is fixed, or the acceleration is beyond ±10¹⁵⁰
+     * @throws IllegalArgumentException if the torque is not finite, the body is fixed or kinematic, or the acceleration is beyond ±10¹⁵⁰
      */
     public final void addTorque(double torque) {
         requireTorque(torque);
@@ -608,7 +623,7 @@ public class Body implements Serializable {
 
     private void requireTorque(double torque) {
         Check.finite("torque", torque);
-        requireMovable("a torque", true);
+        requireDynamic("a torque");
         speed("torque over the moment of inertia", torque / inertia);
     }
 
@@ -617,12 +632,12 @@ public class Body implements Serializable {
      *
      * @param rx x component of the impulse, mass·length/time
      * @param ry y component of the impulse, mass·length/time
-     * @throws IllegalArgumentException if a component is not finite, the body is fixed, or a velocity would be beyond ±10¹⁵⁰
+     * @throws IllegalArgumentException if a component is not finite, the body is fixed or kinematic, or a velocity would be beyond ±10¹⁵⁰
      */
     public final void addImpulse(double rx, double ry) {
         Check.finite("rx", rx);
         Check.finite("ry", ry);
-        requireMovable("an impulse", true);
+        requireDynamic("an impulse");
         setVelocity(getVelocityX() + rx / mass, getVelocityY() + ry / mass);
     }
 
@@ -630,11 +645,11 @@ public class Body implements Serializable {
      * Applies an angular impulse, which changes the angular velocity at once.
      *
      * @param turn angular impulse, mass·length²/time
-     * @throws IllegalArgumentException if it is not finite, the body is fixed, or the angular velocity would be beyond ±10¹⁵⁰
+     * @throws IllegalArgumentException if it is not finite, the body is fixed or kinematic, or the angular velocity would be beyond ±10¹⁵⁰
      */
     public final void addAngularImpulse(double turn) {
         Check.finite("turn", turn);
-        requireMovable("an impulse", true);
+        requireDynamic("an impulse");
         setAngularVelocity(getAngularVelocity() + turn / inertia);
     }
 
@@ -645,14 +660,14 @@ public class Body implements Serializable {
      * @param ry y component of the impulse, mass·length/time
      * @param px x of the point, in world coordinates
      * @param py y of the point, in world coordinates
-     * @throws IllegalArgumentException if an argument is not finite, the body is fixed, or a velocity would be beyond ±10¹⁵⁰
+     * @throws IllegalArgumentException if an argument is not finite, the body is fixed or kinematic, or a velocity would be beyond ±10¹⁵⁰
      */
     public final void addImpulseAt(double rx, double ry, double px, double py) {
         Check.finite("rx", rx);
         Check.finite("ry", ry);
         Check.finite("px", px);
         Check.finite("py", py);
-        requireMovable("an impulse", true);
+        requireDynamic("an impulse");
         double turn = (px - getX()) * ry - (py - getY()) * rx;
         double omega = speed("angular velocity", getAngularVelocity() + turn / inertia); // (24)
         setVelocity(getVelocityX() + rx / mass, getVelocityY() + ry / mass); // (18)
@@ -662,10 +677,10 @@ public class Body implements Serializable {
     /**
      * Returns the kinetic energy of this body.
      *
-     * @return m v²/2 + I ω²/2
+     * @return m v²/2 + I ω²/2; 0 for a fixed or a kinematic body
      */
     public final double kineticEnergy() {
-        if (fixed) {
+        if (!isDynamic()) {
             return 0;
         }
         double vx = getVelocityX();
@@ -725,6 +740,12 @@ public class Body implements Serializable {
         return particulars == null ? 0 : particulars.appliedTorque;
     }
 
+    /** Applies a force and a torque in place of what was applied. */
+    final void apply(double fx, double fy, double torque) {
+        state.push(index);
+        particulars().apply(fx, fy, torque);
+    }
+
     final boolean isPushed() {
         return appliedX() != 0 || appliedY() != 0 || appliedTorque() != 0;
     }
@@ -760,6 +781,22 @@ public class Body implements Serializable {
         if (fixed && changes) {
             throw new IllegalArgumentException(what + " was given to a fixed body: " + this);
         }
+    }
+
+    private void requireDynamic(String what) {
+        if (!isDynamic()) {
+            throw new IllegalArgumentException(what + " was given to a " + (fixed ? "fixed" : "kinematic") + " body: " + this);
+        }
+    }
+
+    /** {@return whether forces, impulses and joints move this body: it is neither fixed nor kinematic} */
+    public final boolean isDynamic() {
+        return mass < Double.POSITIVE_INFINITY;
+    }
+
+    /** The author has put the body elsewhere, or has set its velocity. */
+    void written(boolean isVelocity) {
+        // only a kinematic body has a course
     }
 
     @Override

@@ -318,9 +318,9 @@ final class Generators implements Serializable {
             acting = Arrays.copyOf(acting, Growth.length(acting.length, index + 1));
         }
         Entry[] old = acting[index];
-        List<Entry> named = body.isFixed() ? null : naming(body);
+        List<Entry> named = body.isDynamic() ? naming(body) : null;
         int n = 0;
-        for (int k = 0; k < asked.size() && !body.isFixed(); k++) {
+        for (int k = 0; k < asked.size() && body.isDynamic(); k++) {
             while (named != null && n < named.size() && named.get(n).order < asked.get(k).order) {
                 find(named.get(n++), body);
             }

@@ -63,7 +63,7 @@ final class Particulars implements Serializable {
         actedTorque = 0;
     }
 
-    private void apply(double fx, double fy, double torque) {
+    void apply(double fx, double fy, double torque) {
         appliedX = fx;
         appliedY = fy;
         appliedTorque = torque;

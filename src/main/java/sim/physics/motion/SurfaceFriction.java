@@ -44,7 +44,7 @@ public final class SurfaceFriction implements ForceGenerator {
 
     @Override
     public boolean actsOn(Body body) {
-        return body.getSurfaceStaticFriction() > 0;
+        return body.getSurfaceStaticFriction() > 0 && body.isDynamic();
     }
 
     @Override

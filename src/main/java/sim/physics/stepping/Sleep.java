@@ -12,6 +12,7 @@ import sim.physics.internal.DisjointSets;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
+import sim.physics.motion.KinematicBody;
 import sim.physics.motion.State;
 import sim.physics.motion.SteppedForces;
 
@@ -159,11 +160,16 @@ public final class Sleep implements Serializable {
                     wake(other);
                 }
             }
-        } else {
+        } else if (isNew || !isStanding(body)) {
             plane[index] = forces.hold(body);
             sizes[index] = poses.hull(index).bounding;
             wake(index);
         }
+    }
+
+    /** Whether a body only gets the force that keeps it where it is. */
+    private boolean isStanding(Body body) {
+        return state.isOnlyPushed(body.index()) && body instanceof KinematicBody moved && moved.isStanding();
     }
 
     private void ensure(int bodies) {

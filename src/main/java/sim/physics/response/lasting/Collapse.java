@@ -177,7 +177,7 @@ final class Collapse implements Serializable {
     }
 
     private double mass(int body) {
-        return state.body(body).isFixed() ? 0 : state.body(body).getMass();
+        return state.body(body).isDynamic() ? state.body(body).getMass() : 0;
     }
 
     private int number(int body) {

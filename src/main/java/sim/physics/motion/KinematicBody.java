@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import sim.physics.internal.Check;
+import sim.physics.shape.Shape;
+
+/**
+ * A body that moves as its author says, and as nothing else does: a platform, a lift, a gate, a piston, a turning drum, an arm that
+ * sweeps things away. It pushes and carries what it touches, and drags what is tied to it. No force, impact or joint changes its
+ * course, so its mass is infinite, and its energy counts as 0.
+ *
+ * <p>There are two ways to say how it moves:
+ *
+ * <ul>
+ *   <li>{@link #setVelocity} is a velocity from now on. What lies on the body is struck by the jump.
+ *   <li>{@link #setTargetVelocity} is the velocity at the end of the next step, and from then on. It is reached evenly, so what
+ *       lies on the body is carried along.
+ * </ul>
+ *
+ * <p>Two kinematic bodies, or a kinematic and a fixed one, do not collide, and cannot be joined. What is wedged between two such bodies
+ * cannot get out of the way, and overlaps them.
+ *
+ * <p>The engine moves it as a body that is 2⁴⁰ times as heavy as the heaviest one: an impact changes its velocity by some 10⁻¹² of that
+ * of the other body, until the next step begins.
+ */
+public class KinematicBody extends Body {
+    private static final long serialVersionUID = 1L;
+
+    /** How far it may be off its course, relative to where it is and to its size, for rounding. */
+    private static final double ROUNDING = 1e-12;
+
+    /** How much of what it has missed of its course it makes up for in a step. */
+    private static final double CATCH_UP = 0.5;
+
+    /** Way in a step, relative to its size, of a body that stands: what bears others is pushed away by some of their 10⁻¹². */
+    private static final double STILL = 1e-9;
+
+    /** Velocities at the end of the next step. */
+    private final double[] target = new double[State.BLOCK];
+
+    /** Where it will be at the end of the step by its velocities; only if it has a course, as nobody has put it elsewhere since. */
+    private final double[] course = new double[State.BLOCK];
+
+    private boolean hasCourse;
+
+    /** Velocities that it was to have at the end of the last step. */
+    private final double[] pace = new double[State.BLOCK];
+
+    /** Velocities at both ends of the step. */
+    private final double[] before = new double[State.BLOCK];
+
+    private final double[] after = new double[State.BLOCK];
+
+    /** Length of the last step. */
+    private double step;
+
+    /**
+     * Creates a body at rest at the origin.
+     *
+     * @param shape shape of the body
+     */
+    public KinematicBody(Shape shape) {
+        super(shape);
+        stiffen();
+        state().group(); // it does not collide with all others
+    }
+
+    /**
+     * Sets the velocity that the body has at the end of the next step, and keeps. In that step its acceleration is constant. If a
+     * listener calls this within a step, it holds from the next step on.
+     *
+     * <p>If you set the rate ṗ(t + h) of a course p before each step, the body is within h² / 6 · max |p̈| of it, and does not drift away. What it
+     * misses where something strikes it in the midst of a step, it makes up for in the next ones.
+     *
+     * @param vx x component of the velocity, length/time
+     * @param vy y component of the velocity, length/time
+     * @param omega angular velocity, rad/time
+     * @throws IllegalArgumentException for NaN or more than 10¹⁵⁰
+     */
+    public final void setTargetVelocity(double vx, double vy, double omega) {
+        Check.between("vx", vx, -FASTEST, FASTEST);
+        Check.between("vy", vy, -FASTEST, FASTEST);
+        Check.between("angular velocity", omega, -FASTEST, FASTEST);
+        target[State.X] = vx;
+        target[State.Y] = vy;
+        target[State.THETA] = omega;
+    }
+
+    /**
+     * Returns the x component of the velocity at the end of the next step.
+     *
+     * @return length/time
+     */
+    public final double getTargetVelocityX() {
+        return target[State.X];
+    }
+
+    /**
+     * Returns the y component of the velocity at the end of the next step.
+     *
+     * @return length/time
+     */
+    public final double getTargetVelocityY() {
+        return target[State.Y];
+    }
+
+    /**
+     * Returns the angular velocity at the end of the next step.
+     *
+     * @return rad/time
+     */
+    public final double getTargetAngularVelocity() {
+        return target[State.THETA];
+    }
+
+    @Override
+    final void written(boolean isVelocity) {
+        if (isVelocity) {
+            System.arraycopy(state().v(), State.BLOCK * index(), target, 0, State.BLOCK);
+        }
+        hasCourse = false;
+    }
+
+    /**
+     * The acceleration by which it gets its target velocity in a step. What it has missed of its course, where something closed on it within
+     * the step before, it makes up for in the next ones.
+     */
+    final double acceleration(int k, double h) {
+        int at = State.BLOCK * index() + k;
+        double missed = hasCourse ? course[k] - state().x()[at] : 0;
+        double size = k == State.THETA ? 1 : getShape().boundingRadius();
+        boolean isRounding = Math.abs(missed) <= ROUNDING * (size + Math.abs(course[k]));
+        return (target[k] + (isRounding ? 0 : CATCH_UP * missed / h) - state().v()[at]) / h;
+    }
+
+    /** Notes where the velocities bring it in a step, from where they have brought it. */
+    final void follow(double h) {
+        for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK; k++, at++) {
+            before[k] = state().v()[at];
+            after[k] = before[k] + h * acceleration(k, h);
+        }
+        for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK; k++, at++) {
+            double from = hasCourse ? course[k] : state().x()[at];
+            course[k] = from + 0.5 * h * ((hasCourse ? pace[k] : before[k]) + target[k]);
+            pace[k] = target[k];
+        }
+        hasCourse = true;
+        step = h;
+    }
+
+    /**
+     * Returns whether the body stands, and is to stand. What lies on it may sleep then.
+     *
+     * @return whether its velocity is zero up to rounding, and its target velocity is
+     */
+    public final boolean isStanding() {
+        boolean yes = true;
+        for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK; k++, at++) {
+            double size = k == State.THETA ? 1 : getShape().boundingRadius();
+            yes &= target[k] == 0 && Math.abs(state().v()[at]) * step <= STILL * size;
+        }
+        return yes;
+    }
+
+    /** Whether it is on a course that its author has not changed within the step. */
+    final boolean hasCourse() {
+        return hasCourse;
+    }
+
+    /** The fastest that its surface goes in the step. */
+    final double fastest() {
+        double spin = getShape().boundingRadius() * Math.max(Math.abs(before[State.THETA]), Math.abs(after[State.THETA]));
+        return Math.max(speed(before), speed(after)) + spin;
+    }
+
+    private static double speed(double[] v) {
+        return Math.abs(v[State.X]) + Math.abs(v[State.Y]);
+    }
+
+    /** How far its velocity, as the state has it, is outside of what it is to be in the step. */
+    final double deflection() {
+        double most = 0;
+        for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK; k++, at++) {
+            double v = state().v()[at];
+            double off = Math.max(v - Math.max(before[k], after[k]), Math.min(before[k], after[k]) - v);
+            most = Math.max(most, k == State.THETA ? off * getShape().boundingRadius() : off);
+        }
+        return most;
+    }
+
+    /** Sets with which masses it is moved. */
+    final void become(double mass, double inertia) {
+        double[] w = state().w().values();
+        int b = State.BLOCK * index();
+        if (w[b] != 1 / mass || w[b + State.THETA] != 1 / inertia) {
+            weigh(mass, inertia);
+        }
+    }
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The kinematic bodies of an engine. They are far heavier than all others, and before each step a force is applied to each of them that
+ * makes it as fast as its author wants, against the uniform field. All that is true of heavy bodies that are pushed is then true of them.
+ */
+final class Kinematics implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** How many times as heavy as the heaviest other body a kinematic one is made; and the least and the most that it may be. */
+    private static final double HEAVY = 0x1p40;
+
+    private static final double LEAST = HEAVY / 16;
+    private static final double MOST = HEAVY * 16;
+
+    /** How many times what others could give in a step is given where something is squeezed. */
+    private static final double TOO_MUCH = 0x1p12;
+
+    private final List<KinematicBody> bodies = new ArrayList<>();
+    private double mass;
+    private double inertia;
+
+    /** Number of bodies, and how often they had been written, when masses were looked at last. */
+    private int count = -1;
+
+    private transient long writes = -1;
+
+    Kinematics() {
+        // none yet
+    }
+
+    void add(KinematicBody body) {
+        bodies.add(body);
+        count = -1;
+    }
+
+    boolean isEmpty() {
+        return bodies.isEmpty();
+    }
+
+    /** Sets the forces for a step. */
+    void push(State state, double gravityX, double gravityY, double h) {
+        bodies.removeIf(body -> body.state() != state);
+        if (!bodies.isEmpty() && (count != state.bodyCount() || writes != state.writes())) {
+            weigh(state);
+        }
+        for (int k = 0; k < bodies.size(); k++) {
+            push(bodies.get(k), gravityX, gravityY, h);
+        }
+        count = state.bodyCount();
+        writes = state.writes();
+    }
+
+    private void push(KinematicBody body, double gravityX, double gravityY, double h) {
+        double ax = body.acceleration(State.X, h) - gravityX;
+        double ay = body.acceleration(State.Y, h) - gravityY;
+        double turn = body.acceleration(State.THETA, h);
+        body.follow(h);
+        if (ax != 0 || ay != 0 || turn != 0) {
+            body.apply(mass * ax, mass * ay, inertia * turn);
+        }
+    }
+
+    /**
+     * Whether some body has been pushed off its course by far more than all other bodies could push in a step: something that is squeezed
+     * between bodies that nothing moves. There are no forces then that could let all go on.
+     *
+     * @param tau offset of an instant in the step
+     * @param areKept whether the ends of driven bodies have been kept, so that the state may be written
+     */
+    boolean areSqueezing(State state, Trajectories trajectories, double tau, boolean areKept, double gravity, double h) {
+        double most = 0;
+        double speed = 0;
+        for (int k = 0; k < bodies.size(); k++) {
+            int index = bodies.get(k).index();
+            if (bodies.get(k).hasCourse() && (areKept || !trajectories.isDriven(index))) {
+                trajectories.publish(index, tau, state);
+                most = Math.max(most, bodies.get(k).deflection());
+                speed = Math.max(speed, bodies.get(k).fastest());
+            }
+        }
+        double given = mass * most;
+        return speed > 0 && given > TOO_MUCH * mass / MOST * speed && given > TOO_MUCH * most(state, speed, gravity, h);
+    }
+
+    /** The momentum that all others have, seen from a body as fast as the fastest one, and get from forces in a step. */
+    private static double most(State state, double speed, double gravity, double h) {
+        double sum = 0;
+        double[] v = state.v();
+        double[] f = state.f();
+        for (int k = 0, b = 0; k < state.size(); k++, b += State.BLOCK) {
+            Body body = state.body(k);
+            if (body != null && body.isDynamic()) {
+                double spin = Math.abs(v[b + State.THETA]) * body.getShape().boundingRadius();
+                double force = Math.abs(f[b]) + Math.abs(f[b + 1]) + Math.abs(body.appliedX()) + Math.abs(body.appliedY());
+                sum += body.getMass() * (speed + Math.abs(v[b]) + Math.abs(v[b + 1]) + spin + gravity * h) + force * h;
+            }
+        }
+        return sum;
+    }
+
+    /** Makes all as heavy as they are to be, among the bodies that there are now; masses are changed as seldom as possible. */
+    private void weigh(State state) {
+        double heaviest = 0;
+        double largest = 0;
+        for (int k = 0; k < state.size(); k++) {
+            Body body = state.body(k);
+            if (body != null && !body.isFixed()) {
+                heaviest = body.isDynamic() ? Math.max(heaviest, body.getMass()) : heaviest;
+                largest = Math.max(largest, body.getShape().boundingRadius());
+            }
+        }
+        double arm = largest * largest;
+        heaviest = heaviest == 0 ? arm : heaviest;
+        if (!isWithin(mass, heaviest) || !isWithin(inertia, heaviest * arm)) {
+            mass = HEAVY * powerOfTwo(heaviest);
+            inertia = mass * powerOfTwo(arm);
+        }
+        for (int k = 0; k < bodies.size(); k++) {
+            bodies.get(k).become(mass, inertia);
+        }
+    }
+
+    /** So that what is divided by it again is the same: a field moves no body that stands. */
+    private static double powerOfTwo(double value) {
+        return Math.scalb(1.0, Math.getExponent(value));
+    }
+
+    private static boolean isWithin(double heavy, double other) {
+        return heavy >= LEAST * other && heavy <= MOST * other;
+    }
+}

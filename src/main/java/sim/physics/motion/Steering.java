@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.motion;
+
+import java.io.Serializable;
+import sim.physics.internal.Squeezed;
+
+/** Moves the kinematic bodies of an engine, if there are any. */
+public final class Steering implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    private final State state;
+    private final Trajectories trajectories;
+    private final Generators generators;
+    private final Kinematics kinematics = new Kinematics();
+
+    /**
+     * That of an engine without kinematic bodies.
+     *
+     * @param state all bodies
+     * @param trajectories where they go
+     * @param motion forces on them
+     */
+    public Steering(State state, Trajectories trajectories, Motion motion) {
+        this.state = state;
+        this.trajectories = trajectories;
+        generators = motion.generators;
+    }
+
+    /**
+     * Takes note of a body that was added.
+     *
+     * @param body any body
+     */
+    public void note(Body body) {
+        if (body instanceof KinematicBody moved) {
+            kinematics.add(moved);
+        }
+    }
+
+    /** {@return whether there is a kinematic body} */
+    public boolean isAny() {
+        return !kinematics.isEmpty();
+    }
+
+    /**
+     * Sets kinematic bodies on their courses for a step that is about to begin.
+     *
+     * @param h its length
+     */
+    public void begin(double h) {
+        if (isAny()) {
+            kinematics.push(state, generators.gravityX, generators.gravityY, h);
+        }
+    }
+
+    /**
+     * Looks whether something is squeezed between bodies that nothing moves.
+     *
+     * @param tau offset of the present instant in the step
+     * @param h the step
+     * @param areKept whether {@link Motion#keepEnds} was called in it
+     * @throws Squeezed if there is
+     */
+    public void refuseSqueezing(double tau, double h, boolean areKept) {
+        if (!isAny()) {
+            return;
+        }
+        double gravity = Math.abs(generators.gravityX) + Math.abs(generators.gravityY);
+        if (kinematics.areSqueezing(state, trajectories, tau, areKept, gravity, h)) {
+            throw new Squeezed();
+        }
+    }
+}
