@@ -52,8 +52,8 @@ final class Admissible {
         if (!(constraint instanceof Joint && constraint instanceof Link link)) {
             return "";
         }
-        Anchor first = Anchor.local(link.getBodyA(), link.getAnchorAX(), link.getAnchorAY());
-        Anchor second = Anchor.local(link.getBodyB(), link.getAnchorBX(), link.getAnchorBY());
+        Anchor first = Anchor.local(link.getBodyA(), "a", link.getAnchorAX(), link.getAnchorAY());
+        Anchor second = Anchor.local(link.getBodyB(), "b", link.getAnchorBX(), link.getAnchorBY());
         first.evaluate();
         second.evaluate();
         return ", its points are at (" + first.x + ", " + first.y + ") and (" + second.x + ", " + second.y + ") in the world";

@@ -20,12 +20,6 @@ abstract class Walk {
     /** Makes up for rounding where a look at the circle only spares work. */
     static final double SLACK = 1 + 1e-12;
 
-    /** Directions shorter or longer than this are made longer or shorter first: their squares are no numbers. */
-    private static final double SHORT = 1e-140;
-
-    private static final double LONG = 1e150;
-    private static final double FACTOR = 0x1p600;
-
     final Census census;
     final Cells cells;
 
@@ -68,16 +62,10 @@ abstract class Walk {
             List<Hit> takesAll) {
         Check.finite("x", fromX);
         Check.finite("y", fromY);
-        Check.finite("directionX", directionX);
-        Check.finite("directionY", directionY);
+        double factor = Check.direction("directionX", directionX, "directionY", directionY);
         if (!(range >= 0)) {
             throw new IllegalArgumentException("range is " + range + ": it must not be negative");
         }
-        double most = Math.max(Math.abs(directionX), Math.abs(directionY));
-        if (most == 0) {
-            throw new IllegalArgumentException("direction is (" + directionX + ", " + directionY + "): it must not be zero");
-        }
-        double factor = most < SHORT ? FACTOR : most > LONG ? 1 / FACTOR : 1;
         double toX = factor * directionX;
         double toY = factor * directionY;
         double length = Math.sqrt(toX * toX + toY * toY);
