@@ -22,10 +22,20 @@ import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.SortAndSweep;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
+import sim.physics.constraint.Curve;
+import sim.physics.constraint.GearJoint;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.PulleyJoint;
 import sim.physics.constraint.RodJoint;
+import sim.physics.constraint.SliderJoint;
+import sim.physics.constraint.SlotJoint;
 import sim.physics.constraint.Stabilization;
+import sim.physics.constraint.WireJoint;
+import sim.physics.mason.EnginePortrayal2D;
 import sim.physics.mason.Picture;
+import sim.physics.matrix.BiConjugateGradient;
+import sim.physics.matrix.DenseMatrix;
+import sim.physics.matrix.DiagonalMatrix;
 import sim.physics.motion.Body;
 import sim.physics.motion.Euler;
 import sim.physics.motion.ForceGenerator;
@@ -41,8 +51,10 @@ import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
 import sim.physics.response.ContactListener;
 import sim.physics.shape.Circle;
+import sim.physics.shape.Compound;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
 
 /** Bad input gets an exception at the call that made it, and leaves the engine as it was. */
 class RefusalTest {
@@ -86,6 +98,48 @@ class RefusalTest {
         refused("width is Infinity", () -> new Rectangle(Double.POSITIVE_INFINITY, 1));
         refused("gx is NaN", () -> new Gravity(nan, 0));
         refused("y of vertex 1 is NaN", () -> new Polygon(0, 0, 1, nan, 1, 1));
+        refused("x is NaN", () -> body.getShape().contains(nan, 0));
+        refused("y is NaN", () -> wall.getShape().contains(0, nan)); // it was said to be inside
+        refused("y is Infinity", () -> new Compound(Compound.box(0, 0, 1, 1), Compound.disc(2, 0, 1)).contains(0, Double.POSITIVE_INFINITY));
+    }
+
+    /** Of the four or eight coordinates of a joint the one that is wrong is named. */
+    @Test
+    void whichPointOfAJointIsNotFinite() {
+        double nan = Double.NaN;
+        refused("ax is NaN", () -> PinJoint.bodyPoints(body, nan, 0, wall, 0, 0));
+        refused("by is NaN", () -> PinJoint.bodyPoints(body, 0, 0, wall, 0, nan));
+        refused("bx is NaN", () -> RodJoint.bodyPoints(body, 0, 0, wall, nan, 0));
+        refused("ay is NaN", () -> RodJoint.worldPoints(body, 0, nan, wall, 1, 0));
+        refused("bx is NaN", () -> RodJoint.bodyPoints(body, 0, 0, wall, nan, 0, 1));
+        refused("pulleyBY is NaN", () -> PulleyJoint.bodyPoints(body, 0, 0, 1, 1, wall, 0, 0, 1, nan, 1, 1));
+        refused("pulleyAX is NaN", () -> PulleyJoint.worldPoints(body, 0, 0, nan, 1, wall, 0, 0, 1, 1, 1));
+        refused("ay is NaN", () -> new WireJoint(body, 0, nan, Curve.circle(0, 0, 1)));
+        refused("dy is NaN", () -> new SliderJoint(body, null, 0, 0, 1, nan));
+        refused("dx is Infinity", () -> Curve.line(0, 0, Double.POSITIVE_INFINITY, 0));
+        refused("direction is (0.0, 0.0)", () -> new SlotJoint(body, null, 0, 0, 0, 0));
+        refused("direction is (0.0, 0.0)", () -> Curve.line(0, 0, 0, 0));
+    }
+
+    /** With a ratio of 0 the second body would have no part in the joint. */
+    @Test
+    void aGearWithoutARatio() {
+        refused("ratio is 0.0: it must not be 0", () -> new GearJoint(body, wall, 0));
+        refused("ratio is -0.0: it must not be 0", () -> new GearJoint(body, null, -0.0));
+        refused("ratio is NaN", () -> new GearJoint(body, wall, Double.NaN));
+    }
+
+    /** The engine's vectors are for authors to read and write; who is in them the engine says. */
+    @Test
+    void bodiesThatAreNotInAState() {
+        Body stranger = new Body(new Circle(1));
+        Body other = new PhysicsEngine().add(new Body(new Circle(1)));
+        illegal("it is not in this state", () -> body.state().remove(stranger));
+        illegal("it is not in this state", () -> body.state().remove(other));
+        illegal("it is not in this state", () -> stranger.state().remove(stranger));
+        illegal("this state, as it is in it already", () -> body.state().add(body));
+        illegal("this state from another one", () -> body.state().add(other));
+        illegal("the state of another body alone", () -> stranger.state().add(new Body(new Circle(1))));
     }
 
     @Test
@@ -126,6 +180,8 @@ class RefusalTest {
         refused("range is -1.0", () -> queries.rayCast(0, 0, 1, 0, -1, null));
         refused("direction is (0.0, 0.0)", () -> queries.rayCast(0, 0, 0, 0, 1, null));
         refused("halfAngle is 4.0", () -> queries.visible(0, 0, 0, 4, 1, null));
+        refused("x is NaN", () -> queries.fan(Double.NaN, 0, 0, 1, 1, null, new double[0]));
+        refused("to - from is Infinity", () -> queries.fan(0, 0, -1e308, 1e308, 1, null, new double[3]));
     }
 
     @Test
@@ -166,6 +222,16 @@ class RefusalTest {
         missing("into", () -> queries.inBox(0, 0, 1, 1, null, null));
         missing("into", () -> queries.rayCast(0, 0, 1, 0, 1, null, null));
         missing("distances", () -> queries.fan(0, 0, 0, 1, 1, null, null));
+        missing("shape", () -> queries.shapeCast((Shape) null, 0, 0, 0, 1, 0, 1, null));
+        missing("into", () -> queries.shapeCast(new Circle(1), 0, 0, 0, 1, 0, 1, null, null));
+        Picture picture = new Picture(0, 0, 1, 1, 1, Color.BLACK, b -> null);
+        missing("engine", () -> picture.draw(null));
+        missing("layers", () -> picture.draw(engine, (EnginePortrayal2D[]) null));
+        missing("file", () -> picture.write(engine, null));
+        missing("values", () -> new DenseMatrix(1, 1, (double[]) null));
+        missing("x", () -> new DenseMatrix(1, 1).times(null, new double[1]));
+        missing("y", () -> new DiagonalMatrix(1).transposeTimes(new double[1], null));
+        missing("b", () -> new BiConjugateGradient().solve(new DenseMatrix(1, 1, 2), null, new double[1]));
     }
 
     private void missing(String name, ThrowingCallable call) {

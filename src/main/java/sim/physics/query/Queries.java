@@ -259,8 +259,9 @@ public final class Queries {
      */
     public void fan(
             double x, double y, double from, double to, double range, Predicate<? super Body> filter, double[] distances) {
-        Check.finite("from", from);
-        Check.finite("to", to);
+        Check.finite("x", x);
+        Check.finite("y", y);
+        Check.finite("to - from", Check.finite("to", to) - Check.finite("from", from));
         Objects.requireNonNull(distances, "distances");
         double step = distances.length < 2 ? 0 : (to - from) / (distances.length - 1);
         for (int k = 0; k < distances.length; k++) {
