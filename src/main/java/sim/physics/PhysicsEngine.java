@@ -468,7 +468,8 @@ public final class PhysicsEngine implements Steppable {
      * @param constraint a constraint between bodies of this engine, which are where its equations require them to be
      * @return the constraint
      * @throws IllegalStateException if it was added already, or one of its bodies is not in this engine
-     * @throws IllegalArgumentException if the constraint's equations are not satisfied, or none of its bodies can move
+     * @throws IllegalArgumentException if the constraint's equations are not satisfied or have infinite coefficients, none of its bodies can move,
+     *     or both are the same
      */
     public <C extends Constraint> C add(C constraint) {
         checkBodies(constraint);

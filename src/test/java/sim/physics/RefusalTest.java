@@ -23,6 +23,7 @@ import sim.physics.collision.broad.SortAndSweep;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Curve;
+import sim.physics.constraint.Equations;
 import sim.physics.constraint.GearJoint;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.PulleyJoint;
@@ -112,8 +113,8 @@ class RefusalTest {
         refused("bx is NaN", () -> RodJoint.bodyPoints(body, 0, 0, wall, nan, 0));
         refused("ay is NaN", () -> RodJoint.worldPoints(body, 0, nan, wall, 1, 0));
         refused("bx is NaN", () -> RodJoint.bodyPoints(body, 0, 0, wall, nan, 0, 1));
-        refused("pulleyBY is NaN", () -> PulleyJoint.bodyPoints(body, 0, 0, 1, 1, wall, 0, 0, 1, nan, 1, 1));
-        refused("pulleyAX is NaN", () -> PulleyJoint.worldPoints(body, 0, 0, nan, 1, wall, 0, 0, 1, 1, 1));
+        refused("bx is NaN", () -> PulleyJoint.bodyPoints(body, 0, 0, 1, 1, wall, nan, 0, 1, 0, 1, 1));
+        refused("ay is NaN", () -> PulleyJoint.worldPoints(body, 0, nan, 0, 1, wall, 0, 0, 1, 1, 1));
         refused("ay is NaN", () -> new WireJoint(body, 0, nan, Curve.circle(0, 0, 1)));
         refused("dy is NaN", () -> new SliderJoint(body, null, 0, 0, 1, nan));
         refused("dx is Infinity", () -> Curve.line(0, 0, Double.POSITIVE_INFINITY, 0));
@@ -127,6 +128,66 @@ class RefusalTest {
         refused("ratio is 0.0: it must not be 0", () -> new GearJoint(body, wall, 0));
         refused("ratio is -0.0: it must not be 0", () -> new GearJoint(body, null, -0.0));
         refused("ratio is NaN", () -> new GearJoint(body, wall, Double.NaN));
+    }
+
+    /** Of an author's own making: a coefficient that is no number made bodies that are nowhere, without a word. */
+    @Test
+    void constraintsWithoutUsableEquations() {
+        Body other = new Body(new Circle(1));
+        record Own(Body getBodyA, Body getBodyB, double coefficient) implements Constraint {
+            @Override
+            public Body getBodyA() {
+                return getBodyA;
+            }
+
+            @Override
+            public Body getBodyB() {
+                return getBodyB;
+            }
+
+            @Override
+            public int getRows() {
+                return 1;
+            }
+
+            @Override
+            public void evaluate(Equations equations) {
+                equations.set(0, 0, 0);
+                equations.setA(0, 0, coefficient, 0);
+            }
+        }
+        refused("its row 0 of J is [0.0, NaN, 0.0]", () -> engine.add(new Own(body, null, Double.NaN)));
+        refused("its row 0 of J is [0.0, Infinity, 0.0]", () -> engine.add(new Own(wall, body, Double.POSITIVE_INFINITY)));
+        refused("with its squares over the masses", () -> engine.add(new Own(body, null, 1e300)));
+        refused("with its squares over the masses", () -> engine.add(new GearJoint(wall, body, 1e160)));
+        refused("its row 0 of J is [0.0, NaN, 0.0]", () -> engine.assemble(new GearJoint(body, null, 1), new Own(body, null, Double.NaN)));
+        refused("it needs two different bodies", () -> engine.add(new Own(body, body, 1)));
+        illegal("it is not in this engine", () -> engine.add(new Own(other, body, 1)));
+        assertThat(engine.allConstraints()).isEmpty();
+        engine.add(new Own(body, wall, 1));
+        engine.step();
+        assertThat(body.getVelocityY()).isZero();
+    }
+
+    @Test
+    void aListenerThatDoesNotDecide() {
+        engine.addListener(new CollisionListener() {
+            @Override
+            public Decision colliding(Contact contact) {
+                return null;
+            }
+
+            @Override
+            public String toString() {
+                return "Idler";
+            }
+        });
+        wall.setPosition(5, 4);
+        body.moving(4, 0);
+        for (int substeps : new int[] {0, 4}) {
+            engine.setTimeStepping(substeps);
+            assertThatNullPointerException().isThrownBy(engine::step).withMessageContaining("decision is null: listener Idler must say");
+        }
     }
 
     /** The engine's vectors are for authors to read and write; who is in them the engine says. */

@@ -59,8 +59,7 @@ public final class PulleyJoint extends Joint {
     public static PulleyJoint worldPoints(
             Body a, double ax, double ay, double pulleyAX, double pulleyAY,
             Body b, double bx, double by, double pulleyBX, double pulleyBY, double ratio) {
-        return taut(new Side(Anchor.at(a, "a", ax, ay), "pulleyA", pulleyAX, pulleyAY),
-                new Side(Anchor.at(b, "b", bx, by), "pulleyB", pulleyBX, pulleyBY), ratio);
+        return taut(new Side(Anchor.at(a, "a", ax, ay), pulleyAX, pulleyAY), new Side(Anchor.at(b, "b", bx, by), pulleyBX, pulleyBY), ratio);
     }
 
     /**
@@ -84,8 +83,8 @@ public final class PulleyJoint extends Joint {
     public static PulleyJoint bodyPoints(
             Body a, double ax, double ay, double pulleyAX, double pulleyAY,
             Body b, double bx, double by, double pulleyBX, double pulleyBY, double ratio, double length) {
-        Side first = new Side(Anchor.local(a, "a", ax, ay), "pulleyA", pulleyAX, pulleyAY);
-        Side second = new Side(Anchor.local(b, "b", bx, by), "pulleyB", pulleyBX, pulleyBY);
+        Side first = new Side(Anchor.local(a, "a", ax, ay), pulleyAX, pulleyAY);
+        Side second = new Side(Anchor.local(b, "b", bx, by), pulleyBX, pulleyBY);
         return new PulleyJoint(first, second, Check.positive("ratio", ratio), Check.positive("length", length));
     }
 
@@ -244,10 +243,10 @@ public final class PulleyJoint extends Joint {
         double nx;
         double ny;
 
-        Side(Anchor end, String of, double x, double y) {
+        Side(Anchor end, double x, double y) {
             this.end = end;
-            this.x = Check.finite(of + "X", x);
-            this.y = Check.finite(of + "Y", y);
+            this.x = Check.finite("x of a pulley", x);
+            this.y = Check.finite("y of a pulley", y);
         }
 
         void evaluate() {
