@@ -300,6 +300,43 @@ class ShapeCastTest {
         }
     }
 
+    /** From where it has met a convex body a convex one moves off freely to any side but into the surface. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e5})
+    void whatHasMetABodyIsFreeButForMovingIntoIt(double off) {
+        int freed = 0;
+        int stopped = 0;
+        for (int k = 0; k < 4000; k++) {
+            Body moves = scattered(convex(), 6);
+            Body other = scattered(convex(), 6);
+            moves.setPosition(moves.getX() + off, moves.getY() - off);
+            other.setPosition(other.getX() + off, other.getY() - off);
+            double angle = StrictMath.atan2(other.getY() - moves.getY(), other.getX() - moves.getX()) + random.nextDouble(-0.6, 0.6);
+            double dx = StrictMath.cos(angle);
+            double dy = StrictMath.sin(angle);
+            Hit hit = cast(moves, other, dx, dy, INFINITE);
+            if (hit == null || hit.distance() == 0 || hit.nx() * dx + hit.ny() * dy > -1e-2) {
+                continue;
+            }
+            moves.setPosition(moves.getX() + hit.distance() * dx, moves.getY() + hit.distance() * dy);
+            double to = random.nextDouble(-4, 4);
+            double along = hit.nx() * StrictMath.cos(to) + hit.ny() * StrictMath.sin(to);
+            Hit then = cast(moves, other, StrictMath.cos(to), StrictMath.sin(to), INFINITE);
+            if (along > 1e-6) {
+                assertThat(then).isNull();
+                freed++;
+            } else if (along < -1e-2) {
+                assertThat(then.distance()).isLessThan(1e-11 + 1e-13 * off);
+                assertThat(StrictMath.hypot(then.nx() - hit.nx(), then.ny() - hit.ny())).isLessThan(1e-6 + 1e-7 * off);
+                stopped++;
+            }
+            assertThat(cast(moves, other, -hit.ny(), hit.nx(), INFINITE)).isNull();
+            assertThat(cast(moves, other, hit.ny(), -hit.nx(), INFINITE)).isNull();
+        }
+        assertThat(freed).isGreaterThan(500);
+        assertThat(stopped).isGreaterThan(500);
+    }
+
     /** Wherever the engine lets bodies come to rest, they lie on one another by rounding. */
     @Test
     void whatHasComeToRestMaySlide() {
