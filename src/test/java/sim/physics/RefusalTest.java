@@ -14,6 +14,7 @@ import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.collision.broad.BroadPhase;
@@ -25,6 +26,7 @@ import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Curve;
 import sim.physics.constraint.Equations;
 import sim.physics.constraint.GearJoint;
+import sim.physics.constraint.Limit;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.PulleyJoint;
 import sim.physics.constraint.RodJoint;
@@ -167,6 +169,30 @@ class RefusalTest {
         engine.add(new Own(body, wall, 1));
         engine.step();
         assertThat(body.getVelocityY()).isZero();
+    }
+
+    /** What gets no number later than that is refused in the step, as forces are, and the bodies stay where they are. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, NaN", "0, 2, Infinity", "0, 3, NaN", "4, 0, NaN", "4, 2, Infinity", "4, 3, NaN"})
+    void equationsThatGetNoNumbers(int substeps, int which, double value) {
+        for (boolean isStop : new boolean[] {false, true}) {
+            setUp();
+            double[] late = {0, 0, 1, 0, 0, 0};
+            WireJoint wire = new WireJoint(body, (x, y, f) -> {
+                System.arraycopy(late, 0, f, 0, 6);
+                f[0] += y - 4;
+            });
+            engine.setTimeStepping(substeps);
+            engine.add(new Gravity(0, -1));
+            body.moving(1, 0, 0.5);
+            Constraint tie = engine.add(isStop ? new Limit(wire, -1, 1, 0) : wire);
+            engine.step();
+            late[which] = value;
+            assertThatIllegalArgumentException().isThrownBy(engine::step).withMessageContaining("its row 0 must be finite, but C is");
+            engine.remove(tie);
+            engine.step();
+            assertThat(body.getX() + body.getY() + body.getVelocityX() + body.getVelocityY() + body.getAngularVelocity()).isFinite();
+        }
     }
 
     @Test
