@@ -473,7 +473,8 @@ public final class PhysicsEngine implements Steppable {
      * @param constraint a constraint between bodies of this engine, which are where its equations require them to be
      * @return the constraint
      * @throws IllegalStateException if it was added already, or one of its bodies is not in this engine
-     * @throws IllegalArgumentException if the constraint's equations are not satisfied, or none of its bodies can move
+     * @throws IllegalArgumentException if the constraint's equations are not satisfied or have infinite coefficients, none of its bodies can move,
+     *     or both are the same
      */
     public <C extends Constraint> C add(C constraint) {
         checkBodies(constraint);
@@ -1214,19 +1215,20 @@ public final class PhysicsEngine implements Steppable {
      *
      * @param schedule MASON's schedule
      * @return an object that stops the engine
-     * @throws IllegalStateException if the schedule has come to its end, as it does when nothing is left on it
+     * @throws IllegalStateException if the schedule has come to its end, as it does when nothing is left on it; all is as before then
      */
     public Repeating scheduleOn(Schedule schedule) {
         Objects.requireNonNull(schedule, "schedule");
+        Repeating repeating = new Repeating(this, ORDERING, 1);
+        double next = schedule.getTime() < Schedule.EPOCH ? Schedule.EPOCH : schedule.getTime() + 1;
+        if (!schedule.scheduleOnce(next, ORDERING, repeating)) {
+            throw new IllegalStateException("the schedule is at its end, as nothing was left on it: it takes the engine after reset(), or SimState.start()");
+        }
         if (scheduled != null) {
             scheduled.stop();
         }
-        scheduled = new Repeating(this, ORDERING, 1);
-        double next = schedule.getTime() < Schedule.EPOCH ? Schedule.EPOCH : schedule.getTime() + 1;
-        if (!schedule.scheduleOnce(next, ORDERING, scheduled)) {
-            throw new IllegalStateException("the schedule is at its end, as nothing was left on it: it takes the engine after reset(), or SimState.start()");
-        }
-        return scheduled;
+        scheduled = repeating;
+        return repeating;
     }
 
     @Override

@@ -10,6 +10,8 @@ import static org.assertj.core.api.Assertions.within;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.engine.SimState;
 import sim.physics.collision.broad.BruteForce;
 import sim.physics.collision.broad.CellGrid;
@@ -150,6 +152,35 @@ class LifeOfBodiesTest {
         engine.step();
         assertThat(body.getVelocityY()).isEqualTo(0.5);
         assertThat(body.getAngularVelocity()).isEqualTo(2);
+    }
+
+    /** It is the same whether a body is pushed and then added, or added and then pushed; and what is pushed while it is out waits. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 4})
+    void aForceOnABodyOutsideOfAnEngineWaitsForItsFirstStepInOne(int substeps) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStepping(substeps);
+        engine.setTimeStep(0.5);
+        Body body = new Body(new Circle(1)).at(0, 0);
+        body.setMass(2, 3);
+        body.addForce(4, 0);
+        engine.step();
+        engine.add(body);
+        engine.step();
+        assertThat(body.getVelocityX()).isCloseTo(1, within(1e-15));
+        engine.step();
+        assertThat(body.getVelocityX()).isCloseTo(1, within(1e-15));
+        engine.remove(body);
+        for (int k = 0; k < 3; k++) {
+            body.addForce(4, 0);
+            body.addTorque(6);
+            engine.step();
+        }
+        engine.add(body);
+        engine.step();
+        engine.step();
+        assertThat(body.getVelocityX()).isCloseTo(4, within(1e-14));
+        assertThat(body.getAngularVelocity()).isCloseTo(3, within(1e-14));
     }
 
     @Test
@@ -381,6 +412,25 @@ class LifeOfBodiesTest {
         engine.scheduleOn(state.schedule);
         state.schedule.step(state);
         assertThat(engine.getSteps()).isEqualTo(1);
+        state.finish();
+    }
+
+    @Test
+    void aScheduleThatIsRefusedDoesNotEndTheOneBefore() {
+        SimState state = new SimState(1);
+        state.start();
+        SimState over = new SimState(1);
+        over.start();
+        while (over.schedule.step(over)) {
+            assertThat(over.schedule.getSteps()).isPositive();
+        }
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.scheduleOn(state.schedule);
+        assertThatIllegalStateException().isThrownBy(() -> engine.scheduleOn(over.schedule)).withMessageContaining("at its end");
+        for (int k = 0; k < 3; k++) {
+            state.schedule.step(state);
+        }
+        assertThat(engine.getSteps()).isEqualTo(3);
         state.finish();
     }
 

@@ -14,6 +14,7 @@ import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.collision.broad.BroadPhase;
@@ -22,10 +23,22 @@ import sim.physics.collision.broad.CellGrid;
 import sim.physics.collision.broad.SortAndSweep;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.ConstraintException;
+import sim.physics.constraint.Curve;
+import sim.physics.constraint.Equations;
+import sim.physics.constraint.GearJoint;
+import sim.physics.constraint.Limit;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.PulleyJoint;
 import sim.physics.constraint.RodJoint;
+import sim.physics.constraint.SliderJoint;
+import sim.physics.constraint.SlotJoint;
 import sim.physics.constraint.Stabilization;
+import sim.physics.constraint.WireJoint;
+import sim.physics.mason.EnginePortrayal2D;
 import sim.physics.mason.Picture;
+import sim.physics.matrix.BiConjugateGradient;
+import sim.physics.matrix.DenseMatrix;
+import sim.physics.matrix.DiagonalMatrix;
 import sim.physics.motion.Body;
 import sim.physics.motion.Euler;
 import sim.physics.motion.ForceGenerator;
@@ -41,8 +54,10 @@ import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
 import sim.physics.response.ContactListener;
 import sim.physics.shape.Circle;
+import sim.physics.shape.Compound;
 import sim.physics.shape.Polygon;
 import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
 
 /** Bad input gets an exception at the call that made it, and leaves the engine as it was. */
 class RefusalTest {
@@ -86,6 +101,132 @@ class RefusalTest {
         refused("width is Infinity", () -> new Rectangle(Double.POSITIVE_INFINITY, 1));
         refused("gx is NaN", () -> new Gravity(nan, 0));
         refused("y of vertex 1 is NaN", () -> new Polygon(0, 0, 1, nan, 1, 1));
+        refused("x is NaN", () -> body.getShape().contains(nan, 0));
+        refused("y is NaN", () -> wall.getShape().contains(0, nan)); // it was said to be inside
+        refused("y is Infinity", () -> new Compound(Compound.box(0, 0, 1, 1), Compound.disc(2, 0, 1)).contains(0, Double.POSITIVE_INFINITY));
+    }
+
+    /** Of the four or eight coordinates of a joint the one that is wrong is named. */
+    @Test
+    void whichPointOfAJointIsNotFinite() {
+        double nan = Double.NaN;
+        refused("ax is NaN", () -> PinJoint.bodyPoints(body, nan, 0, wall, 0, 0));
+        refused("by is NaN", () -> PinJoint.bodyPoints(body, 0, 0, wall, 0, nan));
+        refused("bx is NaN", () -> RodJoint.bodyPoints(body, 0, 0, wall, nan, 0));
+        refused("ay is NaN", () -> RodJoint.worldPoints(body, 0, nan, wall, 1, 0));
+        refused("bx is NaN", () -> RodJoint.bodyPoints(body, 0, 0, wall, nan, 0, 1));
+        refused("bx is NaN", () -> PulleyJoint.bodyPoints(body, 0, 0, 1, 1, wall, nan, 0, 1, 0, 1, 1));
+        refused("ay is NaN", () -> PulleyJoint.worldPoints(body, 0, nan, 0, 1, wall, 0, 0, 1, 1, 1));
+        refused("ay is NaN", () -> new WireJoint(body, 0, nan, Curve.circle(0, 0, 1)));
+        refused("dy is NaN", () -> new SliderJoint(body, null, 0, 0, 1, nan));
+        refused("dx is Infinity", () -> Curve.line(0, 0, Double.POSITIVE_INFINITY, 0));
+        refused("direction is (0.0, 0.0)", () -> new SlotJoint(body, null, 0, 0, 0, 0));
+        refused("direction is (0.0, 0.0)", () -> Curve.line(0, 0, 0, 0));
+    }
+
+    /** With a ratio of 0 the second body would have no part in the joint. */
+    @Test
+    void aGearWithoutARatio() {
+        refused("ratio is 0.0: it must not be 0", () -> new GearJoint(body, wall, 0));
+        refused("ratio is -0.0: it must not be 0", () -> new GearJoint(body, null, -0.0));
+        refused("ratio is NaN", () -> new GearJoint(body, wall, Double.NaN));
+    }
+
+    /** Of an author's own making: a coefficient that is no number made bodies that are nowhere, without a word. */
+    @Test
+    void constraintsWithoutUsableEquations() {
+        Body other = new Body(new Circle(1));
+        record Own(Body getBodyA, Body getBodyB, double coefficient) implements Constraint {
+            @Override
+            public Body getBodyA() {
+                return getBodyA;
+            }
+
+            @Override
+            public Body getBodyB() {
+                return getBodyB;
+            }
+
+            @Override
+            public int getRows() {
+                return 1;
+            }
+
+            @Override
+            public void evaluate(Equations equations) {
+                equations.set(0, 0, 0);
+                equations.setA(0, 0, coefficient, 0);
+            }
+        }
+        refused("its row 0 of J is [0.0, NaN, 0.0]", () -> engine.add(new Own(body, null, Double.NaN)));
+        refused("its row 0 of J is [0.0, Infinity, 0.0]", () -> engine.add(new Own(wall, body, Double.POSITIVE_INFINITY)));
+        refused("with its squares over the masses", () -> engine.add(new Own(body, null, 1e300)));
+        refused("with its squares over the masses", () -> engine.add(new GearJoint(wall, body, 1e160)));
+        refused("its row 0 of J is [0.0, NaN, 0.0]", () -> engine.assemble(new GearJoint(body, null, 1), new Own(body, null, Double.NaN)));
+        refused("it needs two different bodies", () -> engine.add(new Own(body, body, 1)));
+        illegal("it is not in this engine", () -> engine.add(new Own(other, body, 1)));
+        assertThat(engine.allConstraints()).isEmpty();
+        engine.add(new Own(body, wall, 1));
+        engine.step();
+        assertThat(body.getVelocityY()).isZero();
+    }
+
+    /** What gets no number later than that is refused in the step, as forces are, and the bodies stay where they are. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, NaN", "0, 2, Infinity", "0, 3, NaN", "4, 0, NaN", "4, 2, Infinity", "4, 3, NaN"})
+    void equationsThatGetNoNumbers(int substeps, int which, double value) {
+        for (boolean isStop : new boolean[] {false, true}) {
+            setUp();
+            double[] late = {0, 0, 1, 0, 0, 0};
+            WireJoint wire = new WireJoint(body, (x, y, f) -> {
+                System.arraycopy(late, 0, f, 0, 6);
+                f[0] += y - 4;
+            });
+            engine.setTimeStepping(substeps);
+            engine.add(new Gravity(0, -1));
+            body.moving(1, 0, 0.5);
+            Constraint tie = engine.add(isStop ? new Limit(wire, -1, 1, 0) : wire);
+            engine.step();
+            late[which] = value;
+            assertThatIllegalArgumentException().isThrownBy(engine::step).withMessageContaining("its row 0 must be finite, but C is");
+            engine.remove(tie);
+            engine.step();
+            assertThat(body.getX() + body.getY() + body.getVelocityX() + body.getVelocityY() + body.getAngularVelocity()).isFinite();
+        }
+    }
+
+    @Test
+    void aListenerThatDoesNotDecide() {
+        engine.addListener(new CollisionListener() {
+            @Override
+            public Decision colliding(Contact contact) {
+                return null;
+            }
+
+            @Override
+            public String toString() {
+                return "Idler";
+            }
+        });
+        wall.setPosition(5, 4);
+        body.moving(4, 0);
+        for (int substeps : new int[] {0, 4}) {
+            engine.setTimeStepping(substeps);
+            assertThatNullPointerException().isThrownBy(engine::step).withMessageContaining("decision is null: listener Idler must say");
+        }
+    }
+
+    /** The engine's vectors are for authors to read and write; who is in them the engine says. */
+    @Test
+    void bodiesThatAreNotInAState() {
+        Body stranger = new Body(new Circle(1));
+        Body other = new PhysicsEngine().add(new Body(new Circle(1)));
+        illegal("it is not in this state", () -> body.state().remove(stranger));
+        illegal("it is not in this state", () -> body.state().remove(other));
+        illegal("it is not in this state", () -> stranger.state().remove(stranger));
+        illegal("this state, as it is in it already", () -> body.state().add(body));
+        illegal("this state from another one", () -> body.state().add(other));
+        illegal("the state of another body alone", () -> stranger.state().add(new Body(new Circle(1))));
     }
 
     @Test
@@ -126,6 +267,8 @@ class RefusalTest {
         refused("range is -1.0", () -> queries.rayCast(0, 0, 1, 0, -1, null));
         refused("direction is (0.0, 0.0)", () -> queries.rayCast(0, 0, 0, 0, 1, null));
         refused("halfAngle is 4.0", () -> queries.visible(0, 0, 0, 4, 1, null));
+        refused("x is NaN", () -> queries.fan(Double.NaN, 0, 0, 1, 1, null, new double[0]));
+        refused("to - from is Infinity", () -> queries.fan(0, 0, -1e308, 1e308, 1, null, new double[3]));
     }
 
     @Test
@@ -166,6 +309,16 @@ class RefusalTest {
         missing("into", () -> queries.inBox(0, 0, 1, 1, null, null));
         missing("into", () -> queries.rayCast(0, 0, 1, 0, 1, null, null));
         missing("distances", () -> queries.fan(0, 0, 0, 1, 1, null, null));
+        missing("shape", () -> queries.shapeCast((Shape) null, 0, 0, 0, 1, 0, 1, null));
+        missing("into", () -> queries.shapeCast(new Circle(1), 0, 0, 0, 1, 0, 1, null, null));
+        Picture picture = new Picture(0, 0, 1, 1, 1, Color.BLACK, b -> null);
+        missing("engine", () -> picture.draw(null));
+        missing("layers", () -> picture.draw(engine, (EnginePortrayal2D[]) null));
+        missing("file", () -> picture.write(engine, null));
+        missing("values", () -> new DenseMatrix(1, 1, (double[]) null));
+        missing("x", () -> new DenseMatrix(1, 1).times(null, new double[1]));
+        missing("y", () -> new DiagonalMatrix(1).transposeTimes(new double[1], null));
+        missing("b", () -> new BiConjugateGradient().solve(new DenseMatrix(1, 1, 2), null, new double[1]));
     }
 
     private void missing(String name, ThrowingCallable call) {

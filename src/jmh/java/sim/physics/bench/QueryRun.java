@@ -17,6 +17,7 @@ import sim.physics.scenes.Gas;
 import sim.physics.scenes.SceneData;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
 
 /**
  * Times questions about where bodies are, in the gas of half circles and half rectangles that covers a fifth of the area,
@@ -38,6 +39,7 @@ public final class QueryRun {
     private final State state = new State();
     private final double[] at = new double[4 * QUESTIONS];
     private final RayHit hit = new RayHit();
+    private final Shape swept = new Rectangle(1, 0.5);
     private final List<Body> found = new ArrayList<>();
     private final double side;
     private final int n;
@@ -72,7 +74,9 @@ public final class QueryRun {
         ALL_ON_RAY,
         WITHIN,
         NEAREST,
-        BOX
+        BOX,
+        SWEEP,
+        SHORT_SWEEP
     }
 
     /** One question; the sum of the answers to many says whether two ways agree. */
@@ -91,8 +95,10 @@ public final class QueryRun {
             case WITHIN -> ask.within(x, y, 3, null, found);
             case NEAREST -> ask.nearest(x, y, 4, null, found);
             case BOX -> ask.inBox(x, y, x + 3, y + 3, null, found);
+            case SWEEP -> ask.shapeCast(swept, x, y, k, dx, dy, Double.POSITIVE_INFINITY, null, hit);
+            case SHORT_SWEEP -> ask.shapeCast(swept, x, y, k, dx, dy, 3, null, hit);
         }
-        return what == Question.RAY || what == Question.SHORT_RAY ? hit.distance() : found.size();
+        return what == Question.WITHIN || what == Question.NEAREST || what == Question.BOX ? found.size() : hit.distance();
     }
 
     /** Nanoseconds a question. */

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.constraint;
 
+import java.util.Arrays;
 import sim.physics.motion.Body;
 import sim.physics.motion.Link;
 
@@ -14,6 +15,9 @@ final class Admissible {
 
     static void check(Constraint constraint, boolean closed) {
         Body b = constraint.getBodyB();
+        if (constraint.getBodyA() == b) {
+            throw new IllegalArgumentException("constraint is " + constraint + ": it needs two different bodies, but both are " + b);
+        }
         if (!constraint.getBodyA().isDynamic() && (b == null || !b.isDynamic())) {
             throw new IllegalArgumentException("constraint is " + constraint + ": none of its bodies can move, "
                     + "but one of them must");
@@ -31,7 +35,23 @@ final class Admissible {
                 throw new IllegalArgumentException("constraint is " + constraint + ": it is open by "
                         + equations.c[row] + " in row " + row + places(constraint) + "; assemble() would close it");
             }
+            double mobility = mobility(equations.jA, row, constraint.getBodyA()) + (b == null ? 0 : mobility(equations.jB, row, b));
+            if (closed ? !(mobility < Double.POSITIVE_INFINITY) : Double.isNaN(mobility)) {
+                throw new IllegalArgumentException("constraint is " + constraint + ": its row " + row + " of J is "
+                        + Arrays.toString(Arrays.copyOfRange(equations.jA, 3 * row, 3 * row + 3)) + ", "
+                        + Arrays.toString(Arrays.copyOfRange(equations.jB, 3 * row, 3 * row + 3))
+                        + ": all of it must be finite, with its squares over the masses");
+            }
         }
+    }
+
+    /** What a body adds to J W Jᵀ; no finite number if J has none. */
+    private static double mobility(double[] j, int row, Body body) {
+        double x = j[3 * row];
+        double y = j[3 * row + 1];
+        double theta = j[3 * row + 2];
+        double isFinite = 0 * x + 0 * y + 0 * theta;
+        return body.isFixed() ? isFinite : isFinite + (x * x + y * y) / body.getMass() + theta * theta / body.getInertia();
     }
 
     /** Evaluates a constraint; motors and stops that acted when they were removed do not act yet. */
@@ -52,8 +72,8 @@ final class Admissible {
         if (!(constraint instanceof Joint && constraint instanceof Link link)) {
             return "";
         }
-        Anchor first = Anchor.local(link.getBodyA(), link.getAnchorAX(), link.getAnchorAY());
-        Anchor second = Anchor.local(link.getBodyB(), link.getAnchorBX(), link.getAnchorBY());
+        Anchor first = Anchor.local(link.getBodyA(), "a", link.getAnchorAX(), link.getAnchorAY());
+        Anchor second = Anchor.local(link.getBodyB(), "b", link.getAnchorBX(), link.getAnchorBY());
         first.evaluate();
         second.evaluate();
         return ", its points are at (" + first.x + ", " + first.y + ") and (" + second.x + ", " + second.y + ") in the world";

@@ -38,13 +38,13 @@ final class Anchor implements Serializable {
         this.localY = localY;
     }
 
-    static Anchor local(Body body, double localX, double localY) {
-        Joint.point(localX, localY);
+    static Anchor local(Body body, String of, double localX, double localY) {
+        Joint.point(of, localX, localY);
         return new Anchor(body, localX, localY);
     }
 
-    static Anchor at(Body body, double x, double y) {
-        Joint.point(x, y);
+    static Anchor at(Body body, String of, double x, double y) {
+        Joint.point(of, x, y);
         return new Anchor(body, Joint.localX(body, x, y), Joint.localY(body, x, y));
     }
 

@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.motion.Body;
 
 /** Takes the equations of a {@link Constraint}: C, the blocks of J for its two bodies, and J̇ ẋ. */
@@ -11,6 +12,9 @@ public final class Equations implements Serializable {
 
     /** Rows at most. */
     static final int ROWS = 3;
+
+    /** Beyond this the squares of squares of lengths and speeds are no numbers. */
+    private static final double HUGE = 1e75;
 
     final double[] c = new double[ROWS];
     final double[] rate = new double[ROWS];
@@ -33,6 +37,32 @@ public final class Equations implements Serializable {
             setA(r, 0, 0, 0);
             setB(r, 0, 0, 0);
         }
+    }
+
+    /** Refuses what is no number from an author's constraint or curve; not where its bodies have been thrown beyond all measure. */
+    void check(Constraint constraint, int rows) {
+        Constraint tie = constraint instanceof Switched s ? s.coordinate() : constraint;
+        if (tie instanceof Joint && !(tie instanceof WireJoint)) {
+            return;
+        }
+        boolean isSecond = tie.getBodyB() != null;
+        for (int r = 0; r < rows; r++) {
+            double zero = 0 * c[r] + 0 * rate[r]; // NaN if any is not finite
+            for (int k = 3 * r; k < 3 * r + 3; k++) {
+                zero += 0 * jA[k] + (isSecond ? 0 * jB[k] : 0);
+            }
+            if (zero != 0 && isMeasured(tie.getBodyA()) && (!isSecond || isMeasured(tie.getBodyB()))) {
+                throw new IllegalArgumentException("constraint is " + tie + ": its row " + r + " must be finite, but C is " + c[r] + ", J is "
+                        + Arrays.toString(Arrays.copyOfRange(jA, 3 * r, 3 * r + 3)) + ", "
+                        + Arrays.toString(Arrays.copyOfRange(jB, 3 * r, 3 * r + 3)) + ", and its part of the second derivative " + rate[r]);
+            }
+        }
+    }
+
+    private static boolean isMeasured(Body body) {
+        double most = Math.max(Math.abs(body.getX()), Math.max(Math.abs(body.getY()), Math.abs(body.getAngle())));
+        double fastest = Math.max(Math.abs(body.getVelocityX()), Math.max(Math.abs(body.getVelocityY()), Math.abs(body.getAngularVelocity())));
+        return Math.max(most, fastest) < HUGE; // not NaN
     }
 
     /** How fast the C of the first row changes; the second body may be null. */

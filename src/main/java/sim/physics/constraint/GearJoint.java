@@ -20,18 +20,23 @@ public final class GearJoint extends Joint {
      *
      * @param a a body
      * @param b another body, or null to keep the angle of the first one
-     * @param ratio turns of the first body, in the opposite sense, for one turn of the second; −1 keeps the angle between them
+     * @param ratio turns of the first body, in the opposite sense, for one turn of the second, not 0; −1 keeps the angle between them
+     * @throws IllegalArgumentException if the ratio is 0 or not finite, or both bodies are the same
      */
     public GearJoint(Body a, Body b, double ratio) {
         super(a, b);
         this.ratio = Check.finite("ratio", ratio);
+        if (ratio == 0) {
+            throw new IllegalArgumentException("ratio is " + ratio + ": it must not be 0, with which the second body had no part in it;"
+                    + " a joint with null in its place keeps the angle of the first one");
+        }
         sum = a.getAngle() + ratio * angle(b);
     }
 
     /**
      * Returns the number of turns that the first body makes, in the opposite sense, for one turn of the second.
      *
-     * @return any number
+     * @return any number but 0
      */
     public double getRatio() {
         return ratio;

@@ -189,9 +189,10 @@ public abstract class Joint implements Constraint {
         return body == null ? 0 : body.getAngularVelocity();
     }
 
-    static void point(double x, double y) {
-        Check.finite("x", x);
-        Check.finite("y", y);
+    /** Checks a point; what its coordinates are called begins with a letter, or none. */
+    static void point(String of, double x, double y) {
+        Check.finite(of + "x", x);
+        Check.finite(of + "y", y);
     }
 
     @Override

@@ -14,13 +14,15 @@ final class Line implements Curve {
     private final double ny;
 
     Line(double x, double y, double dx, double dy) {
-        Joint.point(x, y);
-        Joint.point(dx, dy);
-        double length = Check.positive("length of the direction", Math.sqrt(dx * dx + dy * dy));
+        Joint.point("", x, y);
+        double factor = Check.direction("dx", dx, "dy", dy);
+        double toX = factor * dx;
+        double toY = factor * dy;
+        double length = Math.sqrt(toX * toX + toY * toY);
         this.x = x;
         this.y = y;
-        nx = -dy / length;
-        ny = dx / length;
+        nx = -toY / length;
+        ny = toX / length;
     }
 
     @Override

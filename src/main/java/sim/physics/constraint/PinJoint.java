@@ -37,7 +37,7 @@ public final class PinJoint extends Joint implements Link {
      */
     public PinJoint(Body a, Body b, double x, double y) {
         super(a, b);
-        point(x, y);
+        point("", x, y);
         ax = localX(a, x, y);
         ay = localY(a, x, y);
         bx = localX(b, x, y);
@@ -68,8 +68,8 @@ public final class PinJoint extends Joint implements Link {
      */
     public PinJoint(Body a, double ax, double ay, Body b, double bx, double by) {
         super(a, b);
-        point(ax, ay);
-        point(bx, by);
+        point("a", ax, ay);
+        point("b", bx, by);
         this.ax = ax;
         this.ay = ay;
         this.bx = bx;

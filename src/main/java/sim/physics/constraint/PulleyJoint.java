@@ -59,7 +59,7 @@ public final class PulleyJoint extends Joint {
     public static PulleyJoint worldPoints(
             Body a, double ax, double ay, double pulleyAX, double pulleyAY,
             Body b, double bx, double by, double pulleyBX, double pulleyBY, double ratio) {
-        return taut(new Side(Anchor.at(a, ax, ay), pulleyAX, pulleyAY), new Side(Anchor.at(b, bx, by), pulleyBX, pulleyBY), ratio);
+        return taut(new Side(Anchor.at(a, "a", ax, ay), pulleyAX, pulleyAY), new Side(Anchor.at(b, "b", bx, by), pulleyBX, pulleyBY), ratio);
     }
 
     /**
@@ -83,8 +83,8 @@ public final class PulleyJoint extends Joint {
     public static PulleyJoint bodyPoints(
             Body a, double ax, double ay, double pulleyAX, double pulleyAY,
             Body b, double bx, double by, double pulleyBX, double pulleyBY, double ratio, double length) {
-        Side first = new Side(Anchor.local(a, ax, ay), pulleyAX, pulleyAY);
-        Side second = new Side(Anchor.local(b, bx, by), pulleyBX, pulleyBY);
+        Side first = new Side(Anchor.local(a, "a", ax, ay), pulleyAX, pulleyAY);
+        Side second = new Side(Anchor.local(b, "b", bx, by), pulleyBX, pulleyBY);
         return new PulleyJoint(first, second, Check.positive("ratio", ratio), Check.positive("length", length));
     }
 

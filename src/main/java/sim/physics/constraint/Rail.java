@@ -26,13 +26,15 @@ public abstract sealed class Rail extends Joint implements Link permits SliderJo
     /** A line through a point, where the two bodies are now; all in world coordinates. */
     Rail(Body a, Body b, double x, double y, double dx, double dy) {
         super(a, b);
-        first = Anchor.at(a, x, y);
-        second = Anchor.at(b, x, y);
-        point(dx, dy);
-        double length = Check.positive("length of the direction", Math.sqrt(dx * dx + dy * dy));
+        first = Anchor.at(a, "", x, y);
+        second = Anchor.at(b, "", x, y);
+        double factor = Check.direction("dx", dx, "dy", dy);
+        double toX = factor * dx;
+        double toY = factor * dy;
+        double length = Math.sqrt(toX * toX + toY * toY);
         second.evaluate();
-        double nx = -dy / length;
-        double ny = dx / length;
+        double nx = -toY / length;
+        double ny = toX / length;
         normalX = second.cos * nx + second.sin * ny;
         normalY = second.cos * ny - second.sin * nx;
     }

@@ -13,7 +13,7 @@ final class Ring implements Curve {
     private final double radius;
 
     Ring(double x, double y, double radius) {
-        Joint.point(x, y);
+        Joint.point("", x, y);
         this.x = x;
         this.y = y;
         this.radius = Check.positive("radius", radius);

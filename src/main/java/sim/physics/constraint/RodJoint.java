@@ -38,7 +38,7 @@ public final class RodJoint extends Joint implements Link {
      * @throws IllegalArgumentException if both points are the same: use a {@link PinJoint} for that
      */
     public RodJoint(Body a, double worldAX, double worldAY, Body b, double worldBX, double worldBY) {
-        this(Anchor.at(a, worldAX, worldAY), Anchor.at(b, worldBX, worldBY), distance(worldAX - worldBX, worldAY - worldBY));
+        this(Anchor.at(a, "a", worldAX, worldAY), Anchor.at(b, "b", worldBX, worldBY), distance(worldAX - worldBX, worldAY - worldBY));
     }
 
     /**
@@ -53,7 +53,7 @@ public final class RodJoint extends Joint implements Link {
      * @param length length of the rod
      */
     public RodJoint(Body a, double ax, double ay, Body b, double bx, double by, double length) {
-        this(Anchor.local(a, ax, ay), Anchor.local(b, bx, by), Check.positive("length", length));
+        this(Anchor.local(a, "a", ax, ay), Anchor.local(b, "b", bx, by), Check.positive("length", length));
     }
 
     private RodJoint(Anchor first, Anchor second, double length) {
@@ -96,8 +96,8 @@ public final class RodJoint extends Joint implements Link {
      * @throws IllegalArgumentException if both points are in one place: use a {@link PinJoint} for that
      */
     public static RodJoint bodyPoints(Body a, double ax, double ay, Body b, double bx, double by) {
-        Anchor first = Anchor.local(a, ax, ay);
-        Anchor second = Anchor.local(b, bx, by);
+        Anchor first = Anchor.local(a, "a", ax, ay);
+        Anchor second = Anchor.local(b, "b", bx, by);
         first.evaluate();
         second.evaluate();
         return new RodJoint(first, second, distance(first.x - second.x, first.y - second.y));

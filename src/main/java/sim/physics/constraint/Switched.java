@@ -161,6 +161,7 @@ abstract class Switched implements Constraint {
     @Override
     public void evaluate(Equations equations) {
         coordinate.evaluate(equations);
+        equations.check(coordinate, 1); // before what does not act is set to 0
         value = equations.c[0];
         curvature = equations.rate[0];
         System.arraycopy(equations.jA, 0, row, 0, 3);

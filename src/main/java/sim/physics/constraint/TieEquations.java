@@ -265,6 +265,7 @@ final class TieEquations implements Serializable {
             }
             one.clear(rows[k]);
             (ties[k] instanceof Switched s ? s.coordinate() : ties[k]).evaluate(one);
+            one.check(ties[k], rows[k]);
             for (int r = 0; r < rows[k]; r++) {
                 c[ROWS * k + r] = kinds[k] == Kind.JOINT ? limited(k, r, one.c[r]) : one.c[r];
                 bend[ROWS * k + r] = one.rate[r] == 0 ? 0 : traced(k, h) * limited(k, r, 0.5 * h * h * one.rate[r]) / h;

@@ -52,7 +52,7 @@ public final class Wheel extends Joint {
      */
     public Wheel(Body body, double x, double y, double steering) {
         super(body, null);
-        anchor = Anchor.local(body, x, y);
+        anchor = Anchor.local(body, "", x, y);
         steer(Check.finite("steering", steering));
     }
 

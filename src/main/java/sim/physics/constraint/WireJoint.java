@@ -43,7 +43,7 @@ public final class WireJoint extends Joint {
      */
     public WireJoint(Body bead, double ax, double ay, Curve wire) {
         super(bead, null);
-        this.bead = Anchor.local(bead, ax, ay);
+        this.bead = Anchor.local(bead, "a", ax, ay);
         this.wire = Objects.requireNonNull(wire, "wire");
     }
 

@@ -4,6 +4,12 @@ package sim.physics.internal;
 
 /** Checks of arguments. The messages name the argument, its value and the rule. */
 public final class Check {
+    /** Directions shorter or longer than this have squares that are no numbers. */
+    private static final double SHORT = 1e-140;
+
+    private static final double LONG = 1e150;
+    private static final double FACTOR = 0x1p600;
+
     private Check() {}
 
     /**
@@ -46,6 +52,23 @@ public final class Check {
             throw new IllegalArgumentException(name + " is " + value + ": it must be a finite number, not negative");
         }
         return value;
+    }
+
+    /**
+     * Requires a direction, of any length but 0.
+     *
+     * @param nameX of its x component
+     * @param x of the direction
+     * @param nameY of its y component
+     * @param y of the direction
+     * @return by what to multiply both, a power of two, so that the length can be computed; 1 for all but extreme ones
+     */
+    public static double direction(String nameX, double x, String nameY, double y) {
+        double most = Math.max(Math.abs(finite(nameX, x)), Math.abs(finite(nameY, y)));
+        if (most == 0) {
+            throw new IllegalArgumentException("direction is (" + x + ", " + y + "): it must not be zero");
+        }
+        return most < SHORT ? FACTOR : most > LONG ? 1 / FACTOR : 1;
     }
 
     /**

@@ -76,6 +76,8 @@ public final class Picture {
      * @return the image
      */
     public BufferedImage draw(PhysicsEngine engine, EnginePortrayal2D... layers) {
+        Objects.requireNonNull(engine, "engine");
+        Objects.requireNonNull(layers, "layers");
         int pixelsX = (int) Math.ceil(width * scale);
         int pixelsY = (int) Math.ceil(height * scale);
         BufferedImage image = new BufferedImage(pixelsX, pixelsY, BufferedImage.TYPE_INT_RGB);
@@ -122,6 +124,7 @@ public final class Picture {
      * @throws IOException if the file cannot be written
      */
     public void write(PhysicsEngine engine, File file, EnginePortrayal2D... layers) throws IOException {
+        Objects.requireNonNull(file, "file");
         if (!ImageIO.write(draw(engine, layers), "png", file)) {
             throw new IOException("no writer for PNG files is at hand to write " + file);
         }

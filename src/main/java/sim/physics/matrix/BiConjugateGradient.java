@@ -4,6 +4,7 @@ package sim.physics.matrix;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * The biconjugate gradient method for M x = b, which is the solver of the write-up's chapter <i>Matrix Optimization</i> and its
@@ -332,7 +333,9 @@ public final class BiConjugateGradient implements Serializable {
     }
 
     private static void check(Matrix m, double[] b, double[] x, DiagonalMatrix inverse) {
-        int size = m.rows();
+        int size = Objects.requireNonNull(m, "m").rows();
+        Objects.requireNonNull(b, "b");
+        Objects.requireNonNull(x, "x");
         if (m.columns() != size) {
             throw new IllegalArgumentException("matrix is " + size + " x " + m.columns() + ": it must be square");
         }

@@ -3,6 +3,7 @@
 package sim.physics.matrix;
 
 import java.util.Arrays;
+import java.util.Objects;
 
 /** A small matrix with all its values, row by row: the block of the sparse forms. */
 public final class DenseMatrix implements Matrix {
@@ -29,6 +30,7 @@ public final class DenseMatrix implements Matrix {
         if (size > Integer.MAX_VALUE) {
             throw new IllegalArgumentException("matrix is " + rows + " x " + columns + ": it is too large to be dense");
         }
+        Objects.requireNonNull(values, "values");
         if (values.length != 0 && values.length != size) {
             throw new IllegalArgumentException(
                     values.length + " values were given: a " + rows + " x " + columns + " matrix has " + size);

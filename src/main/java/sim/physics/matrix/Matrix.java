@@ -3,6 +3,7 @@
 package sim.physics.matrix;
 
 import java.io.Serializable;
+import java.util.Objects;
 
 /**
  * A matrix as an iterative solver sees it: all that it can do is multiply itself, or its transpose, by a vector. So the
@@ -79,6 +80,8 @@ public interface Matrix extends Serializable {
      * @throws IllegalArgumentException if an array is too short or both are the same
      */
     static void check(double[] x, int needed, double[] y, int made) {
+        Objects.requireNonNull(x, "x");
+        Objects.requireNonNull(y, "y");
         if (x.length < needed) {
             throw new IllegalArgumentException("x has " + x.length + " values: the product needs " + needed);
         }

@@ -568,7 +568,8 @@ public class Body implements Serializable {
 
     /**
      * Applies a force at the centre of mass during the next step. If a listener calls this within a step, the force acts for the
-     * rest of that step. Forces add up, and end with the step.
+     * rest of that step. Forces add up, and end with the step. Those on a body that is in no engine, with torques, wait for its
+     * first step in one: what was applied while it was out of an engine for long acts at once then.
      *
      * @param fx x component of the force
      * @param fy y component of the force
@@ -704,6 +705,23 @@ public class Body implements Serializable {
      * @return number, from 0
      */
     public final int index() {
+        return index;
+    }
+
+    /** The state of its own that it has before it comes into another one. */
+    final State leaves(State to) {
+        if (!state.isOwn() || to.isOwn() && to != state) {
+            throw new IllegalStateException("body is " + this + ": it cannot come into "
+                    + (to.isOwn() ? "the state of another body alone" : to == state ? "this state, as it is in it already" : "this state from another one"));
+        }
+        return state;
+    }
+
+    /** The number of its block, if that is of a state. */
+    final int indexIn(State of) {
+        if (state != of || of.isOwn()) {
+            throw new IllegalStateException("body is " + this + ": it is not in this state");
+        }
         return index;
     }
 

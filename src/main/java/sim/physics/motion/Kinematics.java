@@ -46,7 +46,11 @@ final class Kinematics implements Serializable {
 
     /** Sets the forces for a step. */
     void push(State state, double gravityX, double gravityY, double h) {
-        bodies.removeIf(body -> body.state() != state);
+        for (int k = bodies.size() - 1; k >= 0; k--) {
+            if (bodies.get(k).state() != state) {
+                bodies.remove(k); // it has left
+            }
+        }
         if (!bodies.isEmpty() && (count != state.bodyCount() || writes != state.writes())) {
             weigh(state);
         }

@@ -194,18 +194,19 @@ public final class State implements Serializable {
     }
 
     /**
-     * Takes a block for a body and copies the body's values into it.
+     * Takes a block for a body and copies the body's values into it. To put a body into an engine, call the engine's {@code add}.
      *
      * @param body a body that has a state of its own
      * @return the index of its block
+     * @throws IllegalStateException if the body is in a state already, or this state is that of another body alone
      */
     public int add(Body body) {
+        State old = body.leaves(this);
         settle(true); // while the bodies are those of the last step
         int index = freeCount > 0 ? free[--freeCount] : size++;
         if (index >= bodies.length) {
             grow(Math.max(8, Growth.length(index, index + 1)));
         }
-        State old = body.state();
         int from = BLOCK * body.index();
         System.arraycopy(old.x, from, x, BLOCK * index, BLOCK);
         System.arraycopy(old.v, from, v, BLOCK * index, BLOCK);
@@ -277,12 +278,13 @@ public final class State implements Serializable {
     }
 
     /**
-     * Gives a body a state of its own again and empties its block.
+     * Gives a body a state of its own again and empties its block. To take a body out of an engine, call the engine's {@code remove}.
      *
      * @param body a body of this state
+     * @throws IllegalStateException if the body is not in this state
      */
     public void remove(Body body) {
-        int index = body.index();
+        int index = body.indexIn(this);
         State own = own();
         own.grouped = grouped;
         own.size = 1;
@@ -462,11 +464,7 @@ public final class State implements Serializable {
         touched.placeAll();
     }
 
-    /**
-     * Notes that a step begins or ends, within which positions change without notice.
-     *
-     * @param unsettled true at its start
-     */
+    /** Notes that a step begins, or ends, within which positions change without notice. */
     void setUnsettled(boolean unsettled) {
         this.unsettled = unsettled;
         placedAll();

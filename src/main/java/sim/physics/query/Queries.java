@@ -3,7 +3,6 @@
 package sim.physics.query;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Predicate;
@@ -27,12 +26,10 @@ import sim.physics.shape.Shape;
  * itself.
  */
 public final class Queries {
-    private static final Comparator<Hit> NEARER =
-            Comparator.comparingDouble(Hit::distance).thenComparingInt(hit -> hit.body().index());
-
     private final State state;
     final Cells cells;
     private final RayWalk ray;
+    private final SweepWalk sweep;
     private final Surroundings surroundings;
     private final Outline outline = new Outline();
     private final Stencil stencil = new Stencil();
@@ -62,12 +59,18 @@ public final class Queries {
         Census census = new Census(state);
         cells = new Cells(census, few, laying);
         ray = new RayWalk(census, cells);
+        sweep = new SweepWalk(census, cells);
         surroundings = new Surroundings(census, cells);
     }
 
-    private Queries inner() {
-        inner = inner == null ? new Queries(state) : inner;
-        return inner;
+    /** What answers the next question; busy from now on. */
+    private Queries begin() {
+        if (busy) {
+            inner = inner == null ? new Queries(state) : inner;
+            return inner.begin();
+        }
+        busy = true;
+        return this;
     }
 
     /**
@@ -84,12 +87,7 @@ public final class Queries {
      */
     public Hit rayCast(
             double x, double y, double directionX, double directionY, double range, Predicate<? super Body> filter) {
-        RayWalk answer = cast(x, y, directionX, directionY, range, filter, null);
-        if (answer.body == null) {
-            return null;
-        }
-        double d = answer.distance;
-        return new Hit(answer.body, answer.hitX(), answer.hitY(), answer.nx, answer.ny, d);
+        return cast(x, y, directionX, directionY, range, filter, null).hit();
     }
 
     /**
@@ -106,43 +104,21 @@ public final class Queries {
      * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
      */
     public boolean rayCast(
-            double x,
-            double y,
-            double directionX,
-            double directionY,
-            double range,
-            Predicate<? super Body> filter,
-            RayHit into) {
+            double x, double y, double directionX, double directionY, double range, Predicate<? super Body> filter, RayHit into) {
         Objects.requireNonNull(into, "into");
-        RayWalk answer = cast(x, y, directionX, directionY, range, filter, null);
-        if (answer.body == null) {
-            into.set(null, 0, 0, 0, 0, range);
-            return false;
-        }
-        into.set(answer.body, answer.hitX(), answer.hitY(), answer.nx, answer.ny, answer.distance);
-        return true;
+        return cast(x, y, directionX, directionY, range, filter, null).into(into);
     }
 
     /** The walk that has cast a ray; its answer holds until the next question. */
     private RayWalk cast(
-            double x,
-            double y,
-            double directionX,
-            double directionY,
-            double range,
-            Predicate<? super Body> filter,
-            List<Hit> all) {
-        if (busy) {
-            return inner().cast(x, y, directionX, directionY, range, filter, all);
-        }
-        double length = checkRay(x, y, directionX, directionY, range);
-        busy = true;
+            double x, double y, double directionX, double directionY, double range, Predicate<? super Body> filter, List<Hit> all) {
+        Queries free = begin();
         try {
-            ray.cast(x, y, directionX / length, directionY / length, range, filter, all);
+            free.ray.cast(x, y, directionX, directionY, range, filter, all);
         } finally {
-            busy = false;
+            free.busy = false;
         }
-        return ray;
+        return free.ray;
     }
 
     /**
@@ -161,23 +137,112 @@ public final class Queries {
             double x, double y, double directionX, double directionY, double range, Predicate<? super Body> filter) {
         List<Hit> hits = new ArrayList<>();
         cast(x, y, directionX, directionY, range, filter, hits);
-        hits.sort(NEARER);
+        hits.sort(Walk.NEARER);
         return hits;
     }
 
-    private static double checkRay(double x, double y, double directionX, double directionY, double range) {
-        Check.finite("x", x);
-        Check.finite("y", y);
-        Check.finite("directionX", directionX);
-        Check.finite("directionY", directionY);
-        if (!(range >= 0)) {
-            throw new IllegalArgumentException("range is " + range + ": it must not be negative");
+    /**
+     * Returns the first body that a shape meets which moves straight on from where it is put, without turning: how far there is
+     * room for it.
+     *
+     * <p>A shape that overlaps a body where it is put meets it at distance 0. What it only touches there, to rounding, it meets if
+     * it moves into it: what lies on a floor may move along it.
+     *
+     * @param shape any shape
+     * @param x x of its centre at the start
+     * @param y y of its centre at the start
+     * @param angle angle of the shape, rad
+     * @param directionX x of the direction, of any length
+     * @param directionY y of the direction
+     * @param range how far it moves, length, may be infinite
+     * @param filter says which bodies count; null for all
+     * @return the hit, or null if there is none
+     * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
+     */
+    public Hit shapeCast(
+            Shape shape, double x, double y, double angle,
+            double directionX, double directionY, double range, Predicate<? super Body> filter) {
+        return cast(shape, x, y, angle, directionX, directionY, range, filter, null).hit();
+    }
+
+    /**
+     * Returns the first body that a body would meet if it moved straight on from where it is, without turning. The body need not be
+     * in the engine, nor collide with anything. The rest is as for {@linkplain #shapeCast(Shape, double, double, double, double,
+     * double, double, Predicate) a shape}.
+     *
+     * @param body any body; it does not meet itself
+     * @param directionX x of the direction, of any length
+     * @param directionY y of the direction
+     * @param range how far it moves, length, may be infinite
+     * @param filter says which bodies count; null for all
+     * @return the hit, or null if there is none
+     * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
+     */
+    public Hit shapeCast(Body body, double directionX, double directionY, double range, Predicate<? super Body> filter) {
+        Objects.requireNonNull(body, "body");
+        Predicate<Body> others = other -> other != body && (filter == null || filter.test(other));
+        return shapeCast(body.getShape(), body.getX(), body.getY(), body.getAngle(), directionX, directionY, range, others);
+    }
+
+    /**
+     * Finds the first body that a shape meets which moves straight on, without garbage. The rest is as for
+     * {@linkplain #shapeCast(Shape, double, double, double, double, double, double, Predicate) the one that is returned}.
+     *
+     * @param shape any shape
+     * @param x x of its centre at the start
+     * @param y y of its centre at the start
+     * @param angle angle of the shape, rad
+     * @param directionX x of the direction, of any length
+     * @param directionY y of the direction
+     * @param range how far it moves, length, may be infinite
+     * @param filter says which bodies count; null for all
+     * @param into the object that takes the answer
+     * @return true if there is such a body, false if there is none
+     * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
+     */
+    public boolean shapeCast(
+            Shape shape, double x, double y, double angle,
+            double directionX, double directionY, double range, Predicate<? super Body> filter, RayHit into) {
+        Objects.requireNonNull(into, "into");
+        return cast(shape, x, y, angle, directionX, directionY, range, filter, null).into(into);
+    }
+
+    /** The walk that has cast a shape; its answer holds until the next question. */
+    private SweepWalk cast(
+            Shape shape, double x, double y, double angle,
+            double directionX, double directionY, double range, Predicate<? super Body> filter, List<Hit> all) {
+        Objects.requireNonNull(shape, "shape");
+        Check.finite("angle", angle);
+        Queries free = begin();
+        try {
+            free.sweep.cast(shape, x, y, angle, directionX, directionY, range, filter, all);
+        } finally {
+            free.busy = false;
         }
-        double length = Math.sqrt(directionX * directionX + directionY * directionY);
-        if (!(length > 0)) {
-            throw new IllegalArgumentException("direction is (" + directionX + ", " + directionY + "): it must not be zero");
-        }
-        return length;
+        return free.sweep;
+    }
+
+    /**
+     * Returns all bodies that a shape meets which moves straight on from where it is put, each as if it were alone.
+     *
+     * @param shape any shape
+     * @param x x of its centre at the start
+     * @param y y of its centre at the start
+     * @param angle angle of the shape, rad
+     * @param directionX x of the direction, of any length
+     * @param directionY y of the direction
+     * @param range how far it moves, length, may be infinite
+     * @param filter says which bodies count; null for all
+     * @return a list of hits, nearest first
+     * @throws IllegalArgumentException if a number is not finite, the direction is zero, or the range negative
+     */
+    public List<Hit> shapeCastAll(
+            Shape shape, double x, double y, double angle,
+            double directionX, double directionY, double range, Predicate<? super Body> filter) {
+        List<Hit> hits = new ArrayList<>();
+        cast(shape, x, y, angle, directionX, directionY, range, filter, hits);
+        hits.sort(Walk.NEARER);
+        return hits;
     }
 
     /**
@@ -194,8 +259,9 @@ public final class Queries {
      */
     public void fan(
             double x, double y, double from, double to, double range, Predicate<? super Body> filter, double[] distances) {
-        Check.finite("from", from);
-        Check.finite("to", to);
+        Check.finite("x", x);
+        Check.finite("y", y);
+        Check.finite("to - from", Check.finite("to", to) - Check.finite("from", from));
         Objects.requireNonNull(distances, "distances");
         double step = distances.length < 2 ? 0 : (to - from) / (distances.length - 1);
         for (int k = 0; k < distances.length; k++) {
@@ -250,15 +316,11 @@ public final class Queries {
         Check.finite("y", y);
         Check.notNegative("distance", distance);
         Objects.requireNonNull(into, "into");
-        if (busy) {
-            inner().within(x, y, distance, filter, into);
-            return;
-        }
-        busy = true;
+        Queries free = begin();
         try {
-            surroundings.within(x, y, distance, filter, into);
+            free.surroundings.within(x, y, distance, filter, into);
         } finally {
-            busy = false;
+            free.busy = false;
         }
     }
 
@@ -295,15 +357,11 @@ public final class Queries {
             throw new IllegalArgumentException("count is " + count + ": it must not be negative");
         }
         Objects.requireNonNull(into, "into");
-        if (busy) {
-            inner().nearest(x, y, count, filter, into);
-            return;
-        }
-        busy = true;
+        Queries free = begin();
         try {
-            surroundings.nearest(x, y, count, filter, into);
+            free.surroundings.nearest(x, y, count, filter, into);
         } finally {
-            busy = false;
+            free.busy = false;
         }
     }
 
@@ -337,27 +395,13 @@ public final class Queries {
      */
     public void inBox(
             double lowX, double lowY, double highX, double highY, Predicate<? super Body> filter, List<? super Body> into) {
-        Check.finite("lowX", lowX);
-        Check.finite("lowY", lowY);
-        checkSides("X", lowX, Check.finite("highX", highX));
-        checkSides("Y", lowY, Check.finite("highY", highY));
+        Surroundings.check(lowX, lowY, highX, highY);
         Objects.requireNonNull(into, "into");
-        if (busy) {
-            inner().inBox(lowX, lowY, highX, highY, filter, into);
-            return;
-        }
-        busy = true;
+        Queries free = begin();
         try {
-            surroundings.inBox(lowX, lowY, highX, highY, filter, into);
+            free.surroundings.inBox(lowX, lowY, highX, highY, filter, into);
         } finally {
-            busy = false;
-        }
-    }
-
-    private static void checkSides(String axis, double low, double high) {
-        if (high < low) {
-            throw new IllegalArgumentException(
-                    "high" + axis + " is " + high + ": it must not be less than low" + axis + ", " + low);
+            free.busy = false;
         }
     }
 
@@ -411,16 +455,12 @@ public final class Queries {
         Check.finite("y", y);
         Check.finite("angle", angle);
         Objects.requireNonNull(into, "into");
-        if (busy) {
-            inner().overlapping(shape, x, y, angle, filter, into);
-            return;
-        }
-        busy = true;
+        Queries free = begin();
         try {
-            stencil.put(shape, x, y, angle);
-            surroundings.overlapping(stencil, filter, into);
+            free.stencil.put(shape, x, y, angle);
+            free.surroundings.overlapping(free.stencil, filter, into);
         } finally {
-            busy = false;
+            free.busy = false;
         }
     }
 
@@ -442,27 +482,17 @@ public final class Queries {
         Check.finite("direction", direction);
         Check.between("halfAngle", halfAngle, 0, Math.PI);
         Check.notNegative("range", range);
-        double cos = Trig.cos(direction);
-        double sin = Trig.sin(direction);
-        double edge = Trig.cos(halfAngle);
-        List<Body> found = new ArrayList<>();
         List<Body> near = within(x, y, range, filter);
+        List<Body> found = new ArrayList<>();
         cells.announce(near.size());
+        Sight sight = new Sight(x, y, direction, halfAngle, range);
         for (Body body : near) {
-            double dx = body.getX() - x;
-            double dy = body.getY() - y;
-            double far = Math.sqrt(dx * dx + dy * dy);
-            boolean inField = far <= range && dx * cos + dy * sin >= edge * far;
-            if (inField && (far == 0 || cast(x, y, dx, dy, far, filter, null).body == body)) {
+            if (sight.holds(body) && (sight.far == 0 || cast(x, y, sight.dx, sight.dy, sight.far, filter, null).body == body)) {
                 found.add(body);
             }
         }
         cells.announce(0);
-        found.sort(Comparator.comparingDouble(b -> square(b, x, y)));
+        found.sort(sight);
         return found;
-    }
-
-    private static double square(Body b, double x, double y) {
-        return (b.getX() - x) * (b.getX() - x) + (b.getY() - y) * (b.getY() - y);
     }
 }

@@ -6,8 +6,8 @@ import java.io.Serializable;
 import sim.physics.motion.Body;
 
 /**
- * The place where a ray entered a body. It may be used again for the next ray, so that many rays leave no garbage. If an agent
- * holds one, it may be saved together with the agent.
+ * The place where a ray entered a body, or where a shape that moved met it, as in a {@link Hit}. It may be used again for the next
+ * ray or shape, so that many leave no garbage. If an agent holds one, it may be saved together with the agent.
  */
 public final class RayHit implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -21,7 +21,7 @@ public final class RayHit implements Serializable {
 
     /** Creates an object that holds no answer yet. */
     public RayHit() {
-        // a ray fills it
+        // a ray or a shape fills it
     }
 
     void set(Body ofBody, double atX, double atY, double normalX, double normalY, double atDistance) {
@@ -34,16 +34,16 @@ public final class RayHit implements Serializable {
     }
 
     /**
-     * Returns the body that the ray entered.
+     * Returns the body that the ray entered, or the shape met.
      *
-     * @return the body; null if the ray entered none: the other values are then 0, and the distance is the range
+     * @return the body; null if there was none: the other values are then 0, and the distance is the range
      */
     public Body body() {
         return body;
     }
 
     /**
-     * Returns the x coordinate of the point on the body's surface, or of the start of the ray if that is inside.
+     * Returns the x coordinate of the point on the body's surface, or of the start if that is inside.
      *
      * @return x
      */
@@ -52,7 +52,7 @@ public final class RayHit implements Serializable {
     }
 
     /**
-     * Returns the y coordinate of the point on the body's surface, or of the start of the ray if that is inside.
+     * Returns the y coordinate of the point on the body's surface, or of the start if that is inside.
      *
      * @return y
      */
@@ -61,8 +61,8 @@ public final class RayHit implements Serializable {
     }
 
     /**
-     * Returns the x component of the unit normal of the surface, which points out of the body, or against the ray if that starts
-     * inside.
+     * Returns the x component of the unit normal of the surface, which points out of the body, or against the direction if the
+     * start is inside.
      *
      * @return x component
      */
@@ -71,8 +71,8 @@ public final class RayHit implements Serializable {
     }
 
     /**
-     * Returns the y component of the unit normal of the surface, which points out of the body, or against the ray if that starts
-     * inside.
+     * Returns the y component of the unit normal of the surface, which points out of the body, or against the direction if the
+     * start is inside.
      *
      * @return y component
      */
@@ -81,9 +81,9 @@ public final class RayHit implements Serializable {
     }
 
     /**
-     * Returns the distance from the start of the ray. It is 0 if that is inside.
+     * Returns the distance from the start of the ray, or how far the shape moved. It is 0 if the start is inside.
      *
-     * @return length; the range of the ray if it entered no body
+     * @return length; the range if there was no body
      */
     public double distance() {
         return distance;

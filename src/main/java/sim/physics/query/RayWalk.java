@@ -12,41 +12,17 @@ import sim.physics.motion.State;
  * bodies. Both ways look at a body by the same arithmetic, and of bodies at the same distance the one with the lower block
  * is the first, so that their answers are equal to the bit.
  */
-final class RayWalk {
+final class RayWalk extends Walk {
     /** Slopes below this never come to the next row or column. */
     private static final double FLAT = 1e-200;
 
-    /** Makes up for rounding where a look at the circle only spares work. */
-    private static final double SLACK = 1 + 1e-12;
-
-    private final Census census;
-    private final Cells cells;
     private final Outline outline = new Outline();
 
-    private double x;
-    private double y;
-    private double dx;
-    private double dy;
-    private Predicate<? super Body> filter;
-
-    /** Takes all that the ray enters; null if only the first counts. */
-    private List<Hit> all;
-
-    /** What the ray entered first, or null; how far on, or the range; and the normal there. */
-    Body body;
-
-    double distance;
-    double nx;
-    double ny;
-
-    private int block;
-
     RayWalk(Census census, Cells cells) {
-        this.census = census;
-        this.cells = cells;
+        super(census, cells);
     }
 
-    /** Casts a ray of unit direction. */
+    /** Casts a ray. */
     void cast(
             double fromX,
             double fromY,
@@ -55,30 +31,13 @@ final class RayWalk {
             double range,
             Predicate<? super Body> which,
             List<Hit> takesAll) {
-        x = fromX;
-        y = fromY;
-        dx = directionX;
-        dy = directionY;
-        filter = which;
-        all = takesAll;
-        body = null;
-        block = -1;
-        distance = range;
+        begin(fromX, fromY, directionX, directionY, range, which, takesAll);
         if (cells.serve() && cells.covers(x, y)) {
             walk();
         } else {
             pass();
         }
-        filter = null;
-        all = null;
-    }
-
-    double hitX() {
-        return x + distance * dx;
-    }
-
-    double hitY() {
-        return y + distance * dy;
+        end();
     }
 
     /** Looks at all bodies. */
@@ -170,14 +129,6 @@ final class RayWalk {
             return;
         }
         double d = outline.distance;
-        if (all != null) {
-            all.add(new Hit(candidate, x + d * dx, y + d * dy, outline.nx, outline.ny, d));
-        } else if (body == null || d < distance || d == distance && i < block) {
-            body = candidate;
-            block = i;
-            distance = d;
-            nx = outline.nx;
-            ny = outline.ny;
-        }
+        take(candidate, i, d, outline.nx, outline.ny, x + d * dx, y + d * dy);
     }
 }

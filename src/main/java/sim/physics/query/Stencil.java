@@ -18,62 +18,6 @@ final class Stencil {
 
     private final Corners other = new Corners();
 
-    /** The corners of a convex polygon, or the centre of a disc. */
-    private static final class Corners {
-        private double[] x = new double[8];
-        private double[] y = new double[8];
-        private int count;
-        private double radius;
-
-        void put(Shape part, double cx, double cy, double cos, double sin) {
-            count = part.vertexCount();
-            radius = part.radius();
-            if (x.length < count) {
-                x = new double[count];
-                y = new double[count];
-            }
-            for (int k = 0; k < count; k++) {
-                x[k] = cx + (cos * part.vertexX(k) - sin * part.vertexY(k));
-                y[k] = cy + (sin * part.vertexX(k) + cos * part.vertexY(k));
-            }
-        }
-
-        private int next(int k) {
-            return k + 1 < count ? k + 1 : 0;
-        }
-
-        /** Whether the line of an edge has all of a polygon beyond it, and no corner on it. */
-        boolean parts(Corners from) {
-            for (int k = 0; k < count; k++) {
-                double ex = x[next(k)] - x[k];
-                double ey = y[next(k)] - y[k];
-                double least = Double.POSITIVE_INFINITY;
-                for (int m = 0; m < from.count; m++) {
-                    least = Math.min(least, (from.x[m] - x[k]) * ey - (from.y[m] - y[k]) * ex);
-                }
-                if (least > 0) {
-                    return true;
-                }
-            }
-            return false;
-        }
-
-        /** Square of the distance of a point from a polygon, 0 inside. */
-        double square(double px, double py) {
-            double least = Double.POSITIVE_INFINITY;
-            boolean isInside = true;
-            for (int k = 0; k < count; k++) {
-                double ex = x[next(k)] - x[k];
-                double ey = y[next(k)] - y[k];
-                double qx = px - x[k];
-                double qy = py - y[k];
-                isInside &= qx * ey - qy * ex <= 0;
-                least = Math.min(least, Outline.squareToEdge(qx, qy, ex, ey));
-            }
-            return isInside ? 0 : least;
-        }
-    }
-
     /** Puts a shape somewhere. */
     void put(Shape what, double atX, double atY, double angle) {
         shape = what;

@@ -5,6 +5,7 @@ package sim.physics.query;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Predicate;
+import sim.physics.internal.Check;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -37,6 +38,21 @@ final class Surroundings {
     Surroundings(Census census, Cells cells) {
         this.census = census;
         this.cells = cells;
+    }
+
+    /** Checks the sides of a box. */
+    static void check(double lowX, double lowY, double highX, double highY) {
+        Check.finite("lowX", lowX);
+        Check.finite("lowY", lowY);
+        checkSides("X", lowX, Check.finite("highX", highX));
+        checkSides("Y", lowY, Check.finite("highY", highY));
+    }
+
+    private static void checkSides(String axis, double low, double high) {
+        if (high < low) {
+            throw new IllegalArgumentException(
+                    "high" + axis + " is " + high + ": it must not be less than low" + axis + ", " + low);
+        }
     }
 
     /** The bodies that are not farther from a point than a distance. */

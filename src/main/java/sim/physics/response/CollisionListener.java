@@ -35,7 +35,7 @@ public interface CollisionListener extends Serializable {
      * Called when two bodies are about to collide. Their velocities are those before the collision.
      *
      * @param contact place and time of the collision
-     * @return what to do; the first listener that returns something other than {@link Decision#BOUNCE} decides
+     * @return what to do, not null; the first listener that returns something other than {@link Decision#BOUNCE} decides
      */
     default Decision colliding(Contact contact) {
         return Decision.BOUNCE;

@@ -133,6 +133,9 @@ final class Listeners implements Serializable {
         List<CollisionListener> those = use();
         for (int k = 0; k < those.size(); k++) {
             CollisionListener.Decision decision = those.get(k).colliding(contact);
+            if (decision == null) {
+                throw new NullPointerException("decision is null: listener " + those.get(k) + " must say what to do about " + contact);
+            }
             if (decision == CollisionListener.Decision.IGNORE || decision == CollisionListener.Decision.STICK) {
                 return decision;
             }

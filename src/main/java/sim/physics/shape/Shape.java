@@ -5,6 +5,7 @@ package sim.physics.shape;
 import java.io.Serializable;
 import java.util.Arrays;
 import java.util.Objects;
+import sim.physics.internal.Check;
 
 /**
  * The shape of a body: all points within a radius of a convex polygon, which is called the core. The core of a circle is a point,
@@ -59,6 +60,7 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
      *
      * @param part number of the part, from 0
      * @return the part, in the coordinates of the whole shape; the shape itself if it is convex
+     * @throws IndexOutOfBoundsException if there is no such part
      */
     public Shape part(int part) {
         Objects.checkIndex(part, 1);
@@ -84,6 +86,7 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
      *
      * @param vertex number of the vertex, from 0
      * @return x, length
+     * @throws IndexOutOfBoundsException if there is no such vertex
      */
     public final double vertexX(int vertex) {
         return vertices[2 * vertex];
@@ -94,6 +97,7 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
      *
      * @param vertex number of the vertex, from 0
      * @return y, length
+     * @throws IndexOutOfBoundsException if there is no such vertex
      */
     public final double vertexY(int vertex) {
         return vertices[2 * vertex + 1];
@@ -159,8 +163,11 @@ public abstract sealed class Shape implements Serializable permits Circle, Recta
      * @param x x of the point, in local coordinates
      * @param y y of the point, in local coordinates
      * @return true if the point is in the shape or on its border
+     * @throws IllegalArgumentException if a number is not finite
      */
     public final boolean contains(double x, double y) {
+        Check.finite("x", x);
+        Check.finite("y", y);
         int count = partCount();
         if (count > 1) {
             boolean is = false;

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.Scenes;
+import sim.physics.constraint.Curve;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
@@ -238,6 +239,33 @@ class RailTest {
             copy.step();
         }
         assertThat(Scenes.hash(copy)).isEqualTo(Scenes.hash(engine));
+    }
+
+    /** Directions are of any length, also where their squares are no numbers: a power of two changes no bit. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0x1p-1060, 0x1p-700, 0x1p10, 0x1p700, 0x1p1020})
+    void directionsOfAnyLength(double factor) {
+        Body load = new Body(new Rectangle(1, 1)).at(3, 5, 0.3);
+        assertThat(slide(new SliderJoint(load, null, 3.2, 5.1, 3 * factor, 4 * factor)))
+                .isEqualTo(slide(new SliderJoint(new Body(new Rectangle(1, 1)).at(3, 5, 0.3), null, 3.2, 5.1, 3, 4)));
+        double[] one = new double[6];
+        double[] other = new double[6];
+        Curve.line(1, 2, 3 * factor, 4 * factor).evaluate(7, 3, one);
+        Curve.line(1, 2, 3, 4).evaluate(7, 3, other);
+        assertThat(one).isEqualTo(other);
+    }
+
+    private static double slide(SliderJoint rail) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.125);
+        engine.add(new Gravity(0, -1));
+        engine.add(rail.getBodyA());
+        engine.add(rail);
+        for (int k = 0; k < 8; k++) {
+            engine.step();
+        }
+        assertThat(rail.getTravel()).isCloseTo(-0.4, within(1e-12)); // half of the part of gravity along 3, 4
+        return rail.getTravel();
     }
 
     @Test

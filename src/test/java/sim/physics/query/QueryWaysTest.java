@@ -152,6 +152,31 @@ class QueryWaysTest {
         return hits;
     }
 
+    private int compareSweeps(int count) {
+        int hits = 0;
+        for (int k = 0; k < count; k++) {
+            double x = start(true);
+            double y = start(false);
+            double dx = slope();
+            double dy = Math.abs(dx) < 1e-200 ? random.nextDouble(0.1, 1) : slope();
+            double angle = k % 4 == 0 ? 0 : random.nextDouble(-4, 4);
+            Shape like = k % 9 == 0 ? new Rectangle(random.nextDouble(1, 90), 0.1) : any().getShape();
+            double range = range();
+            Hit hit = all.shapeCast(like, x, y, angle, dx, dy, range, null);
+            assertThat(cells.shapeCast(like, x, y, angle, dx, dy, range, null)).isEqualTo(hit);
+            assertThat(usual.shapeCast(like, x, y, angle, dx, dy, range, null)).isEqualTo(hit);
+            assertThat(cells.shapeCast(like, x, y, angle, dx, dy, range, b -> b.index() % 3 == 0))
+                    .isEqualTo(all.shapeCast(like, x, y, angle, dx, dy, range, b -> b.index() % 3 == 0));
+            List<Hit> every = all.shapeCastAll(like, x, y, angle, dx, dy, range, null);
+            assertThat(cells.shapeCastAll(like, x, y, angle, dx, dy, range, null)).isEqualTo(every);
+            assertThat(hit).isEqualTo(every.isEmpty() ? null : every.get(0));
+            Body body = any();
+            assertThat(cells.shapeCast(body, dx, dy, range, null)).isEqualTo(all.shapeCast(body, dx, dy, range, null));
+            hits += every.size();
+        }
+        return hits;
+    }
+
     private int comparePlaces(int count) {
         int found = 0;
         for (int k = 0; k < count; k++) {
@@ -181,6 +206,7 @@ class QueryWaysTest {
         scatter(scene, 196);
         assertThat(compareRays(3000)).isGreaterThan(1000);
         assertThat(comparePlaces(500)).isGreaterThan(100);
+        assertThat(compareSweeps(1000)).isGreaterThan(1000);
     }
 
     @ParameterizedTest
@@ -189,6 +215,7 @@ class QueryWaysTest {
         scatter(Scene.CROWD, count);
         compareRays(300);
         comparePlaces(100);
+        compareSweeps(100);
     }
 
     /** Bodies that touch a border of cells to within rounding, and rays along it. */
@@ -228,6 +255,8 @@ class QueryWaysTest {
             assertThat(cells.rayCast(body.getX() - away, over - away * 1e-3, 1, 1e-3, 2 * away, b -> b == body)).isEqualTo(hit);
             assertThat(cells.within(body.getX(), from - 1, 1, null)).isEqualTo(all.within(body.getX(), from - 1, 1, null));
             assertThat(cells.inBox(x, from - 1, x + 200, from, null)).isEqualTo(all.inBox(x, from - 1, x + 200, from, null));
+            Shape slab = new Rectangle(0.5, 2);
+            assertThat(cells.shapeCast(slab, x, from - 1, 0, 1, slope, 1000, b -> b == body)).isEqualTo(all.shapeCast(slab, x, from - 1, 0, 1, slope, 1000, b -> b == body));
             body.setPosition(body.getX(), old);
         }
         assertThat(hits).isBetween(500, 3500);
@@ -254,6 +283,7 @@ class QueryWaysTest {
             }
             compareRays(random.nextInt(12));
             comparePlaces(random.nextInt(4));
+            compareSweeps(random.nextInt(4));
         }
     }
 
@@ -270,6 +300,7 @@ class QueryWaysTest {
                 compareRays(1);
                 contact.a().setPosition(contact.a().getX(), contact.a().getY());
                 compareRays(1);
+                compareSweeps(1);
             }
         });
         for (int k = 0; k < 60; k++) {
@@ -304,6 +335,8 @@ class QueryWaysTest {
             for (Queries outer : List.of(cells, usual)) {
                 assertThat(outer.rayCast(x, y, 1, 0.3, 50, b -> outer.within(b.getX(), b.getY(), 2, null).size() > 2))
                         .isEqualTo(all.rayCast(x, y, 1, 0.3, 50, b -> all.within(b.getX(), b.getY(), 2, null).size() > 2));
+                assertThat(outer.shapeCast(new Circle(1), x, y, 0, 1, 0.3, 50, b -> outer.shapeCast(b, 0, 1, 1, null) != null))
+                        .isEqualTo(all.shapeCast(new Circle(1), x, y, 0, 1, 0.3, 50, b -> all.shapeCast(b, 0, 1, 1, null) != null));
             }
         }
     }
@@ -343,6 +376,7 @@ class QueryWaysTest {
                     ask.inBox(x, 3, x + 5, 8, null, found);
                     ask.nearest(x, 3, 5, null, found);
                     ask.overlapping(shape, x, 3, 0.1 * k, null, found);
+                    ask.shapeCast(shape, x, 3, 0.1 * k, 1, 0.1, 100, null, hit);
                     ask.fan(x, 3, 0, 6, 20, null, fan);
                 }
                 least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
@@ -366,6 +400,10 @@ class QueryWaysTest {
             } else {
                 assertThat(new Hit(into.body(), into.x(), into.y(), into.nx(), into.ny(), into.distance())).isEqualTo(hit);
             }
+            hit = cells.shapeCast(new Rectangle(1, 2), x, y, 0.2, 1, 2, 15, null);
+            assertThat(cells.shapeCast(new Rectangle(1, 2), x, y, 0.2, 1, 2, 15, null, into)).isEqualTo(hit != null);
+            assertThat(into.body()).isEqualTo(hit == null ? null : hit.body());
+            assertThat(into.distance()).isEqualTo(hit == null ? 15 : hit.distance());
         }
     }
 

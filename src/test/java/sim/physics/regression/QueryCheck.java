@@ -41,6 +41,7 @@ final class QueryCheck {
             check.within(x, y, way);
             check.overlapping(k % 2 == 0 ? new Rectangle(way + 0.1 * unit, 0.5 * unit) : new Circle(0.5 * way + 0.1 * unit), x, y, angle);
             check.ray(x, y, StrictMath.cos(angle), StrictMath.sin(angle));
+            check.sweep(k % 2 == 0 ? new Rectangle(0.8 * unit, 0.3 * unit) : new Circle(0.4 * unit), x, y, angle, StrictMath.cos(way), StrictMath.sin(way));
             check.nearest(x, y);
         }
     }
@@ -87,6 +88,27 @@ final class QueryCheck {
                 boolean isIn = t > 0 && queries.distance(b, x + t * cos, y + t * sin) < -1e-7 * unit && queries.distance(b, x, y) > 0;
                 require(!isIn, "a ray has missed", b);
             }
+        }
+    }
+
+    private void sweep(Shape shape, double x, double y, double angle, double cos, double sin) {
+        Hit first = queries.shapeCast(shape, x, y, angle, cos, sin, 20 * unit, null);
+        List<Hit> hits = queries.shapeCastAll(shape, x, y, angle, cos, sin, 20 * unit, null);
+        require(first == null ? hits.isEmpty() : first.equals(hits.get(0)), "the first that a shape meets and all of them", hits);
+        double clear = first == null ? 20 * unit : first.distance();
+        Distance distance = new Distance();
+        Body probe = new Body(shape);
+        for (int k = 0; k < MARKS && clear > 0; k++) { // it overlaps nobody on its way
+            double t = clear * k / MARKS;
+            probe.at(x + t * cos, y + t * sin, angle);
+            for (Body b : queries.overlapping(probe, null)) {
+                require(distance.between(probe, b) > -1e-7 * unit, "a shape has missed", b);
+            }
+        }
+        for (Hit hit : hits) {
+            probe.at(x + hit.distance() * cos, y + hit.distance() * sin, angle);
+            double gap = distance.between(probe, hit.body());
+            require(hit.distance() == 0 ? gap <= ROUNDING * unit : Math.abs(gap) <= 10 * ROUNDING * unit, "a shape off the surface", hit);
         }
     }
 
