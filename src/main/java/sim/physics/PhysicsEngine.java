@@ -150,7 +150,7 @@ public final class PhysicsEngine implements Steppable {
         if (relief.isOver(steps)) {
             resume();
         }
-        steering.begin(timeStep);
+        steering.begin(timeStep, isStepped);
         if (isStepped) {
             stepWithoutEvents(0);
         } else {

@@ -21,8 +21,8 @@ import sim.physics.shape.Shape;
  * <p>Two kinematic bodies, or a kinematic and a fixed one, do not collide, and cannot be joined. What is wedged between two such bodies
  * cannot get out of the way, and overlaps them.
  *
- * <p>The engine moves it as a body that is 2⁴⁰ times as heavy as the heaviest one: an impact changes its velocity by some 10⁻¹² of that
- * of the other body, until the next step begins.
+ * <p>The engine moves it as a body that is 2⁴⁰ times as heavy as the heaviest one, or 2³⁰ times by time stepping: an impact changes its
+ * velocity by some 10⁻¹² or 10⁻⁹ of that of the other body, until the next step begins.
  */
 public class KinematicBody extends Body {
     private static final long serialVersionUID = 1L;
@@ -33,8 +33,8 @@ public class KinematicBody extends Body {
     /** How much of what it has missed of its course it makes up for in a step. */
     private static final double CATCH_UP = 0.5;
 
-    /** Way in a step, relative to its size, of a body that stands: what bears others is pushed away by some of their 10⁻¹². */
-    private static final double STILL = 1e-9;
+    /** Way in a step, relative to its size, of a body that stands: what bears others is pushed away by 10⁻⁹ of what they would fall. */
+    private static final double STILL = 1e-6;
 
     /** Velocities at the end of the next step. */
     private final double[] target = new double[State.BLOCK];

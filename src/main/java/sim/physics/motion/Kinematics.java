@@ -13,18 +13,27 @@ import java.util.List;
 final class Kinematics implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** How many times as heavy as the heaviest other body a kinematic one is made; and the least and the most that it may be. */
+    /**
+     * How many times as heavy as the heaviest other body a kinematic one is made, by events and by time stepping: that keeps books of
+     * kinetic energies, which would lose twelve digits beside one that is larger by 2⁴⁰. And by what factor it may differ from that.
+     */
     private static final double HEAVY = 0x1p40;
 
-    private static final double LEAST = HEAVY / 16;
-    private static final double MOST = HEAVY * 16;
+    private static final double HEAVY_IF_STEPPED = 0x1p30;
+    private static final double SPAN = 16;
 
     /** How many times what others could give in a step is given where something is squeezed. */
     private static final double TOO_MUCH = 0x1p12;
 
+    /** Beyond this, forces are no numbers. */
+    private static final double HUGE = 0x1p900;
+
     private final List<KinematicBody> bodies = new ArrayList<>();
     private double mass;
     private double inertia;
+
+    /** How heavy they are made now. */
+    private double heavy;
 
     /** Number of bodies, and how often they had been written, when masses were looked at last. */
     private int count = -1;
@@ -45,13 +54,15 @@ final class Kinematics implements Serializable {
     }
 
     /** Sets the forces for a step. */
-    void push(State state, double gravityX, double gravityY, double h) {
+    void push(State state, double gravityX, double gravityY, double h, boolean isStepped) {
         for (int k = bodies.size() - 1; k >= 0; k--) {
             if (bodies.get(k).state() != state) {
                 bodies.remove(k); // it has left
             }
         }
-        if (!bodies.isEmpty() && (count != state.bodyCount() || writes != state.writes())) {
+        double wanted = isStepped ? HEAVY_IF_STEPPED : HEAVY;
+        if (!bodies.isEmpty() && (count != state.bodyCount() || writes != state.writes() || heavy != wanted)) {
+            heavy = wanted;
             weigh(state);
         }
         for (int k = 0; k < bodies.size(); k++) {
@@ -90,7 +101,7 @@ final class Kinematics implements Serializable {
             }
         }
         double given = mass * most;
-        return speed > 0 && given > TOO_MUCH * mass / MOST * speed && given > TOO_MUCH * most(state, speed, gravity, h);
+        return speed > 0 && given > TOO_MUCH * mass / (SPAN * heavy) * speed && given > TOO_MUCH * most(state, speed, gravity, h);
     }
 
     /** The momentum that all others have, seen from a body as fast as the fastest one, and get from forces in a step. */
@@ -123,8 +134,8 @@ final class Kinematics implements Serializable {
         double arm = largest * largest;
         heaviest = heaviest == 0 ? arm : heaviest;
         if (!isWithin(mass, heaviest) || !isWithin(inertia, heaviest * arm)) {
-            mass = HEAVY * powerOfTwo(heaviest);
-            inertia = mass * powerOfTwo(arm);
+            mass = Math.min(HUGE, heavy * powerOfTwo(heaviest));
+            inertia = Math.min(HUGE, mass * powerOfTwo(arm));
         }
         for (int k = 0; k < bodies.size(); k++) {
             bodies.get(k).become(mass, inertia);
@@ -136,7 +147,7 @@ final class Kinematics implements Serializable {
         return Math.scalb(1.0, Math.getExponent(value));
     }
 
-    private static boolean isWithin(double heavy, double other) {
-        return heavy >= LEAST * other && heavy <= MOST * other;
+    private boolean isWithin(double now, double other) {
+        return now >= Math.min(HUGE, heavy / SPAN * other) && now <= heavy * SPAN * other;
     }
 }

@@ -47,10 +47,11 @@ public final class Steering implements Serializable {
      * Sets kinematic bodies on their courses for a step that is about to begin.
      *
      * @param h its length
+     * @param isStepped whether it is made by time stepping
      */
-    public void begin(double h) {
+    public void begin(double h, boolean isStepped) {
         if (isAny()) {
-            kinematics.push(state, generators.gravityX, generators.gravityY, h);
+            kinematics.push(state, generators.gravityX, generators.gravityY, h, isStepped);
         }
     }
 

@@ -256,9 +256,10 @@ class KinematicBodyTest {
         ball.setMass(1e6);
         engine.add(new Body(new Circle(0.1)).at(100, 100));
         run(engine, 100);
-        assertThat(ball.getVelocityX()).isCloseTo(101, within(1e-8));
-        assertThat(gate.getVelocityX()).isCloseTo(1, within(1e-10));
-        assertThat(gate.getX()).isCloseTo(1, within(1e-9));
+        double deflection = 200 * (substeps == 0 ? 0x1p-39 : 0x1p-29); // of one that is half as heavy as it may be
+        assertThat(ball.getVelocityX()).isCloseTo(101, within(2 * deflection));
+        assertThat(gate.getVelocityX()).isCloseTo(1, within(1e-12));
+        assertThat(gate.getX()).isCloseTo(1, within(0.01 * deflection));
         assertThat(gate.getAngularVelocity()).isCloseTo(0, within(1e-12));
     }
 
@@ -334,7 +335,7 @@ class KinematicBodyTest {
             engine.step();
             fastest = Math.max(fastest, body.kineticEnergy());
         }
-        assertThat(piston.getX()).isCloseTo(0.5, within(1e-8));
+        assertThat(piston.getX()).isCloseTo(0.5, within(1e-6));
         assertThat(fastest).isLessThan(100 * body.getMass());
         assertThat(engine.getRelievedSteps() > 0).isEqualTo(substeps == 0);
     }
