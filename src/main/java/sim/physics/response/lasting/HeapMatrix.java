@@ -92,10 +92,14 @@ final class HeapMatrix extends HeapRows {
     /** Error of velocities with the impulses that the last solution was started from. */
     private double missed;
 
+    /** Speed that its impulses would give bodies which nothing tied, if together they do next to nothing beside that; else 0. */
+    private double strain;
+
     @Override
     void forget() {
         super.forget();
         jams = false;
+        strain = 0;
         restart();
     }
 
@@ -151,6 +155,7 @@ final class HeapMatrix extends HeapRows {
             double fair = isSoft ? Math.max(close, NEARLY * scale) : close;
             least = loosen(least, exact, fair, isAbsurd(s, scale));
         }
+        strain = together() < JAMMED * load(best) ? fastestAlone(best) : 0;
         give(s);
         return least <= NEARLY * scale;
     }
@@ -184,6 +189,15 @@ final class HeapMatrix extends HeapRows {
             sum += impulse[i] * (velocity[i] - without[i]);
         }
         return sum;
+    }
+
+    /** The greatest speed that one of some impulses would give if nothing tied the bodies. */
+    private double fastestAlone(double[] impulses) {
+        double most = 0;
+        for (int i = 0; i < rows; i++) {
+            most = impulses[i] == 0 ? most : Math.max(most, Math.abs(impulses[i]) * alone(i));
+        }
+        return most;
     }
 
     /** Whether they would make bodies so fast that nothing ties that no lever makes so much of how fast they are. */
@@ -261,6 +275,10 @@ final class HeapMatrix extends HeapRows {
 
     double missed() {
         return missed;
+    }
+
+    double strain() {
+        return strain;
     }
 
     /** Whether impulses have pressed against one another since what the rows do has changed. */
