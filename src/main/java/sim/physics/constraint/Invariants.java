@@ -14,7 +14,7 @@ import sim.physics.motion.State;
  * <p>A symplectic method is left alone: its energy swings, and it is neither symplectic nor reversible if that is put back. Its
  * momenta are kept by each of its steps. No method is symplectic where wheels roll, which are no constraints of places: energy is put back there.
  *
- * <p>Under other forces the work of these is all that kinetic energy can grow by, since constraints do none: a step that
+ * <p>Under other forces the work of these, and what motors give at most, is all that kinetic energy can grow by, since constraints do none: a step that
  * says otherwise was too long for the pose, as those of a chain that is all but taut. Where forces change within a step that is asked within sight of
  * singular poses only: elsewhere the error of a step is the method's own. Where they do not, it is asked everywhere, but of symplectic methods, whose
  * error is to go up and down, and of those of first order: a bridge that sags by a hundredth of its length swings much faster than a step can
@@ -92,7 +92,7 @@ final class Invariants implements Serializable {
         island.passage.begin();
         isFree = free && island.switches.isEmpty() && !island.isMoved;
         isSymplectic = false;
-        isWatched = !free && island.switches.areIdle() && island.isOwn && !island.isMoved;
+        isWatched = !free && island.isOwn && island.switches.work.begin(state.x()) && !island.isMoved;
         isNoted = false;
         isSubtle = false;
         if (isFree) {
@@ -252,15 +252,18 @@ final class Invariants implements Serializable {
             double size = k % State.BLOCK == State.THETA ? 1 : island.mostSize;
             roundingOfWork += most[k] * Math.max(Math.abs(x0[k]), size) / w[s];
         }
+        double given = island.switches.work.most(state.x());
+        mostWork += Math.max(0, given);
+        work += given;
         double known = before[0] + mostWork;
         double room = ROUNDING * roundingOfWork;
         if (!isSteady) {
             return after[0] <= (1 + WRONG) * known + room;
         }
         double excess = after[0] - before[0] - work - room;
-        double lack = isWeak ? 0 : -excess - 2 * room;
+        double lack = isWeak || island.switches.work.acts() ? 0 : -excess - 2 * room;
         double wrong = Math.max(excess, lack);
-        if (wrong > LEFT * known && wrong < WRONG_IF_STEADY * known) {
+        if (wrong > LEFT * known && wrong < WRONG_IF_STEADY * known && !island.switches.work.keepsSpeed()) {
             double scale = Math.sqrt(Math.max(0, 1 - (excess > 0 ? excess : -lack) / after[0]));
             for (int k = 0; k < x0.length; k++) {
                 state.v()[slot(k)] *= scale;

@@ -214,6 +214,11 @@ abstract class Switched implements Constraint {
         return sum;
     }
 
+    /** By how much a coordinate that is an angle changes as its bodies turn. */
+    final double turn(double a, double b) {
+        return row[2] * a + row[5] * b;
+    }
+
     /**
      * Whether a row that has yielded should act again: with the bound of its force that it pushes with, the coordinate is
      * accelerated to the side from which that force keeps it.

@@ -26,6 +26,7 @@ final class Switches implements SwitchedTies {
     private final Switched[] rows;
     private final int[] nodes;
     private double[] free = {};
+    final SwitchedWork work;
 
     /** Whether a row that does not act was within reach when that was settled, {@link #NEAR}, or far, or had been passed. */
     private final byte[] reach;
@@ -59,6 +60,7 @@ final class Switches implements SwitchedTies {
         rows = found.toArray(new Switched[0]);
         nodes = at.stream().mapToInt(Integer::intValue).toArray();
         reach = new byte[rows.length];
+        work = new SwitchedWork(island, rows, nodes);
         bias = new double[2 * island.nodes];
     }
 

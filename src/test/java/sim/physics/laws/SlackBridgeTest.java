@@ -8,6 +8,7 @@ import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
+import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
@@ -27,8 +28,15 @@ class SlackBridgeTest {
     private double least;
     private double scale;
 
-    /** Lets a bridge swing for 2 s, and notes the largest and the least energy. */
+    /** Between the first two planks, if there is one. */
+    private Motor motor;
+
     private void swing(int planks, double slack, double step, long seed) {
+        swing(planks, slack, step, seed, 0, 0);
+    }
+
+    /** Lets a bridge swing for 2 s, with a motor if it has a limit, and notes the largest energy, without what that can have given, and the least. */
+    private void swing(int planks, double slack, double step, long seed, double speed, double limit) {
         Random random = new Random(seed);
         engine.setTimeStep(step);
         engine.add(new Gravity(0, -G));
@@ -42,19 +50,29 @@ class SlackBridgeTest {
             Body plank = engine.add(new Body(new Rectangle(LENGTH - 0.05, 0.15)).at(x + dx / 2, y + dy / 2, angle));
             engine.add(last == null ? new PinJoint(plank, x, y) : new PinJoint(last, plank, x, y));
             plank.moving(0, 2 * random.nextGaussian(), 3 * random.nextGaussian());
+            if (k == 1 && limit > 0) {
+                motor = engine.add(Motor.turning(plank, last, speed, limit));
+            }
             last = plank;
             x += dx;
             y += dy;
         }
         engine.add(new PinJoint(last, x, y));
+        run(slack, step, planks * last.getMass());
+    }
+
+    private void run(double slack, double step, double mass) {
         engine.step(); // which closes the velocities
         start = energy();
         most = start;
         least = start;
-        scale = engine.kineticEnergy() + planks * last.getMass() * G * slack * LENGTH;
+        scale = engine.kineticEnergy() + mass * G * slack * LENGTH;
+        double given = 0;
         for (int k = 1; k < 2 / step; k++) {
+            double before = motor == null ? 0 : motor.getValue();
             engine.step();
-            most = Math.max(most, energy());
+            given += motor == null || motor.getSpeed() == 0 ? 0 : motor.getLimit() * Math.abs(motor.getValue() - before);
+            most = Math.max(most, energy() - given);
             least = Math.min(least, energy());
         }
     }
@@ -74,6 +92,14 @@ class SlackBridgeTest {
     })
     void itGainsNoEnergy(int planks, double slack, int rate, long seed) {
         swing(planks, slack, 1.0 / rate, seed);
+        assertThat(most - start).isLessThan(0.01 * scale);
+    }
+
+    /** A motor gives no more than its limit along its way, and a brake nothing: what is more was got from steps too long for the bridge. */
+    @ParameterizedTest
+    @CsvSource({"4, 0.003, 240, 0, 0, 1", "4, 0.003, 60, 0, 0, 1", "8, 0.003, 240, 0, 0, 1", "4, 0.01, 240, 0, 0, 30", "8, 0.003, 60, 0, 0, 30"})
+    void itGainsNoMoreThanItsMotorGives(int planks, double slack, int rate, long seed, double speed, double limit) {
+        swing(planks, slack, 1.0 / rate, seed, speed, limit);
         assertThat(most - start).isLessThan(0.01 * scale);
     }
 

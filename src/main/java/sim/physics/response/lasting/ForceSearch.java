@@ -137,11 +137,7 @@ final class ForceSearch implements Serializable {
         double most = scale;
         boolean isSame = false;
         double before = Double.POSITIVE_INFINITY;
-        double now = scales.fastestNow(heap);
-        double first = Math.max(scale, now);
-        if (now <= SETTLING * scale) {
-            system.tolerance().allow(0);
-        }
+        double first = Math.max(scale, fastest(heap, scale));
         double expected = first;
         for (int k = 0; k < PROBES && !isSame; k++) {
             if (!look(heap, length, FAST * expected, k > 0)) {
@@ -149,8 +145,8 @@ final class ForceSearch implements Serializable {
             }
             system.renew();
             extrapolation.next(system.w, system.v);
-            if (!(scales.fastest(heap, system.v) <= FAST * expected)) {
-                extrapolation.unlearn(system.v); // differences that are next to none lead anywhere
+            if (system.strain() > 0 || !(scales.fastest(heap, system.v) <= FAST * expected)) {
+                extrapolation.unlearn(system.v); // differences that are next to none lead anywhere, as do those beside which a gap is closed by next to none
             }
             most = Math.max(most, scales.fastest(heap, system.v));
             first = k == 0 ? Math.max(first, scales.fastest(heap, system.v)) : first; // what forces alone give
@@ -159,7 +155,7 @@ final class ForceSearch implements Serializable {
             isRight = isShared || (isSoft ? system.solveSoftly(most) : system.solveUnlessFair(most, EQUAL * most));
             double change = kept.change();
             double error = isSoft || isShared ? change : Math.min(change, system.missed());
-            if (!isReleased && !(isRight && change <= COSTLY * most)) {
+            if (!isReleased && !(isRight && Math.max(change, system.strain()) <= COSTLY * most)) {
                 release(most);
                 change = kept.change();
                 error = change;
@@ -192,6 +188,15 @@ final class ForceSearch implements Serializable {
         }
         restore(heap);
         return most;
+    }
+
+    /** How fast the bodies are; where that is next to nothing they are to come to rest, and forces to be exact. */
+    private double fastest(IntList heap, double scale) {
+        double now = scales.fastestNow(heap);
+        if (now <= SETTLING * scale) {
+            system.tolerance().allow(0);
+        }
+        return now;
     }
 
     /**
@@ -374,6 +379,7 @@ final class ForceSearch implements Serializable {
         support(heap, length, pushes);
         double share = 1;
         double most = 0;
+        boolean bends = system.strain() > 0 && system.size() == system.contacts(); // motors and stops act evenly no more where they change
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             int o = body * Trajectories.STRIDE + Trajectories.VX;
@@ -387,6 +393,9 @@ final class ForceSearch implements Serializable {
                         ? share * (state.v()[State.BLOCK * body + c] - d[o + c])
                         : fall[c] * length + pushes[3 * k + c];
                 system.v[3 * k + c] = d[o + c] + gained;
+                if (bends && isDriven && share == 1) {
+                    turning.bend(k, c, state.x()[State.BLOCK * body + c] - d[o - Trajectories.VX + c], system.v[3 * k + c], length);
+                }
             }
             most = Math.max(most, scales.speed(body, isDriven ? state.v() : system.v, isDriven ? State.BLOCK * body : 3 * k));
         }

@@ -47,6 +47,11 @@ final class HeapMatrix extends HeapRows {
     /** By how much softer than stiff points are, relative to what an impulse does to them. */
     private static final double SOFT = 0x1p-10;
 
+    /** By how much of that those are stiffer which are tried next where impulses jam, and the stiffest. */
+    private static final double STIFFER = 0x1p-5;
+
+    private static final double STIFF = 0x1p-30;
+
     /** Speed beside which a motor's or friction's is that of one which holds, relative to the scale. */
     private static final double HARDLY = 1e-3;
 
@@ -59,10 +64,17 @@ final class HeapMatrix extends HeapRows {
     /** Speed that impulses give to bodies alone, relative to what speeds are. */
     private static final double ABSURD = 1e4;
 
-    /** Impulses that jam, and whether there were any. */
+    /** Impulses that jam, others in place of these, and whether there were any. */
     private double[] strong = {};
 
+    private double[] mild = {};
     private boolean jams;
+
+    /** By rows: what a unit does there while points give way, without that. */
+    private double[] stiff = {};
+
+    /** Whether points are a little soft. */
+    private boolean isSoft;
 
     /** The bound at which a row is, −1 or +1, 0 for none. */
     private double[] side = {};
@@ -80,10 +92,14 @@ final class HeapMatrix extends HeapRows {
     /** Error of velocities with the impulses that the last solution was started from. */
     private double missed;
 
+    /** Speed that its impulses would give bodies which nothing tied, if together they do next to nothing beside that; else 0. */
+    private double strain;
+
     @Override
     void forget() {
         super.forget();
         jams = false;
+        strain = 0;
         restart();
     }
 
@@ -100,6 +116,8 @@ final class HeapMatrix extends HeapRows {
         unknown = new int[n];
         rest = new double[n];
         strong = new double[n];
+        mild = new double[n];
+        stiff = new double[n];
         equations.ensure(n);
     }
 
@@ -131,10 +149,13 @@ final class HeapMatrix extends HeapRows {
             restore();
             least = newton(relax(SWEEPS, least), exact, VAIN);
         }
-        if (isJammed()) {
-            jams = true;
-            least = loosen(least, exact, close, isAbsurd(s, scale));
+        double together = together();
+        jams |= together < JAMMED * squares(best); // they press against one another
+        if (together < JAMMED * load(best)) {
+            double fair = isSoft ? Math.max(close, NEARLY * scale) : close;
+            least = loosen(least, exact, fair, isAbsurd(s, scale));
         }
+        strain = together() < JAMMED * load(best) ? fastestAlone(best) : 0;
         give(s);
         return least <= NEARLY * scale;
     }
@@ -146,35 +167,37 @@ final class HeapMatrix extends HeapRows {
      * @return whether they are right, or nearly so, for what is that soft
      */
     boolean solveSoftly(HeapSystem s, double exact, double scale) {
-        soften();
-        boolean right = solve(s, exact, 0, 0, scale);
-        harden();
-        return right;
-    }
-
-    /** Makes points a little soft. */
-    private void soften() {
         restart();
         for (int i = 0; i < rows; i++) {
             replies[i * rows + i] *= 1 + SOFT;
         }
-    }
-
-    private void harden() {
+        isSoft = true;
+        boolean right = solve(s, exact, 0, 0, scale);
+        isSoft = false;
         for (int i = 0; i < rows; i++) {
             replies[i * rows + i] /= 1 + SOFT;
         }
         restart();
+        return right;
     }
 
-    /** Whether the best impulses do next to nothing beside what each of them does alone: they press against one another. */
-    private boolean isJammed() {
+    /** What the best impulses do together, as a square. */
+    private double together() {
         restore();
-        double together = 0;
+        double sum = 0;
         for (int i = 0; i < rows; i++) {
-            together += impulse[i] * (velocity[i] - without[i]);
+            sum += impulse[i] * (velocity[i] - without[i]);
         }
-        return together < JAMMED * squares(impulse);
+        return sum;
+    }
+
+    /** The greatest speed that one of some impulses would give if nothing tied the bodies. */
+    private double fastestAlone(double[] impulses) {
+        double most = 0;
+        for (int i = 0; i < rows; i++) {
+            most = impulses[i] == 0 ? most : Math.max(most, Math.abs(impulses[i]) * alone(i));
+        }
+        return most;
     }
 
     /** Whether they would make bodies so fast that nothing ties that no lever makes so much of how fast they are. */
@@ -186,6 +209,7 @@ final class HeapMatrix extends HeapRows {
         return most > ABSURD * scale;
     }
 
+    /** What each of some impulses does by itself, as a square. */
     private double squares(double[] impulses) {
         double sum = 0;
         for (int i = 0; i < rows; i++) {
@@ -194,29 +218,67 @@ final class HeapMatrix extends HeapRows {
         return sum;
     }
 
+    /** The same if nothing tied the bodies. */
+    private double load(double[] impulses) {
+        double sum = 0;
+        for (int i = 0; i < rows; i++) {
+            sum += impulses[i] == 0 ? 0 : alone(i) * impulses[i] * impulses[i];
+        }
+        return sum;
+    }
+
     /**
      * Looks for impulses that are about as good and much less. Where friction locks a point whose normal ties hardly let move any amount
-     * holds, as a wedge does; and sweeps make it larger and larger, until the slightest motion would throw the bodies about.
+     * holds, as a wedge does; and sweeps make it larger and larger, until the slightest motion would throw the bodies about. What is the least is
+     * judged by what impulses would do to the bodies alone: along the normal of such a point ties make them do next to nothing, so that
+     * by what they do with these a thousand times of what friction needs would cost no more than friction itself.
+     *
+     * @param fair error with which impulses are about as good, if those at hand have a smaller one
      */
-    private double loosen(double least, double exact, double close, boolean isAbsurd) {
+    private double loosen(double least, double exact, double fair, boolean isAbsurd) {
         System.arraycopy(best, 0, strong, 0, rows);
-        soften();
+        double strength = load(strong);
+        double good = ALIKE * Math.max(fair, least);
+        double found = Double.POSITIVE_INFINITY;
+        for (double soft = SOFT; soft >= STIFF && !(found <= good); soft *= STIFFER) {
+            double error = giveWay(soft, exact, fair);
+            if (ALIKE * error < found && load(best) < LESS * strength) {
+                System.arraycopy(best, 0, mild, 0, rows);
+                found = error;
+            }
+        }
+        boolean isTaken = found <= good || isAbsurd && found < Double.POSITIVE_INFINITY;
+        System.arraycopy(isTaken ? mild : strong, 0, best, 0, rows);
+        return isTaken ? found : least;
+    }
+
+    /**
+     * Solves from no impulses with points that give way as bodies would that nothing ties, by a part of that; returns the error that the impulses have
+     * where none does.
+     */
+    private double giveWay(double part, double exact, double close) {
+        restart();
+        for (int i = 0; i < rows; i++) {
+            stiff[i] = own(i);
+            replies[i * rows + i] += part * alone(i);
+        }
         Arrays.fill(impulse, 0, rows, 0);
         evaluate();
-        double soft = newton(keep(Double.POSITIVE_INFINITY), exact, 1);
-        follow(soft, exact, close);
-        harden();
-        restore();
-        double error = keep(Double.POSITIVE_INFINITY);
-        if ((isAbsurd || error <= ALIKE * Math.max(close, least)) && squares(best) < LESS * squares(strong)) {
-            return error;
+        follow(newton(keep(Double.POSITIVE_INFINITY), exact, 1), exact, close);
+        for (int i = 0; i < rows; i++) {
+            replies[i * rows + i] = stiff[i];
         }
-        System.arraycopy(strong, 0, best, 0, rows);
-        return least;
+        restart();
+        restore();
+        return keep(Double.POSITIVE_INFINITY);
     }
 
     double missed() {
         return missed;
+    }
+
+    double strain() {
+        return strain;
     }
 
     /** Whether impulses have pressed against one another since what the rows do has changed. */

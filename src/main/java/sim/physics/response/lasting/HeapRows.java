@@ -38,6 +38,9 @@ abstract class HeapRows implements Serializable {
     /** What a unit at a row does to all, row after row. */
     double[] replies = {};
 
+    /** What a unit at a row would do there if nothing tied its bodies. */
+    private double[] alone = {};
+
     /** By rows: bounds of velocities and of impulses, impulses, velocities; and the best impulses so far. */
     double[] bound = {};
 
@@ -74,8 +77,21 @@ abstract class HeapRows implements Serializable {
             }
         }
         numbers.pair(s, replies, against);
+        measureAlone(s);
         isAssembled = true;
         return true;
+    }
+
+    private void measureAlone(HeapSystem s) {
+        PointRows r = s.rows();
+        for (int p = 0; p < s.size(); p++) {
+            if (normal[p] >= 0) {
+                alone[normal[p]] = r.normalMobility(p, s.w, r.nx(p) * r.nx(p) + r.ny(p) * r.ny(p));
+            }
+            if (tangent[p] >= 0) {
+                alone[tangent[p]] = r.tangentMobility(p, s.w);
+            }
+        }
     }
 
     /** Makes room for the work on some rows. */
@@ -98,6 +114,7 @@ abstract class HeapRows implements Serializable {
             best = new double[n];
             without = new double[n];
             replies = new double[n * n];
+            alone = new double[n];
             grow(n);
         }
         for (int p = 0; p < s.size(); p++) {
@@ -166,6 +183,11 @@ abstract class HeapRows implements Serializable {
     /** What a unit at a row does there. */
     double own(int row) {
         return replies[row * rows + row];
+    }
+
+    /** The same if nothing tied its bodies: more than that, as ties only hold. */
+    double alone(int row) {
+        return alone[row];
     }
 
     /** Bounds of a row's impulse. */

@@ -127,6 +127,11 @@ final class HeapSolver implements Serializable {
         return hasMatrix(s) ? matrix.missed() : Double.POSITIVE_INFINITY;
     }
 
+    /** Speed that the last impulses would give bodies which nothing tied, if together they do next to nothing beside that; else 0. */
+    double strain() {
+        return matrix == null ? 0 : matrix.strain();
+    }
+
     /** Whether impulses of bodies that are tied have jammed since the points changed. */
     boolean jams() {
         return matrix != null && matrix.jams();

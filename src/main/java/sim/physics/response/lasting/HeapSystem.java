@@ -268,6 +268,11 @@ final class HeapSystem extends HeapPoints {
         return tied && solver.jams();
     }
 
+    /** Speed that the last impulses would give bodies which nothing tied, if together they do next to nothing beside that; else 0. */
+    double strain() {
+        return tied ? solver.strain() : 0;
+    }
+
     /** Whether the last solution was found at once. */
     boolean wasEasy() {
         return solver.wasEasy();

@@ -58,6 +58,9 @@ final class HeapTurn implements Serializable {
     private double[] before = {};
     private double[] after = {};
 
+    /** By how much the ways of bodies in the time are others than of velocities that change evenly, in the last integration; 3 per body. */
+    private double[] bend = {};
+
     /** What impulses would do to bodies that nothing ties, and what of that was not known when these were integrated. */
     private double[] pushes = {};
 
@@ -102,7 +105,9 @@ final class HeapTurn implements Serializable {
         if (before.length < 3 * heap.size) {
             before = new double[6 * heap.size];
             after = new double[6 * heap.size];
+            bend = new double[6 * heap.size];
         }
+        Arrays.fill(bend, 0, 3 * heap.size, 0);
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];
             int o = body * Trajectories.STRIDE + Trajectories.VX;
@@ -123,6 +128,19 @@ final class HeapTurn implements Serializable {
     /** Takes the velocities that bodies would have at the end of the time if they went on as they have done, to an array. */
     void foresee(double[] v, int bodies) {
         System.arraycopy(after, 0, v, 0, 3 * bodies);
+    }
+
+    /**
+     * Takes note of where an integration has brought a body. What turns with the others is pushed along a normal that stays meanwhile, to one side first
+     * and to the other later: that does not change how fast it is in the end, but where.
+     *
+     * @param k number of the body in the heap
+     * @param c component
+     * @param way it has gone in the time
+     * @param v velocity that it has then
+     */
+    void bend(int k, int c, double way, double v, double time) {
+        bend[3 * k + c] = way - 0.5 * (before[3 * k + c] + v) * time;
     }
 
     /** Keeps what bodies gain in a time, as they will in the next one. */
@@ -154,7 +172,7 @@ final class HeapTurn implements Serializable {
     /** Lets points part as they have to where they are at the end of the time, with velocities that bodies reach then. */
     void bound(double[] v, double time, boolean regains) {
         for (int p = 0; p < system.contacts(); p++) {
-            boolean isFollowed = look(p, v, 0.5 * time, 0.5 * time);
+            boolean isFollowed = look(p, v, 0.5 * time, 0.5 * time, 1);
             set(p, end);
             double normal = end.normal(p, v);
             system.turn(p, normal - system.rows().normal(p, v), end.tangent(p, v) - system.rows().tangent(p, v));
@@ -171,7 +189,7 @@ final class HeapTurn implements Serializable {
         boolean isClosed = start[p] <= -CLOSED * floor[p];
         for (int k = 0; k < SOONER.length && isExact; k++) {
             double part = SOONER[k];
-            look(p, v, part * (1 - 0.5 * part) * time, 0.5 * part * part * time);
+            look(p, v, part * (1 - 0.5 * part) * time, 0.5 * part * part * time, 0);
             double deepest = isClosed ? start[p] + part * part * (floor[p] - start[p]) : floor[p];
             system.bound(p, Math.max(system.bound(p), normal - 2 * (point.gap - deepest) / (part * part * time)));
         }
@@ -230,7 +248,7 @@ final class HeapTurn implements Serializable {
     /** Lets forces act where points are in the middle of the time, with velocities that bodies reach at its end. */
     void aim(double[] v, double time) {
         for (int p = 0; p < system.contacts(); p++) {
-            look(p, v, 0.375 * time, 0.125 * time); // of velocities that change evenly
+            look(p, v, 0.375 * time, 0.125 * time, 0.5); // of velocities that change evenly, and half of what ways differ by beside
             set(p, system.middle());
         }
     }
@@ -242,21 +260,21 @@ final class HeapTurn implements Serializable {
     }
 
     /** Takes a point to where its bodies bring it; false if it is left where it is. */
-    private boolean look(int p, double[] v, double first, double last) {
+    private boolean look(int p, double[] v, double first, double last, double bent) {
         int a = system.rows().body(p, 0);
         int b = system.rows().body(p, 1);
-        double turnA = way(a, 2, v, first, last);
-        double turnB = way(b, 2, v, first, last);
+        double turnA = way(a, 2, v, first, last, bent);
+        double turnB = way(b, 2, v, first, last, bent);
         double turn = Math.max(Math.abs(turnA), Math.abs(turnB));
-        double dx = way(b, 0, v, first, last) - way(a, 0, v, first, last);
-        double dy = way(b, 1, v, first, last) - way(a, 1, v, first, last);
+        double dx = way(b, 0, v, first, last, bent) - way(a, 0, v, first, last, bent);
+        double dy = way(b, 1, v, first, last, bent) - way(a, 1, v, first, last, bent);
         boolean isNone = turn < noise[p] && point.slide(p, dx, dy) < noise[p];
         double part = isNone ? 0 : Math.min(1, MOST / turn);
         point.look(p, part * dx, part * dy, part * turnA, part * turnB);
         return part > 0;
     }
 
-    private double way(int body, int c, double[] v, double first, double last) {
-        return body < 0 ? 0 : first * before[3 * body + c] + last * v[3 * body + c];
+    private double way(int body, int c, double[] v, double first, double last, double bent) {
+        return body < 0 ? 0 : first * before[3 * body + c] + last * v[3 * body + c] + bent * bend[3 * body + c];
     }
 }
