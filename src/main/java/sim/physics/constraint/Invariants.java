@@ -92,7 +92,7 @@ final class Invariants implements Serializable {
         island.passage.begin();
         isFree = free && island.switches.isEmpty() && !island.isMoved;
         isSymplectic = false;
-        isWatched = !free && island.isOwn && island.switches.work.begin(state.x()) && !island.isMoved;
+        isWatched = !free && island.isOwn && !island.isMoved && island.switches.work.begin(state.x());
         isNoted = false;
         isSubtle = false;
         if (isFree) {
