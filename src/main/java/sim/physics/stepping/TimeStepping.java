@@ -86,6 +86,7 @@ public final class TimeStepping implements Serializable {
     private boolean areOthersAsleep;
 
     private double[] a = {};
+    private double[] before = {}; // those of the step before
 
     private double h;
 
@@ -255,7 +256,9 @@ public final class TimeStepping implements Serializable {
         forces.begin();
         if (a.length < state.x().length) {
             a = new double[state.x().length];
+            before = new double[a.length];
         }
+        System.arraycopy(a, 0, before, 0, a.length);
         growth = keptOf > 0 ? Math.min(MOST_GROWTH, step / substeps / keptOf) : 0;
         sleep.wakeDriven(ties);
         areOthersAsleep |= sleep.refresh();
@@ -322,7 +325,7 @@ public final class TimeStepping implements Serializable {
             deepest = Math.min(deepest, touch.gap[k]);
             deepestTied = areTied ? Math.max(deepestTied, -touch.gap[k] / size) : deepestTied;
         }
-        near.remember(pair, touch, rows, growth);
+        near.remember(pair, touch, rows, growth * near.release(pair, rows, a, before, h / substeps));
     }
 
     /**
