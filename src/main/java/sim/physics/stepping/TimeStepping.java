@@ -66,6 +66,7 @@ public final class TimeStepping implements Serializable {
     private final NearPairs near;
     private final Touch touch;
     private final ContactRows rows;
+    private final Spinners spinners;
     private final ContactSolver contacts;
     private final TieRows ties;
     private final Onset onset;
@@ -87,7 +88,6 @@ public final class TimeStepping implements Serializable {
 
     private double[] a = {};
     private double[] before = {}; // those of the step before
-
     private double h;
 
     /** The substep that impulses are kept of, 0 if none are; and what they are to be multiplied by for the present one. */
@@ -135,6 +135,7 @@ public final class TimeStepping implements Serializable {
         sleep = new Sleep(state, poses, near, forces, rows);
         decisions.setPairs(near, sleep.kept());
         touch = new Touch(state, poses, near);
+        spinners = new Spinners(state, poses, near, touch, rows);
         halves = new Halves(state, poses, forces);
         retake = new Retake(state, poses, forces, ties, rows, contacts);
     }
@@ -320,6 +321,7 @@ public final class TimeStepping implements Serializable {
             rows.dropLast();
             return;
         }
+        spinners.add(NEAR * size + way);
         boolean areTied = constraints != null && constraints.isTied(first) && constraints.isTied(second);
         for (int k = 0; k < touch.count; k++) {
             deepest = Math.min(deepest, touch.gap[k]);
@@ -357,6 +359,7 @@ public final class TimeStepping implements Serializable {
         }
         soften(Math.max(d, pace - h / PATIENCE));
         for (int k = 0; k < substeps; k++) {
+            spinners.find(k, a);
             substep(time + (k + 1) * d, d, isTied, isRubbed, isBalanced, bounces);
         }
         near.keep(rows, contacts);
