@@ -36,6 +36,7 @@ final class Flights implements Serializable {
     private boolean[] areTied = {};
 
     private int[] pressing = {};
+    private boolean areCounted;
 
     Flights(ContactRows rows, Groups groups) {
         this.rows = rows;
@@ -54,16 +55,28 @@ final class Flights implements Serializable {
         }
     }
 
-    /** Begins to count the pairs that press. */
+    /** Begins a substep, whose impulses are there: the pairs that press are counted when it matters. */
     void clear() {
-        Arrays.fill(pressing, 0, groups.count, 0);
+        areCounted = false;
     }
 
-    /** Counts a pair that presses. */
-    void count(int k) {
-        if (groups.has(k, rows)) {
-            pressing[groups.of(k, rows)]++;
+    /** Counts the pairs that press, before impulses are taken back. */
+    void count() {
+        if (areCounted) {
+            return;
         }
+        areCounted = true;
+        Arrays.fill(pressing, 0, groups.count, 0);
+        for (int k = 0; k < rows.count; k++) {
+            if (rows.sum(k, NORMAL) > 0 && groups.has(k, rows)) {
+                pressing[groups.of(k, rows)]++;
+            }
+        }
+    }
+
+    private int pressing(int k) {
+        count();
+        return pressing[groups.of(k, rows)];
     }
 
     /** Whether two may have missed one another that were taken to meet: no other pair of their group presses, and where they are is known well enough. */
@@ -72,12 +85,12 @@ final class Flights implements Serializable {
     }
 
     private boolean isOnly(int k) {
-        return pressing[groups.of(k, rows)] <= 1;
+        return pressing(k) <= 1;
     }
 
     /** Whether an impulse was taken back where nothing presses. Bodies have moved meanwhile, so that it has left something: they fly anew. */
     boolean isUndone(int k, int p) {
-        return rows.points[p + RESTORED] == TAKEN_BACK && pressing[groups.of(k, rows)] == 0 && mayFly(k);
+        return rows.points[p + RESTORED] == TAKEN_BACK && mayFly(k) && pressing(k) == 0;
     }
 
     /**
@@ -89,7 +102,7 @@ final class Flights implements Serializable {
     boolean isHop(int k, int p, double h, double d) {
         double pull = Math.max(0, -rows.points[p + FORCED] - rows.points[p + BEND]);
         boolean isLong = -2 * rows.normals[PAIR * k + BOUNCE] * rows.points[p + OPENING] > SHORTEST * d * pull;
-        return isLong && isOnly(k) && mayFly(k) && comes(k, h);
+        return isLong && mayFly(k) && comes(k, h) && isOnly(k);
     }
 
     /** Whether nothing but bounces and even forces has part in what the bodies of a pair do. */

@@ -128,6 +128,7 @@ final class FreeImpacts implements Serializable {
      * at one time, the first: else it would act at two points, and give angular momentum.
      */
     private void meet(Balance before, double[] a, double step) {
+        flights.count();
         for (int k = 0; k < groups.bodies; k++) {
             meets[groups.blocks[k] / State.BLOCK] = Double.POSITIVE_INFINITY;
         }

@@ -337,7 +337,7 @@ final class Impacts implements Serializable {
         }
     }
 
-    /** Counts the pairs in which each body, or a body of each group, presses. */
+    /** Counts the pairs in which each body presses. */
     private void count() {
         if (touched.length < state.size()) {
             touched = new int[groups.slots.length];
@@ -348,7 +348,6 @@ final class Impacts implements Serializable {
             if (rows.sum(k, NORMAL) > 0) {
                 touched[rows.first(k)]++;
                 touched[rows.second(k)]++;
-                flights.count(k);
             }
         }
     }

@@ -298,7 +298,8 @@ final class NearPairs implements Pairs.Listener, Serializable {
      */
     double release(int pair, ContactRows rows, double[] a, double[] then, double d) {
         int k = rows.count - 1;
-        if (isSame(rows.first(k), a, then) && isSame(rows.second(k), a, then)) {
+        double given = kept[KEPT * pair] + kept[KEPT * pair + POINT];
+        if (given == 0 || isSame(rows.first(k), a, then) && isSame(rows.second(k), a, then)) {
             return 1;
         }
         double pushed = push(rows, k, then);
@@ -306,7 +307,6 @@ final class NearPairs implements Pairs.Listener, Serializable {
         if (push >= LEFT * pushed) {
             return 1;
         }
-        double given = kept[KEPT * pair] + kept[KEPT * pair + POINT];
         double released = d * (pushed - push);
         return given > released ? 1 - released / given : 0;
     }
