@@ -232,7 +232,7 @@ final class ContactRows implements Serializable {
         }
     }
 
-    private void load(Touch touch, int k, int a, int b, double[] forces) {
+    void load(Touch touch, int k, int a, int b, double[] forces) {
         double[] w = state.w().values();
         double[] v = state.v();
         int p = STRIDE * used++;

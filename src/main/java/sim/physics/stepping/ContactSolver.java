@@ -17,6 +17,7 @@ import static sim.physics.stepping.ContactRows.NORMAL_SUM;
 import static sim.physics.stepping.ContactRows.NOW;
 import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.REGAIN;
+import static sim.physics.stepping.ContactRows.RESTORED;
 import static sim.physics.stepping.ContactRows.RUBBING;
 import static sim.physics.stepping.ContactRows.STEADY;
 import static sim.physics.stepping.ContactRows.STRIDE;
@@ -238,6 +239,9 @@ final class ContactSolver implements Serializable {
                 continue; // it is open, and stays so
             }
             points[p + NORMAL] = now;
+            if (now == 0 && !regains && rows.mayBounce(k)) {
+                points[p + RESTORED] = Flights.TAKEN_BACK;
+            }
             double jx = nx * (now - old), jy = ny * (now - old);
             vx -= w[a] * jx;
             vy -= w[a] * jy;

@@ -116,6 +116,30 @@ final class ContactTurns implements Serializable {
         return turn > MOST || isPlain(k, touch) || turn < NONE && (touch.turnsBy < BETWEEN || goesRound(k) < NONE);
     }
 
+    /** Whether a body turns too far in the step for that. */
+    boolean spins(int body) {
+        return step * Math.abs(state.v()[State.BLOCK * body + 2]) > MOST;
+    }
+
+    /** Gives a pair, of which nothing is noted in this substep, another normal, which is kept. */
+    void hold(int k, double x, double y) {
+        modes[k] = STILL;
+        starts[SIZE * k] = x;
+        starts[SIZE * k + 1] = y;
+        nx = x;
+        ny = y;
+        note(k, 0);
+    }
+
+    /** Whether the bodies of a pair, unless they are discs, turn so little in the step that points follow them well. */
+    boolean areFollowed(int k) {
+        double[] v = state.v();
+        int discs = rows.pairs[ContactRows.INTS * k + ContactRows.DISCS];
+        double first = (discs & 1) == 0 ? v[State.BLOCK * rows.first(k) + 2] : 0;
+        double second = (discs & 2) == 0 ? v[State.BLOCK * rows.second(k) + 2] : 0;
+        return step * Math.max(Math.abs(first), Math.abs(second)) <= MOST;
+    }
+
     /** By how much the way between two middles turns in the step at most, apart from what the bodies turn by. */
     private double goesRound(int k) {
         double[] v = state.v();

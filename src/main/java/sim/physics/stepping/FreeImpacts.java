@@ -32,6 +32,7 @@ final class FreeImpacts implements Serializable {
     private final ContactRows rows;
     private final Groups groups;
     private final ContactSolver contacts;
+    private final Flights flights;
 
     /** By group: whether it is one. */
     private boolean[] areFree = {};
@@ -43,11 +44,12 @@ final class FreeImpacts implements Serializable {
 
     private double h;
 
-    FreeImpacts(State state, ContactRows rows, Groups groups, ContactSolver contacts) {
+    FreeImpacts(State state, ContactRows rows, Groups groups, ContactSolver contacts, Flights flights) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
         this.contacts = contacts;
+        this.flights = flights;
     }
 
     /** Whether a group is one. */
@@ -113,7 +115,8 @@ final class FreeImpacts implements Serializable {
                 double closed = Impacts.closed(rows, row, step);
                 boolean regains = rows.points[p + BEFORE] < -closed && h * rows.points[p + OPENING] > -closed;
                 boolean isDeep = regains && rows.normals[ContactRows.PAIR * row + ContactRows.BOUNCE] < 1; // what is elastic does not stay there
-                boolean isBounce = rows.points[p + RESTORED] > 0 && rows.isNew(row) && !isDeep;
+                boolean comes = rows.isNew(row) || rows.mayBounce(row) && flights.comes(row, p, step);
+                boolean isBounce = rows.points[p + RESTORED] > 0 && comes && !isDeep;
                 areFree[groups.of(row, rows)] &= isBounce || rows.points[p + NORMAL] == 0;
             }
         }
@@ -125,6 +128,7 @@ final class FreeImpacts implements Serializable {
      * at one time, the first: else it would act at two points, and give angular momentum.
      */
     private void meet(Balance before, double[] a, double step) {
+        flights.count();
         for (int k = 0; k < groups.bodies; k++) {
             meets[groups.blocks[k] / State.BLOCK] = Double.POSITIVE_INFINITY;
         }
@@ -193,6 +197,15 @@ final class FreeImpacts implements Serializable {
         if (time < h) { // else a wave has driven them together
             meets[rows.first(row)] = Math.min(meets[rows.first(row)], time);
             meets[rows.second(row)] = Math.min(meets[rows.second(row)], time);
+        } else if (flights.mayMiss(row)) {
+            miss(row);
+        }
+    }
+
+    /** Two that nothing else drives together have not met: ways are bent. */
+    private void miss(int row) {
+        for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
+            rows.points[p + RESTORED] = 0;
         }
     }
 

@@ -167,6 +167,11 @@ final class Groups implements Serializable {
         }
     }
 
+    /** {@return whether friction with the plane acts} */
+    boolean areRubbed() {
+        return rubs;
+    }
+
     /** Clears what is said of the groups with joints and springs, and of all if friction with the plane acts. */
     void clearTied(boolean[] those) {
         for (int k = 0; k < tied.size; k++) {

@@ -67,6 +67,7 @@ final class Impacts implements Serializable {
     private final StruckPoints struck;
     private final Compression compression;
     private final FreeImpacts free;
+    private final Flights flights;
 
     /** The points that have met: row and first value of each; only they give something back. */
     private final IntList met = new IntList();
@@ -98,13 +99,14 @@ final class Impacts implements Serializable {
     /** By body: the number of pairs in which it presses. */
     private int[] touched = {};
 
-    Impacts(State state, ContactRows rows, Groups groups, FreeImpacts free) {
+    Impacts(State state, ContactRows rows, Groups groups, FreeImpacts free, Flights flights) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
         struck = new StruckPoints(state, rows);
         compression = new Compression(state, rows, groups, struck);
         this.free = free;
+        this.flights = flights;
     }
 
     /** Begins a step in which something may strike, and of which the groups are known: of most rows of a pile there is nothing to be asked in it. */
@@ -118,6 +120,7 @@ final class Impacts implements Serializable {
         }
         Arrays.fill(areTied, 0, groups.count, false);
         groups.markTied(areTied);
+        flights.begin(areTied);
         measure();
         met.clear();
         watched.clear();
@@ -192,14 +195,13 @@ final class Impacts implements Serializable {
         return met.size > 0 || stops.haveMet();
     }
 
-    /** Whether some pair presses that may have met; none is taken to have. */
+    /** Whether some pair presses that may have met, or has pressed within the substep. */
     private boolean presses() {
         boolean yes = false;
         for (int n = 0; n < meeting.size; n++) {
             int k = meeting.values[n];
             for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
-                rows.points[p + RESTORED] = 0;
-                yes |= rows.points[p + NORMAL] > 0;
+                yes |= rows.points[p + NORMAL] > 0 || rows.points[p + RESTORED] == Flights.TAKEN_BACK;
             }
         }
         return yes;
@@ -211,7 +213,8 @@ final class Impacts implements Serializable {
             int k = meeting.values[n];
             for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
                 rows.points[p + OPENING] = rows.opening(k, p, before) - d * rows.points[p + FORCED];
-                boolean meets = rows.points[p + NORMAL] > 0 && isImpact(k, p, h);
+                boolean presses = rows.points[p + NORMAL] > 0;
+                boolean meets = presses ? isImpact(k, p, h) || flights.isHop(k, p, h, d) : flights.isUndone(k, p);
                 rows.points[p + RESTORED] = meets ? Math.max(PLASTIC, rows.normals[PAIR * k + BOUNCE]) : 0;
                 int group = groups.of(k, rows);
                 counts[group] += meets ? 1 : 0;
@@ -258,7 +261,6 @@ final class Impacts implements Serializable {
             int k = groups.struck.values[n];
             for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
                 double restored = rows.points[p + RESTORED];
-                rows.pairs[INTS * k + BOUNCED] |= restored > PLASTIC ? 1 : 0;
                 boolean takesPart = isTied(k) && rows.points[p + NORMAL] > 0 || isPlastic(k) && isClosed(k, p, h);
                 rows.points[p + RESTORED] = takesPart ? Math.max(PLASTIC, restored) : restored;
                 if (rows.points[p + RESTORED] > 0) {
@@ -267,6 +269,21 @@ final class Impacts implements Serializable {
                 }
             }
         }
+    }
+
+    /** Forgets the points that have not met where their bodies fly freely. */
+    void dropMissed() {
+        int kept = 0;
+        for (int m = 0; m < met.size; m += 2) {
+            int k = met.values[m];
+            int p = met.values[m + 1];
+            rows.pairs[INTS * k + BOUNCED] |= rows.points[p + RESTORED] > PLASTIC ? 1 : 0;
+            if (rows.points[p + RESTORED] > 0) {
+                met.values[kept++] = k;
+                met.values[kept++] = p;
+            }
+        }
+        met.size = kept;
     }
 
     /** Whether there is something to be done about a pair: it may bounce, or strikes what joints tie. */
@@ -326,10 +343,12 @@ final class Impacts implements Serializable {
             touched = new int[groups.slots.length];
         }
         Arrays.fill(touched, 0, state.size(), 0);
+        flights.clear();
         for (int k = 0; k < rows.count; k++) {
-            int one = rows.sum(k, NORMAL) > 0 ? 1 : 0;
-            touched[rows.first(k)] += one;
-            touched[rows.second(k)] += one;
+            if (rows.sum(k, NORMAL) > 0) {
+                touched[rows.first(k)]++;
+                touched[rows.second(k)]++;
+            }
         }
     }
 

@@ -36,6 +36,9 @@ final class NearPairs implements Pairs.Listener, Serializable {
 
     static final int KEPT = 2 * POINT;
 
+    /** Part that is left of a force that presses, from which on it has not been released. */
+    private static final double LEFT = 0.5;
+
     /** Number of bodies from which a grid finds the pairs. */
     private static final int CROWD = 50;
 
@@ -283,6 +286,46 @@ final class NearPairs implements Pairs.Listener, Serializable {
         }
         remember(pair, rows, 0, first, growth);
         remember(pair, rows, 1, second, growth);
+    }
+
+    /**
+     * Which part of the impulses of the step before the row that was added last is to begin with, by what forces do to its bodies. Those that pressed them on
+     * one another and do no more have left impulses that press nothing: one solution would let the two part with a share of it, as it does not know what holds them.
+     *
+     * @param a accelerations by forces
+     * @param then the same of the step before
+     * @param d the substep
+     */
+    double release(int pair, ContactRows rows, double[] a, double[] then, double d) {
+        int k = rows.count - 1;
+        double given = kept[KEPT * pair] + kept[KEPT * pair + POINT];
+        if (given == 0 || isSame(rows.first(k), a, then) && isSame(rows.second(k), a, then)) {
+            return 1;
+        }
+        double pushed = push(rows, k, then);
+        double push = push(rows, k, a);
+        if (push >= LEFT * pushed) {
+            return 1;
+        }
+        double released = d * (pushed - push);
+        return given > released ? 1 - released / given : 0;
+    }
+
+    private static boolean isSame(int body, double[] a, double[] then) {
+        int b = State.BLOCK * body;
+        return a[b] == then[b] && a[b + 1] == then[b + 1];
+    }
+
+    /** The larger one of the forces that press a row's bodies on one another. */
+    private double push(ContactRows rows, int k, double[] a) {
+        return Math.max(0, Math.max(push(rows, k, rows.first(k), 1, a), push(rows, k, rows.second(k), -1, a)));
+    }
+
+    /** The force along the normal, or against it, that acts on a body of a row. */
+    private double push(ContactRows rows, int k, int body, int sign, double[] a) {
+        int b = State.BLOCK * body;
+        double w = state.w().values()[b];
+        return w > 0 ? sign * (rows.normalX(k) * a[b] + rows.normalY(k) * a[b + 1]) / w : 0;
     }
 
     private void remember(int pair, ContactRows rows, int point, int place, double growth) {

@@ -57,8 +57,9 @@ final class Retake implements Serializable {
         groups = new Groups(state);
         balance = new Balance(state, groups);
         bounced = new Balance(state, groups);
-        free = new FreeImpacts(state, rows, groups, contacts);
-        impacts = new Impacts(state, rows, groups, free);
+        Flights flights = new Flights(rows, groups);
+        free = new FreeImpacts(state, rows, groups, contacts, flights);
+        impacts = new Impacts(state, rows, groups, free, flights);
         reflections = new Reflections(state, rows, groups, free);
         belts = new Belts(state, poses);
     }
@@ -168,6 +169,7 @@ final class Retake implements Serializable {
         }
         bounced.bound(balance, a, h);
         free.begin(balance, a, step, h);
+        impacts.dropMissed();
         boolean[] marks = balance.marks();
         double part = isTied ? Softness.EAGER.mass() : 1;
         impacts.mark(marks, true);

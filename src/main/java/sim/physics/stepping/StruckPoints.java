@@ -9,6 +9,7 @@ import static sim.physics.stepping.ContactRows.NORMAL;
 import static sim.physics.stepping.ContactRows.NORMAL_MASS;
 import static sim.physics.stepping.ContactRows.NOW;
 import static sim.physics.stepping.ContactRows.PAIR;
+import static sim.physics.stepping.ContactRows.RESTORED;
 import static sim.physics.stepping.ContactRows.STRIDE;
 import static sim.physics.stepping.ContactRows.TANGENT;
 import static sim.physics.stepping.ContactRows.TANGENT_MASS;
@@ -79,6 +80,8 @@ final class StruckPoints implements Serializable {
             if (isOver || regains || !rows.comesToStrike(k)) {
                 double bend = regains ? 0.5 * h * rows.points[p + BEND] : 0;
                 changes |= solve(k, p, isOver ? 0 : Math.max(0, gap / h + bend), 0, 1, false) > SETTLED;
+                boolean isTakenBack = meets && !regains && rows.mayBounce(k) && rows.points[p + NORMAL] == 0;
+                rows.points[p + RESTORED] = isTakenBack ? Flights.TAKEN_BACK : rows.points[p + RESTORED];
             }
         }
         return changes;

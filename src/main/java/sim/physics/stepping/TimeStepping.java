@@ -66,6 +66,7 @@ public final class TimeStepping implements Serializable {
     private final NearPairs near;
     private final Touch touch;
     private final ContactRows rows;
+    private final Spinners spinners;
     private final ContactSolver contacts;
     private final TieRows ties;
     private final Onset onset;
@@ -86,7 +87,7 @@ public final class TimeStepping implements Serializable {
     private boolean areOthersAsleep;
 
     private double[] a = {};
-
+    private double[] before = {}; // those of the step before
     private double h;
 
     /** The substep that impulses are kept of, 0 if none are; and what they are to be multiplied by for the present one. */
@@ -134,6 +135,7 @@ public final class TimeStepping implements Serializable {
         sleep = new Sleep(state, poses, near, forces, rows);
         decisions.setPairs(near, sleep.kept());
         touch = new Touch(state, poses, near);
+        spinners = new Spinners(state, poses, near, touch, rows);
         halves = new Halves(state, poses, forces);
         retake = new Retake(state, poses, forces, ties, rows, contacts);
     }
@@ -255,7 +257,9 @@ public final class TimeStepping implements Serializable {
         forces.begin();
         if (a.length < state.x().length) {
             a = new double[state.x().length];
+            before = new double[a.length];
         }
+        System.arraycopy(a, 0, before, 0, a.length);
         growth = keptOf > 0 ? Math.min(MOST_GROWTH, step / substeps / keptOf) : 0;
         sleep.wakeDriven(ties);
         areOthersAsleep |= sleep.refresh();
@@ -317,12 +321,13 @@ public final class TimeStepping implements Serializable {
             rows.dropLast();
             return;
         }
+        spinners.add(NEAR * size + way);
         boolean areTied = constraints != null && constraints.isTied(first) && constraints.isTied(second);
         for (int k = 0; k < touch.count; k++) {
             deepest = Math.min(deepest, touch.gap[k]);
             deepestTied = areTied ? Math.max(deepestTied, -touch.gap[k] / size) : deepestTied;
         }
-        near.remember(pair, touch, rows, growth);
+        near.remember(pair, touch, rows, growth * near.release(pair, rows, a, before, h / substeps));
     }
 
     /**
@@ -354,6 +359,7 @@ public final class TimeStepping implements Serializable {
         }
         soften(Math.max(d, pace - h / PATIENCE));
         for (int k = 0; k < substeps; k++) {
+            spinners.find(k, a);
             substep(time + (k + 1) * d, d, isTied, isRubbed, isBalanced, bounces);
         }
         near.keep(rows, contacts);

@@ -8,7 +8,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
@@ -65,13 +64,15 @@ class SteppedFlushTest {
         assertThat(engine.kineticEnergy() / before).isEqualTo(1, within(1e-9));
     }
 
-    /** It lost 6 · 10⁻⁶ to 2 · 10⁻⁵ of it. */
+    /**
+     * It lost 6 · 10⁻⁶ to 2 · 10⁻⁵ of it; of a hundred bodies, with four substeps, it gained up to 3 · 10⁻⁵, and with two up to 2 · 10⁻⁴, by impulses that
+     * were given and taken back within a substep, where bodies had moved meanwhile.
+     */
     @ParameterizedTest
-    @ValueSource(longs = {3, 4, 5, 6})
-    void anElasticGasKeepsItsEnergy(long seed) {
-        int bodies = 49;
+    @CsvSource({"3, 49, 4", "4, 49, 4", "5, 49, 4", "6, 49, 4", "1, 100, 4", "4, 100, 4", "5, 100, 4", "3, 100, 2"})
+    void anElasticGasKeepsItsEnergy(long seed, int bodies, int substeps) {
         engine.setTimeStep(1 / 60.0);
-        engine.setTimeStepping(4);
+        engine.setTimeStepping(substeps);
         SplittableRandom random = new SplittableRandom(seed);
         double side = 2 * Math.sqrt(bodies);
         for (int end = 0; end < 2; end++) {
