@@ -307,7 +307,9 @@ final class Island implements Serializable {
         for (int k : others) {
             equations.clear();
             constraints[k].evaluate(equations);
-            equations.check(constraints[k], constraints[k].getRows());
+            if (!isOwn) {
+                equations.check(constraints[k], constraints[k].getRows());
+            }
             for (int row = 0; row < constraints[k].getRows(); row++) {
                 take(firstNode[k] + (row >> 1), row & 1, row);
             }

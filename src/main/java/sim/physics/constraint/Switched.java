@@ -57,6 +57,9 @@ abstract class Switched implements Constraint {
 
     private final double[] row = new double[6];
 
+    /** Whether the coordinate is of an author. */
+    private final boolean isAuthors;
+
     Switched(Constraint coordinate) {
         this.coordinate = Objects.requireNonNull(coordinate, "coordinate");
         if (coordinate instanceof Rail) { // a slot has one row: how far the pin is beside it
@@ -68,6 +71,7 @@ abstract class Switched implements Constraint {
         if (coordinate.getRows() != 1 || coordinate instanceof Switched) {
             throw new IllegalArgumentException("coordinate is " + coordinate + ": it must have one row");
         }
+        isAuthors = !Joint.isOwn(coordinate);
     }
 
     final Constraint coordinate() {
@@ -161,7 +165,9 @@ abstract class Switched implements Constraint {
     @Override
     public void evaluate(Equations equations) {
         coordinate.evaluate(equations);
-        equations.check(coordinate, 1); // before what does not act is set to 0
+        if (isAuthors) {
+            equations.check(coordinate, 1); // before what does not act is set to 0
+        }
         value = equations.c[0];
         curvature = equations.rate[0];
         System.arraycopy(equations.jA, 0, row, 0, 3);
