@@ -153,6 +153,20 @@ class KinematicBodyTest {
         y[1] += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     }
 
+    /** A rod on a pivot that goes on at any speed spins as on one that stands, for ever: nobody puts energy back that is lost beside that of the pivot. */
+    @Test
+    void aRodSpinsOnAPivotThatMoves() {
+        PhysicsEngine engine = engine(0.01, 0);
+        KinematicBody pivot = new KinematicBody(new Circle(0.05));
+        engine.add(pivot.moving(7, 3));
+        Body rod = engine.add(new Body(new Rectangle(1, 0.1)).at(0.5, 0).moving(7, 4, 2));
+        engine.add(new PinJoint(pivot, rod, 0, 0));
+        run(engine, 1000);
+        assertThat(rod.getAngularVelocity()).isCloseTo(2, within(1e-8));
+        assertThat(rod.getAngle()).isCloseTo(20, within(1e-7));
+        assertThat(pivot.getX()).isCloseTo(70, within(1e-9));
+    }
+
     /** What lies on a platform that is faster than friction lets it be stays behind by (a − μ g) t² / 2. */
     @ParameterizedTest
     @CsvSource({"0, 1e-6", "4, 2e-3"})
