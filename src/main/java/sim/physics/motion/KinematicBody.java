@@ -52,6 +52,9 @@ public class KinematicBody extends Body {
 
     private final double[] after = new double[State.BLOCK];
 
+    /** Accelerations in the step. */
+    private final double[] rate = new double[State.BLOCK];
+
     /** Length of the last step. */
     private double step;
 
@@ -122,31 +125,31 @@ public class KinematicBody extends Body {
         hasCourse = false;
     }
 
-    /**
-     * The acceleration by which it gets its target velocity in a step. What it has missed of its course, where something closed on it within
-     * the step before, it makes up for in the next ones.
-     */
-    final double acceleration(int k, double h) {
-        int at = State.BLOCK * index() + k;
-        double missed = hasCourse ? course[k] - state().x()[at] : 0;
-        double size = k == State.THETA ? 1 : getShape().boundingRadius();
-        boolean isRounding = Math.abs(missed) <= ROUNDING * (size + Math.abs(course[k]));
-        return (target[k] + (isRounding ? 0 : CATCH_UP * missed / h) - state().v()[at]) / h;
-    }
-
-    /** Notes where the velocities bring it in a step, from where they have brought it. */
-    final void follow(double h) {
+    /** Begins a step: finds the accelerations by which it gets its target velocity in it, and where its velocities bring it. */
+    final void begin(double h) {
         for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK; k++, at++) {
+            double x = state().x()[at];
             before[k] = state().v()[at];
-            after[k] = before[k] + h * acceleration(k, h);
-        }
-        for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK; k++, at++) {
-            double from = hasCourse ? course[k] : state().x()[at];
-            course[k] = from + 0.5 * h * ((hasCourse ? pace[k] : before[k]) + target[k]);
+            rate[k] = (target[k] + catchUp(k, x) / h - before[k]) / h;
+            after[k] = before[k] + h * rate[k];
+            course[k] = (hasCourse ? course[k] : x) + 0.5 * h * ((hasCourse ? pace[k] : before[k]) + target[k]);
             pace[k] = target[k];
         }
         hasCourse = true;
         step = h;
+    }
+
+    /** How much it makes up for in a step of what it has missed of its course, where something closed on it within the ones before. */
+    private double catchUp(int k, double x) {
+        double missed = hasCourse ? course[k] - x : 0;
+        double size = k == State.THETA ? 1 : getShape().boundingRadius();
+        boolean isRounding = Math.abs(missed) <= ROUNDING * (size + Math.abs(course[k]));
+        return isRounding ? 0 : CATCH_UP * missed;
+    }
+
+    /** The acceleration in the step that has begun. */
+    final double acceleration(int k) {
+        return rate[k];
     }
 
     /**

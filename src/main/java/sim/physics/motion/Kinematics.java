@@ -44,8 +44,11 @@ final class Kinematics implements Serializable {
         // none yet
     }
 
+    /** Takes a body in, which may have left since the last step only to come again. */
     void add(KinematicBody body) {
-        bodies.add(body);
+        if (!bodies.contains(body)) {
+            bodies.add(body);
+        }
         count = -1;
     }
 
@@ -73,10 +76,10 @@ final class Kinematics implements Serializable {
     }
 
     private void push(KinematicBody body, double gravityX, double gravityY, double h) {
-        double ax = body.acceleration(State.X, h) - gravityX;
-        double ay = body.acceleration(State.Y, h) - gravityY;
-        double turn = body.acceleration(State.THETA, h);
-        body.follow(h);
+        body.begin(h);
+        double ax = body.acceleration(State.X) - gravityX;
+        double ay = body.acceleration(State.Y) - gravityY;
+        double turn = body.acceleration(State.THETA);
         if (ax != 0 || ay != 0 || turn != 0) {
             body.apply(mass * ax, mass * ay, inertia * turn);
         }
@@ -93,11 +96,12 @@ final class Kinematics implements Serializable {
         double most = 0;
         double speed = 0;
         for (int k = 0; k < bodies.size(); k++) {
-            int index = bodies.get(k).index();
-            if (bodies.get(k).hasCourse() && (areKept || !trajectories.isDriven(index))) {
-                trajectories.publish(index, tau, state);
-                most = Math.max(most, bodies.get(k).deflection());
-                speed = Math.max(speed, bodies.get(k).fastest());
+            KinematicBody body = bodies.get(k);
+            boolean isThere = body.state() == state && body.hasCourse(); // a listener may have removed it
+            if (isThere && (areKept || !trajectories.isDriven(body.index()))) {
+                trajectories.publish(body.index(), tau, state);
+                most = Math.max(most, body.deflection());
+                speed = Math.max(speed, body.fastest());
             }
         }
         double given = mass * most;

@@ -5,7 +5,6 @@ package sim.physics.query;
 import java.util.List;
 import java.util.function.Predicate;
 import sim.physics.motion.Body;
-import sim.physics.motion.State;
 
 /**
  * One ray after another: through the cells, from one to the next that the ray enters (Amanatides and Woo 1987), or past all
@@ -103,20 +102,6 @@ final class RayWalk extends Walk {
             cells.mark[i] = question;
             meet(i);
         }
-    }
-
-    /** Whether the ray comes into the circle around a body before its end; not into that of none. */
-    private boolean isNear(int i) {
-        double[] at = census.state.x();
-        double px = at[State.BLOCK * i] - x;
-        double py = at[State.BLOCK * i + 1] - y;
-        double radius = census.radii[i];
-        double across = px * dy - py * dx;
-        if (Math.abs(across) > radius) {
-            return false;
-        }
-        double along = px * dx + py * dy;
-        return along >= -radius && along - distance * SLACK <= radius;
     }
 
     private void meet(int i) {

@@ -7,16 +7,21 @@ import sim.physics.motion.Body;
 import sim.physics.shape.Shape;
 
 /** A shape that is put somewhere, and whether bodies meet it there. Coordinates are relative to its centre. */
-final class Stencil {
-    private final double[] turn = new double[2];
-    private Shape shape;
-    private double x;
-    private double y;
+class Stencil {
+    final double[] turn = new double[2];
+    Shape shape;
+    double x;
+    double y;
+
+    /** The directions in which the body faces that is looked at. */
+    double cos;
+
+    double sin;
 
     /** A part of the shape, and a part of a body. */
-    private final Corners own = new Corners();
+    final Corners own = new Corners();
 
-    private final Corners other = new Corners();
+    final Corners other = new Corners();
 
     /** Puts a shape somewhere. */
     void put(Shape what, double atX, double atY, double angle) {
@@ -27,6 +32,16 @@ final class Stencil {
         turn[1] = 0;
         if (what.vertexCount() > 1) {
             Trig.sinCos(angle, turn, 0);
+        }
+    }
+
+    /** Turns to where a body faces; discs need no angle. */
+    final void face(Body body) {
+        cos = 1;
+        sin = 0;
+        if (body.getShape().vertexCount() > 1) {
+            cos = Trig.cos(body.getAngle());
+            sin = Trig.sin(body.getAngle());
         }
     }
 
@@ -46,12 +61,7 @@ final class Stencil {
     /** Whether a body touches it or overlaps it. */
     boolean meets(Body body) {
         Shape of = body.getShape();
-        double cos = 1;
-        double sin = 0;
-        if (of.vertexCount() > 1) {
-            cos = Trig.cos(body.getAngle());
-            sin = Trig.sin(body.getAngle());
-        }
+        face(body);
         for (int i = 0; i < shape.partCount(); i++) {
             own.put(shape.part(i), 0, 0, turn[0], turn[1]);
             for (int k = 0; k < of.partCount(); k++) {

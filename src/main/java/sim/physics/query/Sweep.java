@@ -3,7 +3,6 @@
 package sim.physics.query;
 
 import sim.physics.internal.Tolerances;
-import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
 import sim.physics.shape.Shape;
 
@@ -15,16 +14,9 @@ import sim.physics.shape.Shape;
  * <p>A line that parts both at the start to rounding, and still does so at the end, parts them all the way: what lies on a floor
  * slides over it. Parts are looked at one by one.
  */
-final class Sweep {
+final class Sweep extends Stencil {
     /** Part of an edge by which a place on it may be beyond its end, for rounding. */
     private static final double BEYOND = 1e-12;
-
-    private final double[] turn = new double[2];
-    private final Corners own = new Corners();
-    private final Corners other = new Corners();
-    private Shape shape;
-    private double x;
-    private double y;
 
     /** The box around the shape, relative to its centre. */
     double lowX;
@@ -65,16 +57,9 @@ final class Sweep {
     private int through;
     private Corners side;
 
-    /** Puts a shape somewhere. */
+    @Override
     void put(Shape what, double atX, double atY, double angle) {
-        shape = what;
-        x = atX;
-        y = atY;
-        turn[0] = 1;
-        turn[1] = 0;
-        if (what.vertexCount() > 1) {
-            Trig.sinCos(angle, turn, 0);
-        }
+        super.put(what, atX, atY, angle);
         lowX = Double.POSITIVE_INFINITY;
         lowY = Double.POSITIVE_INFINITY;
         highX = Double.NEGATIVE_INFINITY;
@@ -93,12 +78,7 @@ final class Sweep {
     /** Whether it meets a body within a range, in a unit direction; sets distance, normal and point. */
     boolean meets(Body body, double directionX, double directionY, double range) {
         Shape of = body.getShape();
-        double cos = 1;
-        double sin = 0;
-        if (of.vertexCount() > 1) {
-            cos = Trig.cos(body.getAngle());
-            sin = Trig.sin(body.getAngle());
-        }
+        face(body);
         dx = directionX;
         dy = directionY;
         double cx = body.getX() - x;

@@ -5,7 +5,6 @@ package sim.physics.query;
 import java.util.List;
 import java.util.function.Predicate;
 import sim.physics.motion.Body;
-import sim.physics.motion.State;
 import sim.physics.shape.Shape;
 
 /**
@@ -14,7 +13,6 @@ import sim.physics.shape.Shape;
  */
 final class SweepWalk extends Walk {
     private final Sweep sweep = new Sweep();
-    private double reach;
     private int question;
 
     SweepWalk(Census census, Cells cells) {
@@ -101,16 +99,6 @@ final class SweepWalk extends Walk {
             cells.mark[i] = question;
             meet(i);
         }
-    }
-
-    /** Whether the circle around the shape comes to that around a body before the end; not to that of none. */
-    private boolean isNear(int i) {
-        double[] at = census.state.x();
-        double px = at[State.BLOCK * i] - x;
-        double py = at[State.BLOCK * i + 1] - y;
-        double radius = census.radii[i] + reach;
-        double along = px * dx + py * dy;
-        return Math.abs(px * dy - py * dx) <= radius && along >= -radius && along - distance * SLACK <= radius;
     }
 
     private void meet(int i) {

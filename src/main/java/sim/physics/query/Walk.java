@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.function.Predicate;
 import sim.physics.internal.Check;
 import sim.physics.motion.Body;
+import sim.physics.motion.State;
 
 /**
  * What a ray and a shape that moves straight on have in common: where they begin, where they go, and what they have met. Of bodies
@@ -31,6 +32,9 @@ abstract class Walk {
 
     double dy;
     Predicate<? super Body> filter;
+
+    /** Radius of what goes on; 0 for a ray. */
+    double reach;
 
     /** Takes all that is met; null if only the first counts. */
     private List<Hit> all;
@@ -84,6 +88,20 @@ abstract class Walk {
     final void end() {
         filter = null;
         all = null;
+    }
+
+    /** Whether the circle around what goes on comes to that around a body before the end; a ray does not come to that of none. */
+    final boolean isNear(int i) {
+        double[] at = census.state.x();
+        double px = at[State.BLOCK * i] - x;
+        double py = at[State.BLOCK * i + 1] - y;
+        double radius = census.radii[i] + reach;
+        double across = px * dy - py * dx;
+        if (Math.abs(across) > radius) {
+            return false;
+        }
+        double along = px * dx + py * dy;
+        return along >= -radius && along - distance * SLACK <= radius;
     }
 
     /** Takes note of a body that is met. */

@@ -439,6 +439,21 @@ class KinematicBodyTest {
         }
     }
 
+    /** One that is taken out and put in again before the next step is one, not two. */
+    @Test
+    void itComesAgainAtOnce() {
+        PhysicsEngine engine = engine(0.01, 0);
+        KinematicBody body = new KinematicBody(new Circle(1));
+        engine.add(body);
+        engine.remove(body);
+        engine.add(body);
+        for (int k = 1; k <= 100; k++) {
+            body.setTargetVelocity(0.01 * k, 0, 0);
+            engine.step();
+        }
+        assertThat(body.getX()).isCloseTo(0.5, within(1e-12));
+    }
+
     /** Takes one out and puts it in again, also into another engine. */
     @Test
     void itComesAndGoes() {
