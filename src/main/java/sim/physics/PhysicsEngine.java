@@ -150,7 +150,7 @@ public final class PhysicsEngine implements Steppable {
         if (relief.isOver(steps)) {
             resume();
         }
-        steering.begin(timeStep, isStepped);
+        steering.begin(steps, timeStep, isStepped);
         if (isStepped) {
             stepWithoutEvents(0);
         } else {

@@ -122,6 +122,11 @@ public class KinematicBody extends Body {
         if (isVelocity) {
             System.arraycopy(state().v(), State.BLOCK * index(), target, 0, State.BLOCK);
         }
+        leaveCourse();
+    }
+
+    /** It goes on from where it is. */
+    final void leaveCourse() {
         hasCourse = false;
     }
 

@@ -35,6 +35,9 @@ final class Kinematics implements Serializable {
     /** How heavy they are made now. */
     private double heavy;
 
+    /** Number of the last step that has begun. */
+    private long last = -1;
+
     /** Number of bodies, and how often they had been written, when masses were looked at last. */
     private int count = -1;
 
@@ -56,8 +59,8 @@ final class Kinematics implements Serializable {
         return bodies.isEmpty();
     }
 
-    /** Sets the forces for a step. */
-    void push(State state, double gravityX, double gravityY, double h, boolean isStepped) {
+    /** Sets the forces for a step; one that begins again has failed, and all go on from where they are. */
+    void push(State state, long number, double gravityX, double gravityY, double h, boolean isStepped) {
         for (int k = bodies.size() - 1; k >= 0; k--) {
             if (bodies.get(k).state() != state) {
                 bodies.remove(k); // it has left
@@ -69,8 +72,12 @@ final class Kinematics implements Serializable {
             weigh(state);
         }
         for (int k = 0; k < bodies.size(); k++) {
+            if (number == last) {
+                bodies.get(k).leaveCourse();
+            }
             push(bodies.get(k), gravityX, gravityY, h);
         }
+        last = number;
         count = state.bodyCount();
         writes = state.writes();
     }
@@ -80,7 +87,7 @@ final class Kinematics implements Serializable {
         double ax = body.acceleration(State.X) - gravityX;
         double ay = body.acceleration(State.Y) - gravityY;
         double turn = body.acceleration(State.THETA);
-        if (ax != 0 || ay != 0 || turn != 0) {
+        if (ax != 0 || ay != 0 || turn != 0 || body.isPushed()) {
             body.apply(mass * ax, mass * ay, inertia * turn);
         }
     }

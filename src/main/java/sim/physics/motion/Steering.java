@@ -46,12 +46,13 @@ public final class Steering implements Serializable {
     /**
      * Sets kinematic bodies on their courses for a step that is about to begin.
      *
+     * @param number of the step
      * @param h its length
      * @param isStepped whether it is made by time stepping
      */
-    public void begin(double h, boolean isStepped) {
+    public void begin(long number, double h, boolean isStepped) {
         if (isAny()) {
-            kinematics.push(state, generators.gravityX, generators.gravityY, h, isStepped);
+            kinematics.push(state, number, generators.gravityX, generators.gravityY, h, isStepped);
         }
     }
 

@@ -15,6 +15,7 @@ import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
+import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.KinematicBody;
 import sim.physics.motion.Spring;
@@ -437,6 +438,33 @@ class KinematicBodyTest {
             assertThat(small.bodies().get(k).getX()).isEqualTo(0x1p-20 * engine.bodies().get(k).getX());
             assertThat(small.bodies().get(k).getAngularVelocity()).isEqualTo(0x1p7 * engine.bodies().get(k).getAngularVelocity());
         }
+    }
+
+    /** A step that an author's force has stopped is made again, and counts once. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 4})
+    void aStepThatFails(int substeps) {
+        PhysicsEngine engine = engine(0.01, substeps);
+        KinematicBody body = new KinematicBody(new Circle(1));
+        engine.add(body);
+        engine.add(new Body(new Circle(1)).at(0, 9));
+        boolean[] fails = {false};
+        engine.add((ForceGenerator) (on, time, forces) -> {
+            if (fails[0]) {
+                fails[0] = false;
+                throw new IllegalArgumentException("an author's mistake");
+            }
+            forces.add(on, 0, 1);
+        });
+        for (int k = 1; k <= 100; k++) {
+            body.setTargetVelocity(0.01 * k, 0, 0);
+            fails[0] = k == 50;
+            if (k == 50) {
+                assertThatIllegalArgumentException().isThrownBy(engine::step);
+            }
+            engine.step();
+        }
+        assertThat(body.getX()).isCloseTo(0.5, within(1e-10));
     }
 
     /** One that is taken out and put in again before the next step is one, not two. */
