@@ -173,7 +173,7 @@ final class Admission implements Presence, Serializable {
         if (audit != null) {
             audit.written(index, tau);
         }
-        if (state.body(index).isFixed() && state.isOnlyPushed(index) && detection.knows(index)) {
+        if (state.body(index).isImmobile() && state.isOnlyPushed(index) && detection.knows(index)) {
             return; // what it bears has been told
         }
         boolean isThere = trajectories.isAt(index, tau, state); // forces are set in each step, and change no contact
@@ -182,7 +182,7 @@ final class Admission implements Presence, Serializable {
         } else {
             resting.forget(index);
         }
-        if (isThere && heaps.has(index)) {
+        if (isThere && heaps.has(index) && !state.isTurned(index)) {
             heaps.struck(index);
         } else {
             heaps.forget(index);
@@ -196,7 +196,7 @@ final class Admission implements Presence, Serializable {
         boolean staysDriven = isDriven && trajectories.isDriven(index);
         if (isKnown && !(staysDriven && isOnlyPushed(index, tau))) { // else its path is told with those of all driven bodies
             boolean isOutOfBox = detection.refilter(index, tau, !isThere);
-            detection.moved(index, tau, isDriven || !isThere || isOutOfBox || state.body(index).isFixed(), -1);
+            detection.moved(index, tau, isDriven || !isThere || isOutOfBox || state.body(index).isImmobile(), -1);
         } else if (!isKnown) {
             detection.add(index, tau);
         }
@@ -279,19 +279,23 @@ final class Admission implements Presence, Serializable {
         }
     }
 
-    /** What rests or lies on fixed bodies feels it when these have another surface. */
+    /** What rests or lies on bodies that nothing moves feels it when these have another surface, begin to move, or come to a stand. */
     private void stirOnFixed(double tau) {
         for (int k = 0, n = state.touchedCount(); k < n; k++) {
             int index = state.touched(k);
-            if (state.body(index) == null || !state.body(index).isFixed() || !state.isOnlyPushed(index) || !detection.knows(index)) {
-                continue;
+            boolean isSurface = state.isOnlyPushed(index) && state.body(index) != null && state.body(index).isImmobile();
+            if ((isSurface || state.isTurned(index)) && detection.knows(index)) {
+                stirOn(index, tau);
             }
-            for (int m = 0; m < detection.pairs().countOf(index); m++) {
-                int other = detection.pairs().other(detection.pairs().of(index, m), index);
-                if (!state.isTouched(other) && (resting.rests(other) || heaps.has(other))) {
-                    publish(other, tau);
-                    state.stir(other);
-                }
+        }
+    }
+
+    private void stirOn(int index, double tau) {
+        for (int m = 0; m < detection.pairs().countOf(index); m++) {
+            int other = detection.pairs().other(detection.pairs().of(index, m), index);
+            if (!state.isTouched(other) && (resting.rests(other) || heaps.has(other))) {
+                publish(other, tau);
+                state.stir(other);
             }
         }
     }
@@ -373,7 +377,7 @@ final class Admission implements Presence, Serializable {
         if (constraints.isChanged()) {
             regroup();
         }
-        Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
+        Body body = constraint.getBodyA().isImmobile() ? constraint.getBodyB() : constraint.getBodyA();
         answer(constraints.island(body.index()), time);
         return constraints.reaction(constraint);
     }

@@ -24,7 +24,7 @@ final class IslandPlaces {
         this.state = state;
         this.constraints = constraints;
         for (Constraint c : those) {
-            Body body = c.getBodyA().isFixed() ? c.getBodyB() : c.getBodyA();
+            Body body = c.getBodyA().isImmobile() ? c.getBodyB() : c.getBodyA();
             islands.add(constraints.island(body.index()));
         }
         Map<IntList, double[]> found = new IdentityHashMap<>();

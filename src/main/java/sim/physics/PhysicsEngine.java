@@ -164,7 +164,7 @@ public final class PhysicsEngine implements Steppable {
         boolean isOver = false;
         boolean isFailed = false;
         try {
-            events.begin(steps, timeStep, getTime(), relief.limit(state.bodyCount(), steering.isAny(), audit != null));
+            events.begin(steps, timeStep, getTime(), relief.limit(state.bodyCount(), steering.areSomeMoving(), audit != null));
             events.drive(); // motion, (5)–(15)
             detection.look(); // collision detection: broad phase and narrow phase
             while (detection.hasEvent()) {
@@ -828,7 +828,7 @@ public final class PhysicsEngine implements Steppable {
      * @return the limit, in units of {@link #getWork()}
      */
     public long getWorkLimit() {
-        return relief.limit(state.bodyCount(), steering.isAny());
+        return relief.limit(state.bodyCount(), steering.areSomeMoving());
     }
 
     /**

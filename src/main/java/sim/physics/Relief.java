@@ -108,7 +108,7 @@ final class Relief implements Serializable {
         double pull = pull(forces);
         double part = step - from;
         for (int k = 0; k < state.size(); k++) {
-            if (state.body(k) != null && !state.body(k).isFixed()) {
+            if (state.body(k) != null && !state.body(k).isImmobile()) {
                 part = Math.min(part, mostTime(state, k, pull));
             }
         }
@@ -139,7 +139,7 @@ final class Relief implements Serializable {
     static int substeps(State state, List<ForceGenerator> forces, double part, double step) {
         double size = Double.POSITIVE_INFINITY;
         for (int k = 0; k < state.size(); k++) {
-            if (state.body(k) != null && !state.body(k).isFixed()) {
+            if (state.body(k) != null && !state.body(k).isImmobile()) {
                 size = Math.min(size, state.body(k).getShape().boundingRadius());
             }
         }

@@ -23,7 +23,7 @@ final class CirclePairs {
         boxes.ensure(bodies.size());
         near.ensure(bodies.size());
         for (int k = 0; k < bodies.size(); k++) {
-            boxes.setFixed(k, bodies.get(k).isFixed());
+            boxes.setFixed(k, bodies.get(k).isImmobile());
             enclose(k);
             grid.add(k, boxes, near);
         }

@@ -62,7 +62,7 @@ final class Room implements Serializable {
     /** Takes a body in, or takes note of what it collides with. */
     void admit(int body, Body view, int bodies) {
         boxes.ensure(bodies);
-        boxes.setFixed(body, view.isFixed());
+        boxes.setFixed(body, view.isImmobile());
         notes.set(body, BodyNotes.ALOOF, view.getCategory() == 0 || view.getCollidesWith() == 0);
     }
 

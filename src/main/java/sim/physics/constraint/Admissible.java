@@ -51,7 +51,7 @@ final class Admissible {
         double y = j[3 * row + 1];
         double theta = j[3 * row + 2];
         double isFinite = 0 * x + 0 * y + 0 * theta;
-        return body.isFixed() ? isFinite : isFinite + (x * x + y * y) / body.getMass() + theta * theta / body.getInertia();
+        return body.isImmobile() ? isFinite : isFinite + (x * x + y * y) / body.getMass() + theta * theta / body.getInertia();
     }
 
     /** Evaluates a constraint; motors and stops that acted when they were removed do not act yet. */

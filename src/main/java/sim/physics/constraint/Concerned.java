@@ -32,7 +32,7 @@ final class Concerned {
     }
 
     private void add(Body body) {
-        if (body == null || body.isFixed() || body.state() != state || !found.add(body.index())) {
+        if (body == null || body.isImmobile() || body.state() != state || !found.add(body.index())) {
             return;
         }
         IntList tied = constraints.isTied(body.index()) ? constraints.island(body.index()) : new IntList();

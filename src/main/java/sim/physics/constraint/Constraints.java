@@ -102,7 +102,7 @@ public final class Constraints implements Ties, Serializable {
 
     @Override
     public boolean areTied(Body a, Body b) {
-        Body movable = a.isFixed() ? b : a;
+        Body movable = a.isImmobile() ? b : a;
         TiedGroup group = groupOf(movable.index());
         return group != null && group.ties(movable, movable == a ? b : a);
     }
@@ -171,7 +171,7 @@ public final class Constraints implements Ties, Serializable {
      */
     public void touched(Body body) {
         version++;
-        if (body.isFixed()) {
+        if (body.isImmobile() || state.isTurned(body.index())) {
             register.changed.addAll(register.of(body));
         } else if (isTied(body.index())) {
             of[body.index()].forget();
@@ -397,7 +397,7 @@ public final class Constraints implements Ties, Serializable {
      * @param constraint one that was added and regrouped
      */
     public Reaction reaction(Constraint constraint) {
-        Body body = constraint.getBodyA().isFixed() ? constraint.getBodyB() : constraint.getBodyA();
+        Body body = constraint.getBodyA().isImmobile() ? constraint.getBodyB() : constraint.getBodyA();
         return (constraint instanceof Switched ? of[body.index()].island() : active(body.index())).reactions.of(constraint);
     }
 

@@ -65,7 +65,7 @@ public final class Formation {
     private void note(Constraint c) {
         note(List.of(c));
         for (Body body : new Body[] {c.getBodyA(), c.getBodyB()}) {
-            boolean isTied = body != null && !body.isFixed() && body.index() < of.length && of[body.index()] != null;
+            boolean isTied = body != null && !body.isImmobile() && body.index() < of.length && of[body.index()] != null;
             if (isTied) {
                 note(of[body.index()].constraints);
             }

@@ -121,7 +121,7 @@ final class Grouping {
     }
 
     private static boolean isMovable(Body body) {
-        return body != null && !body.isFixed();
+        return body != null && !body.isImmobile();
     }
 
     private static IntList bodies(List<Constraint> group) {

@@ -186,7 +186,11 @@ final class Island implements Serializable {
     }
 
     private static boolean isMoved(Constraint c) {
-        return c.getBodyA() instanceof KinematicBody || c.getBodyB() instanceof KinematicBody;
+        return isMoved(c.getBodyA()) || isMoved(c.getBodyB());
+    }
+
+    private static boolean isMoved(Body body) {
+        return body instanceof KinematicBody && !body.isImmobile();
     }
 
     private void measure() {
@@ -205,7 +209,7 @@ final class Island implements Serializable {
     }
 
     private int local(Body body) {
-        return body == null || body.isFixed() ? -1 : Arrays.binarySearch(bodies.values, 0, bodies.size, body.index());
+        return body == null || body.isImmobile() ? -1 : Arrays.binarySearch(bodies.values, 0, bodies.size, body.index());
     }
 
     private int block(int local) {

@@ -81,7 +81,7 @@ public abstract class Joint implements Constraint {
     /** Lets an engine look anew at the bodies of a constraint, if they are in one, before it is set; refuses it where it must not be. */
     static void write(Body a, Body b) {
         for (Body body : b == null ? new Body[] {a} : new Body[] {a, b}) {
-            if (!body.isFixed()) {
+            if (!body.isImmobile()) {
                 body.state().write(body.index());
             }
         }

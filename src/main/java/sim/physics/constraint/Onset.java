@@ -77,7 +77,7 @@ public final class Onset implements Serializable {
     /** A body may be held at its rim, and its other end is as far away as it is wide. */
     private void add(Body body, boolean isAngle, double gain) {
         int k = body.index();
-        if (body.isFixed() || !(gain > 0)) {
+        if (body.isImmobile() || !(gain > 0)) {
             return;
         }
         if (k >= gains.length) {

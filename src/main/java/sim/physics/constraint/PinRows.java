@@ -131,7 +131,7 @@ final class PinRows implements Serializable {
     private void anchor(int at, Body body, double x, double y) {
         arms[at] = x;
         arms[at + 1] = y;
-        if (body != null && body.isFixed()) {
+        if (body != null && body.isImmobile()) {
             double cos = Trig.cos(body.getAngle());
             double sin = Trig.sin(body.getAngle());
             arms[at] = body.getX() + (cos * x - sin * y);

@@ -76,7 +76,7 @@ final class TieEquations implements Serializable {
     }
 
     private static double size(Body body) {
-        return body.isFixed() ? Double.POSITIVE_INFINITY : body.getShape().boundingRadius();
+        return body.isImmobile() ? Double.POSITIVE_INFINITY : body.getShape().boundingRadius();
     }
 
     /** What a row is off, as far as it is regained: by the size of a body, or a radian. Joints that jam would else throw bodies about. */

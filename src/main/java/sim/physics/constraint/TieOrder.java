@@ -75,7 +75,7 @@ final class TieOrder implements Serializable {
     }
 
     private static int index(Body body) {
-        return body == null || body.isFixed() ? -1 : body.index();
+        return body == null || body.isImmobile() ? -1 : body.index();
     }
 
     private void sort(List<Constraint> all, boolean[] asleep, boolean areAsleep) {

@@ -102,7 +102,7 @@ final class TiedGroup implements Serializable {
     }
 
     private int place(Body body) {
-        return body == null || body.isFixed() ? -1 : Arrays.binarySearch(bodies.values, 0, bodies.size, body.index());
+        return body == null || body.isImmobile() ? -1 : Arrays.binarySearch(bodies.values, 0, bodies.size, body.index());
     }
 
     private void list() {

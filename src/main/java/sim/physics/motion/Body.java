@@ -27,6 +27,9 @@ public class Body implements Serializable {
     private Shape shape;
     private final boolean fixed;
 
+    /** Whether nothing moves the body now. */
+    private boolean immobile;
+
     private State state;
     private int index;
 
@@ -49,6 +52,7 @@ public class Body implements Serializable {
     private Body(Shape shape, boolean fixed) {
         this.shape = Objects.requireNonNull(shape, "shape");
         this.fixed = fixed;
+        immobile = fixed;
         this.state = State.own();
         state.add(this);
         if (fixed) {
@@ -141,6 +145,11 @@ public class Body implements Serializable {
      */
     public final boolean isFixed() {
         return fixed;
+    }
+
+    /** {@return whether nothing moves the body now: it is fixed, or kinematic and has come to a stand} */
+    public final boolean isImmobile() {
+        return immobile;
     }
 
     private double place(int c) {
@@ -395,6 +404,13 @@ public class Body implements Serializable {
         w[State.BLOCK * index + State.X] = 1 / mass;
         w[State.BLOCK * index + State.Y] = 1 / mass;
         w[State.BLOCK * index + State.THETA] = 1 / inertia;
+    }
+
+    /** Sets whether the body moves no more, with no inverse mass, or moves from now on, with which masses. */
+    final void setImmobile(boolean yes, double mass, double inertia) {
+        immobile = yes;
+        weigh(yes ? Double.POSITIVE_INFINITY : mass, yes ? Double.POSITIVE_INFINITY : inertia);
+        state.touched.turn(index);
     }
 
     /** Lets nothing move the body but its author. */

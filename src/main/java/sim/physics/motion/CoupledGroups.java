@@ -182,7 +182,7 @@ public final class CoupledGroups implements Serializable {
     /** Whether something moves a body that could be coupled. */
     private boolean moves(int body, Ties ties) {
         Body view = state.body(body);
-        return view != null && !view.isFixed() && (generators.drive(view) || ties != null && ties.isTied(body));
+        return view != null && !view.isImmobile() && (generators.drive(view) || ties != null && ties.isTied(body));
     }
 
     /** Joins what forces couple, and marks one body of each of those whose generators do not say which bodies they couple. */

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.motion;
 
+import java.util.Arrays;
 import sim.physics.internal.Check;
 import sim.physics.shape.Shape;
 
@@ -22,7 +23,8 @@ import sim.physics.shape.Shape;
  * cannot get out of the way, and overlaps them.
  *
  * <p>The engine moves it as a body that is 2⁴⁰ times as heavy as the heaviest one, or 2³⁰ times by time stepping: an impact changes its
- * velocity by some 10⁻¹² or 10⁻⁹ of that of the other body, until the next step begins.
+ * velocity by some 10⁻¹² or 10⁻⁹ of that of the other body, until the next step begins. One that stands is a
+ * fixed body.
  */
 public class KinematicBody extends Body {
     private static final long serialVersionUID = 1L;
@@ -33,8 +35,11 @@ public class KinematicBody extends Body {
     /** How much of what it has missed of its course it makes up for in a step. */
     private static final double CATCH_UP = 0.5;
 
-    /** Way in a step, relative to its size, of a body that stands: what bears others is pushed away by 10⁻⁹ of what they would fall. */
-    private static final double STILL = 1e-6;
+    /**
+     * Way in a step, relative to its size, of a body that stands, and how far from its course it may come to a stand; what it bears pushes
+     * one that is 2⁴⁰ times as heavy away by 10⁻¹² of what that would fall.
+     */
+    private static final double STILL = 0x1p-33;
 
     /** Velocities at the end of the next step. */
     private final double[] target = new double[State.BLOCK];
@@ -55,8 +60,10 @@ public class KinematicBody extends Body {
     /** Accelerations in the step. */
     private final double[] rate = new double[State.BLOCK];
 
-    /** Length of the last step. */
-    private double step;
+    /** With which masses it is moved. */
+    private double heavy;
+
+    private double heavyInertia;
 
     /**
      * Creates a body at rest at the origin.
@@ -123,6 +130,9 @@ public class KinematicBody extends Body {
             System.arraycopy(state().v(), State.BLOCK * index(), target, 0, State.BLOCK);
         }
         leaveCourse();
+        if (isImmobile() && !isToStand()) {
+            setImmobile(false, heavy, heavyInertia);
+        }
     }
 
     /** It goes on from where it is. */
@@ -141,14 +151,12 @@ public class KinematicBody extends Body {
             pace[k] = target[k];
         }
         hasCourse = true;
-        step = h;
     }
 
     /** How much it makes up for in a step of what it has missed of its course, where something closed on it within the ones before. */
     private double catchUp(int k, double x) {
-        double missed = hasCourse ? course[k] - x : 0;
-        double size = k == State.THETA ? 1 : getShape().boundingRadius();
-        boolean isRounding = Math.abs(missed) <= ROUNDING * (size + Math.abs(course[k]));
+        double missed = missed(k, x);
+        boolean isRounding = Math.abs(missed) <= ROUNDING * (size(k) + Math.abs(course[k]));
         return isRounding ? 0 : CATCH_UP * missed;
     }
 
@@ -158,17 +166,33 @@ public class KinematicBody extends Body {
     }
 
     /**
-     * Returns whether the body stands, and is to stand. What lies on it may sleep then.
+     * Before a step begins: lets nothing move the body as long as it is to stand, and does.
      *
-     * @return whether its velocity is zero up to rounding, and its target velocity is
+     * @param unlike how many times as heavy as all others it is, if it moves
      */
-    public final boolean isStanding() {
-        boolean yes = true;
-        for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK; k++, at++) {
-            double size = k == State.THETA ? 1 : getShape().boundingRadius();
-            yes &= target[k] == 0 && Math.abs(state().v()[at]) * step <= STILL * size;
+    final void settle(double h, double unlike) {
+        double still = STILL * 0x1p40 / unlike;
+        boolean stands = isToStand();
+        for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK && stands; k++, at++) {
+            double off = Math.max(Math.abs(state().v()[at]) * h, Math.abs(missed(k, state().x()[at])));
+            stands = off <= still * size(k);
         }
-        return yes;
+        if (stands != isImmobile()) {
+            setImmobile(stands, heavy, heavyInertia);
+            Arrays.fill(state().v(), State.BLOCK * index(), State.BLOCK * (index() + 1), 0); // but for rounding, it is
+        }
+    }
+
+    private boolean isToStand() {
+        return target[State.X] == 0 && target[State.Y] == 0 && target[State.THETA] == 0;
+    }
+
+    private double size(int k) {
+        return k == State.THETA ? 1 : getShape().boundingRadius();
+    }
+
+    private double missed(int k, double x) {
+        return hasCourse ? course[k] - x : 0;
     }
 
     /** Whether it is on a course that its author has not changed within the step. */
@@ -201,7 +225,9 @@ public class KinematicBody extends Body {
     final void become(double mass, double inertia) {
         double[] w = state().w().values();
         int b = State.BLOCK * index();
-        if (w[b] != 1 / mass || w[b + State.THETA] != 1 / inertia) {
+        heavy = mass;
+        heavyInertia = inertia;
+        if (!isImmobile() && (w[b] != 1 / mass || w[b + State.THETA] != 1 / inertia)) {
             weigh(mass, inertia);
         }
     }

@@ -59,6 +59,14 @@ final class Kinematics implements Serializable {
         return bodies.isEmpty();
     }
 
+    boolean areSomeMoving() {
+        boolean yes = false;
+        for (int k = 0; k < bodies.size(); k++) {
+            yes |= !bodies.get(k).isImmobile();
+        }
+        return yes;
+    }
+
     /** Sets the forces for a step; one that begins again has failed, and all go on from where they are. */
     void push(State state, long number, double gravityX, double gravityY, double h, boolean isStepped) {
         for (int k = bodies.size() - 1; k >= 0; k--) {
@@ -75,6 +83,7 @@ final class Kinematics implements Serializable {
             if (number == last) {
                 bodies.get(k).leaveCourse();
             }
+            bodies.get(k).settle(h, wanted);
             push(bodies.get(k), gravityX, gravityY, h);
         }
         last = number;
@@ -84,9 +93,10 @@ final class Kinematics implements Serializable {
 
     private void push(KinematicBody body, double gravityX, double gravityY, double h) {
         body.begin(h);
-        double ax = body.acceleration(State.X) - gravityX;
-        double ay = body.acceleration(State.Y) - gravityY;
-        double turn = body.acceleration(State.THETA);
+        boolean stands = body.isImmobile();
+        double ax = stands ? 0 : body.acceleration(State.X) - gravityX;
+        double ay = stands ? 0 : body.acceleration(State.Y) - gravityY;
+        double turn = stands ? 0 : body.acceleration(State.THETA);
         if (ax != 0 || ay != 0 || turn != 0 || body.isPushed()) {
             body.apply(mass * ax, mass * ay, inertia * turn);
         }

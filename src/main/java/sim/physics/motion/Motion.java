@@ -198,8 +198,8 @@ public final class Motion implements EquationsOfMotion, Loads, Serializable {
         }
         Body view = state.body(body);
         support.release(body);
-        setDriven(body, !view.isFixed() && (isTied(body) || generators.drive(view)));
-        if (view.isFixed()) {
+        setDriven(body, !view.isImmobile() && (isTied(body) || generators.drive(view)));
+        if (view.isImmobile()) {
             return;
         }
         pushed.admit(body);

@@ -353,7 +353,7 @@ public final class ReferenceMotion implements Serializable {
         double size = 0;
         for (int k = 0; k < state.size(); k++) {
             Body body = state.body(k);
-            if (body != null && !body.isFixed()) {
+            if (body != null && !body.isImmobile()) {
                 double reach = body.getShape().boundingRadius();
                 size = Math.max(size, Math.max(reach, Math.max(Math.abs(body.getX()), Math.abs(body.getY()))));
             }

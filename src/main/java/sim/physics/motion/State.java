@@ -20,13 +20,12 @@ import sim.physics.matrix.DiagonalMatrix;
  *              +---+---+-----+
  * </pre>
  *
- * <p>A body that is not part of an engine owns a state of one block; {@code PhysicsEngine.add} copies the block into
- * the engine's state and {@code remove} copies it back, so a {@link Body} is always a view on exactly one block. A
- * block that a removed body leaves is empty (all zero, no body) until the next body takes it. Fixed bodies have
- * W = 0.
+ * <p>A body that is not part of an engine owns a state of one block; {@code PhysicsEngine.add} copies the block into the engine's
+ * state and {@code remove} copies it back, so a {@link Body} is always a view on exactly one block. A block that a removed body leaves
+ * is empty (all zero, no body) until the next body takes it. What nothing moves has W = 0.
  *
- * <p>The vectors hold the values at the end of the last step. Inside a step the engine works on
- * {@link Trajectories} and writes the vectors when the step ends, or when they are asked for after it.
+ * <p>The vectors hold the values at the end of the last step. Inside a step the engine works on {@link Trajectories} and writes the
+ * vectors when the step ends, or when they are asked for after it.
  */
 public final class State implements Serializable {
     private static final long serialVersionUID = 2L;
@@ -295,17 +294,12 @@ public final class State implements Serializable {
         System.arraycopy(v, from, own.v, 0, BLOCK);
         System.arraycopy(w.values(), from, own.w.values(), 0, BLOCK);
         body.bind(own, 0);
-        Arrays.fill(x, from, from + BLOCK, 0);
-        Arrays.fill(v, from, from + BLOCK, 0);
-        if (f.length > from) {
-            Arrays.fill(f, from, from + BLOCK, 0);
+        for (double[] vector : new double[][] {x, v, f.length > from ? f : x, w.values()}) {
+            Arrays.fill(vector, from, from + BLOCK, 0);
         }
-        Arrays.fill(w.values(), from, from + BLOCK, 0);
         bodies[index] = null;
         placed(index);
-        if (freeCount == free.length) {
-            free = Arrays.copyOf(free, Math.max(4, 2 * freeCount));
-        }
+        free = freeCount < free.length ? free : Arrays.copyOf(free, Math.max(4, 2 * freeCount));
         free[freeCount++] = index;
     }
 
@@ -342,14 +336,13 @@ public final class State implements Serializable {
     /** Refuses what authors want to change while a step is being made, unless they are called to listen. */
     public void requireOpen() {
         if (stepping && presence == null) {
-            throw new IllegalStateException("a force, a constraint or a curve has changed something while it was asked in a step: "
-                    + "only listeners may, and agents between steps");
+            throw new IllegalStateException(
+                    "a force, a constraint or a curve has changed something in a step: only listeners may, and agents between steps");
         }
     }
 
     /**
-     * Notes that what forces do to a body may change, though all of its block stays: a surface, say. Brings it to the present
-     * instant first.
+     * Notes that what forces do to a body may change, though all of its block stays: a surface, say. Brings it to the present first.
      *
      * @param index the block
      */
@@ -412,6 +405,15 @@ public final class State implements Serializable {
      */
     public boolean isTouched(int index) {
         return touched.has(index);
+    }
+
+    /**
+     * {@return whether a kinematic body has begun to move, or has come to a stand, since then}
+     *
+     * @param index the block
+     */
+    public boolean isTurned(int index) {
+        return touched.isTurned(index);
     }
 
     /** {@return how many blocks were written by their bodies' setters since the last call of {@link #clearTouched()}} */

@@ -43,6 +43,11 @@ public final class Steering implements Serializable {
         return !kinematics.isEmpty();
     }
 
+    /** {@return whether there is one that does not stand} */
+    public boolean areSomeMoving() {
+        return kinematics.areSomeMoving();
+    }
+
     /**
      * Sets kinematic bodies on their courses for a step that is about to begin.
      *

@@ -236,7 +236,7 @@ final class Strides implements Serializable {
         if (body < firsts.length && firsts[body] != NOBODY) {
             strides[firsts[body]].isLive = false;
         }
-        if (firsts.length > 0 && (state.body(body) == null || state.body(body).isFixed())) {
+        if (firsts.length > 0 && (state.body(body) == null || state.body(body).isImmobile())) {
             cutAll();
         }
     }

@@ -13,10 +13,11 @@ final class Touched implements Serializable {
     /** After how many steps in which no body was written the room to note them is given back. */
     private static final int QUIET = 100;
 
-    /** Only a force was applied; or anything was written. */
+    /** Only a force was applied; or anything was written; or nothing moves the body any more, or something does again. */
     private static final byte PUSHED = 1;
 
     private static final byte WRITTEN = 2;
+    private static final byte TURNED = 3;
 
     private int[] list = {};
     private byte[] how;
@@ -49,6 +50,15 @@ final class Touched implements Serializable {
         return how[index] == PUSHED;
     }
 
+    boolean isTurned(int index) {
+        return how[index] == TURNED;
+    }
+
+    /** Notes that a block that has been noted is of a body that has become immobile, or is so no more. */
+    void turn(int index) {
+        how[index] = TURNED;
+    }
+
     int count() {
         return count;
     }
@@ -67,7 +77,7 @@ final class Touched implements Serializable {
             list[count++] = index;
             how[index] = PUSHED;
         }
-        how[index] = isForce ? how[index] : WRITTEN;
+        how[index] = isForce || how[index] == TURNED ? how[index] : WRITTEN;
     }
 
     PlaceLog places() {

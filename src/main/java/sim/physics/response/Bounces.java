@@ -404,7 +404,7 @@ final class Bounces implements Serializable {
     }
 
     private double bend(int body, int other, int component) {
-        boolean counts = !trajectories.isDriven(body) || motion.isTied(body) && !state.body(other).isFixed();
+        boolean counts = !trajectories.isDriven(body) || motion.isTied(body) && !state.body(other).isImmobile();
         return counts ? trajectories.bends()[(body * Trajectories.STRIDE & trajectories.bendMask()) + component] : 0;
     }
 }

@@ -270,9 +270,9 @@ public final class CollisionResponse implements Serializable {
 
     /** Whether one of two bodies is fixed and can bear the other one at the points of the manifold, by itself or with others. */
     private boolean canRest(int pair, int a, int b, double tau, boolean alone) {
-        boolean fixedA = state.body(a).isFixed();
+        boolean fixedA = state.body(a).isImmobile();
         int body = fixedA ? b : a;
-        if (fixedA == state.body(b).isFixed() || trajectories.isDriven(body) || heaps.has(body) || !bounces.mayRest(pair)) {
+        if (fixedA == state.body(b).isImmobile() || trajectories.isDriven(body) || heaps.has(body) || !bounces.mayRest(pair)) {
             return false;
         }
         return alone && !resting.rests(body) && manifold.bears(fixedA)
@@ -419,7 +419,7 @@ public final class CollisionResponse implements Serializable {
         double first = -impact.normalVelocity();
         bounces.count(pair);
         bounces.writeOff(pair);
-        int body = state.body(a).isFixed() ? b : a;
+        int body = state.body(a).isImmobile() ? b : a;
         boolean canRest = canRest(pair, a, b, tau, meetings.isOnly(body));
         boolean lies = isLocked || !rattles && !canRest && (heaps.lasts(pair) || startsToLie(pair, a, b));
         boolean restsNow = !rattles && !lies;

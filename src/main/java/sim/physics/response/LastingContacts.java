@@ -154,7 +154,7 @@ public final class LastingContacts implements Serializable {
             boolean isNew = k == 0 || body != members.values[k - 1];
             for (int m = 0; isNew && m < pairs.countOf(body); m++) {
                 int other = pairs.other(pairs.of(body, m), body);
-                if (lasts(pairs.of(body, m)) && (other > body || state.body(other).isFixed())) {
+                if (lasts(pairs.of(body, m)) && (other > body || state.body(other).isImmobile())) {
                     found.add(pairs.of(body, m));
                 }
             }
@@ -168,7 +168,7 @@ public final class LastingContacts implements Serializable {
         double first = ledger.meanForce(pair, 0, false);
         double second = ledger.meanForce(pair, 1, false);
         double share = first + second > 0 ? second / (first + second) : 0;
-        Body near = a.isFixed() ? b : a;
+        Body near = a.isImmobile() ? b : a;
         double x = (1 - share) * ledger.place(pair, 0, 0) + share * ledger.place(pair, 1, 0);
         double y = (1 - share) * ledger.place(pair, 0, 1) + share * ledger.place(pair, 1, 1);
         double friction = ledger.meanForce(pair, 0, true) + ledger.meanForce(pair, 1, true);

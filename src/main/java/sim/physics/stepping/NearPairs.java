@@ -86,7 +86,7 @@ final class NearPairs implements Pairs.Listener, Serializable {
         boxes.ensure(body + 1);
         pairs.ensure(body + 1);
         pairs.setParts(body, state.body(body).getShape().partCount());
-        boxes.setFixed(body, state.body(body).isFixed());
+        boxes.setFixed(body, state.body(body).isImmobile());
         bound(body, h, steps(body, h), ROOM);
         boxes.set(body, minX, minY, maxX, maxY);
         bodies++;

@@ -56,8 +56,31 @@ final class Poses implements Serializable {
         Body body = state.body(index);
         hulls[index] = shared.computeIfAbsent(body.getShape(), Hull::new);
         hulls[index].users++;
-        if (!body.isFixed()) {
+        if (!body.isImmobile()) {
             movable.insert(index);
+        }
+    }
+
+    /**
+     * Takes note of a body that was written. A kinematic one may have begun to move, or have come to a stand.
+     *
+     * @param a accelerations, as they are left for bodies that do not move
+     */
+    void written(int index, double[] a) {
+        if (state.isTurned(index)) {
+            leave(index);
+            if (!state.body(index).isImmobile()) {
+                movable.insert(index);
+            }
+            int b = State.BLOCK * index;
+            Arrays.fill(a, Math.min(b, a.length), Math.min(b + State.BLOCK, a.length), 0);
+        }
+        turn(index);
+    }
+
+    private void leave(int index) {
+        if (movable.contains(index)) {
+            movable.takeOut(index);
         }
     }
 
@@ -68,9 +91,7 @@ final class Poses implements Serializable {
             shared.remove(hull.shape);
         }
         hulls[index] = null;
-        if (movable.contains(index)) {
-            movable.takeOut(index);
-        }
+        leave(index);
     }
 
     /** Turns a body's frame to where it is now. */

@@ -12,7 +12,6 @@ import sim.physics.internal.DisjointSets;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
-import sim.physics.motion.KinematicBody;
 import sim.physics.motion.State;
 import sim.physics.motion.SteppedForces;
 
@@ -149,8 +148,8 @@ public final class Sleep implements Serializable {
     void admit(int index, boolean isNew) {
         ensure(index + 1);
         Body body = state.body(index);
-        isStale |= isNew;
-        if (body.isFixed()) {
+        isStale |= isNew || state.isTurned(index);
+        if (body.isImmobile()) {
             if (!isNew) {
                 wakeAround(index);
             }
@@ -160,16 +159,11 @@ public final class Sleep implements Serializable {
                     wake(other);
                 }
             }
-        } else if (isNew || !isStanding(body)) {
+        } else {
             plane[index] = forces.hold(body);
             sizes[index] = poses.hull(index).bounding;
             wake(index);
         }
-    }
-
-    /** Whether a body only gets the force that keeps it where it is. */
-    private boolean isStanding(Body body) {
-        return state.isOnlyPushed(body.index()) && body instanceof KinematicBody moved && moved.isStanding();
     }
 
     private void ensure(int bodies) {
@@ -191,7 +185,7 @@ public final class Sleep implements Serializable {
     /** Takes note that a body is about to be removed. */
     void remove(int body) {
         wakeAround(body);
-        if (!state.body(body).isFixed()) {
+        if (!state.body(body).isImmobile()) {
             wake(body);
         }
         isStale = true;
@@ -432,7 +426,7 @@ public final class Sleep implements Serializable {
         int first = -1;
         for (int k = 0; bodies != null && k < bodies.size(); k++) {
             Body body = bodies.get(k);
-            if (body.state() == state && !body.isFixed()) {
+            if (body.state() == state && !body.isImmobile()) {
                 first = first < 0 ? body.index() : first;
                 join(first, body.index());
             }

@@ -83,7 +83,6 @@ public final class TimeStepping implements Serializable {
 
     /** Whether bodies or constraints are new; and whether others sleep than before. */
     private boolean isCold;
-
     private boolean areOthersAsleep;
 
     private double[] a = {};
@@ -190,7 +189,7 @@ public final class TimeStepping implements Serializable {
         } else {
             sleep.admit(body, false);
             if (!state.isOnlyPushed(body)) {
-                poses.turn(body);
+                poses.written(body, a);
                 near.written(body, h);
                 retake.written();
             }

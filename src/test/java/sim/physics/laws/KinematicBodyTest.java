@@ -365,7 +365,7 @@ class KinematicBodyTest {
         Body box = engine.add(rough(new Body(new Rectangle(1, 1)).at(0, 1.2), 0.5, 0));
         run(engine, 300);
         assertThat(engine.isAsleep(box)).isTrue();
-        assertThat(platform.isStanding()).isTrue();
+        assertThat(platform.isImmobile()).isTrue();
         assertThat(platform.getY()).isCloseTo(0, within(1e-9));
         platform.setTargetVelocity(0.05, 0, 0);
         run(engine, 61);

@@ -44,8 +44,8 @@ final class BodyScale implements Serializable {
 
     /** Radius of the smaller one of two bodies, of which one may be fixed. */
     double size(int a, int b) {
-        double first = state.body(a).isFixed() ? Double.MAX_VALUE : radius(a);
-        double second = state.body(b).isFixed() ? Double.MAX_VALUE : radius(b);
+        double first = state.body(a).isImmobile() ? Double.MAX_VALUE : radius(a);
+        double second = state.body(b).isImmobile() ? Double.MAX_VALUE : radius(b);
         return Math.min(first, second);
     }
 

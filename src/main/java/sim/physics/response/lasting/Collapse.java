@@ -102,7 +102,7 @@ final class Collapse implements Serializable {
 
     private void include(int body) {
         by.ensure(body);
-        if (!state.body(body).isFixed() && by.place[body] == 0) {
+        if (!state.body(body).isImmobile() && by.place[body] == 0) {
             bodies.add(body);
             by.place[body] = bodies.size;
         }
@@ -151,7 +151,7 @@ final class Collapse implements Serializable {
                 int pair = detection.pairs().of(body, m);
                 int other = detection.pairs().other(pair, body);
                 by.ensure(other);
-                if ((state.body(other).isFixed() || by.place[other] > k + 1) && touch(pair, tau)) {
+                if ((state.body(other).isImmobile() || by.place[other] > k + 1) && touch(pair, tau)) {
                     add(pair, tau, hop);
                 }
             }
@@ -181,7 +181,7 @@ final class Collapse implements Serializable {
     }
 
     private int number(int body) {
-        return state.body(body).isFixed() ? -1 : by.place[body] - 1;
+        return state.body(body).isImmobile() ? -1 : by.place[body] - 1;
     }
 
     private void solve(IntList changed) {

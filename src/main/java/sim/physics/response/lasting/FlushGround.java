@@ -164,7 +164,7 @@ final class FlushGround implements Serializable {
     }
 
     private boolean isGround(int pair, int body) {
-        return state.body(detection.pairs().other(pair, body)).isFixed();
+        return state.body(detection.pairs().other(pair, body)).isImmobile();
     }
 
     /** Whether a pair touches. The features that were closest when an impact was looked for are kept. */

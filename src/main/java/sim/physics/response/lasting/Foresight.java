@@ -85,7 +85,7 @@ final class Foresight implements Serializable {
         double turn = rim(a, d[oa + Trajectories.OMEGA]) + rim(b, d[ob + Trajectories.OMEGA]);
         double speed = Math.sqrt(ux * ux + uy * uy) + turn + pull * h;
         double way = Math.min(speed * h, NEAR * scales.size(a, b));
-        if (2 * points.restitution(a, b) * speed > Tolerances.SHORT * h * pull || !state.body(b).isFixed() && centres(a, b) > way) {
+        if (2 * points.restitution(a, b) * speed > Tolerances.SHORT * h * pull || !state.body(b).isImmobile() && centres(a, b) > way) {
             return false;
         }
         return detection.narrowPhase().gap(pair, 0) <= way;

@@ -75,10 +75,10 @@ final class GroundSeams implements Serializable {
     boolean has(int pair, int point, double tau) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
-        if (state.body(a).isFixed() == state.body(b).isFixed()) {
+        if (state.body(a).isImmobile() == state.body(b).isImmobile()) {
             return false;
         }
-        int own = state.body(a).isFixed() ? b : a;
+        int own = state.body(a).isImmobile() ? b : a;
         if (own != body) {
             body = own;
             find(tau);
@@ -115,7 +115,7 @@ final class GroundSeams implements Serializable {
     }
 
     private boolean isGround(int pair) {
-        return !detection.marks().isIgnored(pair) && state.body(pairs.other(pair, body)).isFixed();
+        return !detection.marks().isIgnored(pair) && state.body(pairs.other(pair, body)).isImmobile();
     }
 
     /** Takes in the points of a pair, and compares them with those that have been taken in before. */

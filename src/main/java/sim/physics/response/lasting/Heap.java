@@ -327,7 +327,7 @@ final class Heap implements Serializable {
             return;
         }
         large.meet(manifold.gap, size);
-        ledger.open(pair, tau, manifold, !state.body(a).isFixed());
+        ledger.open(pair, tau, manifold, !state.body(a).isImmobile());
         double left = regain.time();
         double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size) : HeapGaps.depth(manifold.gap, size);
         detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth)

@@ -67,7 +67,7 @@ final class HeapMeeting implements Serializable {
         for (int m = 0; m < detection.pairs().countOf(body); m++) {
             int pair = detection.pairs().of(body, m);
             int other = detection.pairs().other(pair, body);
-            boolean isWithin = state.body(other).isFixed() || by.knows(other) && by.place[other] > 0;
+            boolean isWithin = state.body(other).isImmobile() || by.knows(other) && by.place[other] > 0;
             if (isWithin && !detection.marks().isUnseen(pair) && !lasting.has(pair) && !detection.marks().isIgnored(pair)
                     && (points.areForeseen() || lieOnOneAnother(body, other)) && meets(pair, tau, time)) {
                 lasting.begin(pair);

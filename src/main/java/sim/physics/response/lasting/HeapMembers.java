@@ -106,9 +106,9 @@ final class HeapMembers implements Serializable {
                 int pair = detection.pairs().of(body, m);
                 int other = detection.pairs().other(pair, body);
                 if (lasting.has(pair)) {
-                    borne |= state.body(other).isFixed();
+                    borne |= state.body(other).isImmobile();
                     bending = Math.max(bending, scales.bending(body, other));
-                    if (!state.body(other).isFixed() && by.place[other] == 0) {
+                    if (!state.body(other).isImmobile() && by.place[other] == 0) {
                         include(other);
                     }
                 }
@@ -170,7 +170,7 @@ final class HeapMembers implements Serializable {
 
     private void reach(int body) {
         by.ensure(body);
-        if (state.body(body).isFixed() || by.place[body] > 0) {
+        if (state.body(body).isImmobile() || by.place[body] > 0) {
             return;
         }
         IntList group = trajectories.isDriven(body) ? motion.companions(body) : null;
@@ -222,7 +222,7 @@ final class HeapMembers implements Serializable {
 
     /** The number of a body in the heap, −1 of a fixed one. */
     int number(int body) {
-        return state.body(body).isFixed() ? -1 : by.place[body] - 1;
+        return state.body(body).isImmobile() ? -1 : by.place[body] - 1;
     }
 
     /** The pairs by which those that were found last lie on one another or on fixed bodies, each once; valid until the next call. */
@@ -233,8 +233,8 @@ final class HeapMembers implements Serializable {
             for (int m = 0; m < detection.pairs().countOf(body); m++) {
                 int pair = detection.pairs().of(body, m);
                 int other = detection.pairs().other(pair, body);
-                if (lasting.has(pair) && (state.body(other).isFixed() || by.place[other] > k + 1)) {
-                    if (state.body(other).isFixed()) {
+                if (lasting.has(pair) && (state.body(other).isImmobile() || by.place[other] > k + 1)) {
+                    if (state.body(other).isImmobile()) {
                         trajectories.bring(other, tau);
                     }
                     pairs.add(pair);

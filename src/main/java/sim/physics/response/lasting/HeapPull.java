@@ -30,7 +30,7 @@ final class HeapPull implements Serializable {
 
     /** The acceleration that a body has. */
     double of(int body) {
-        if (state.body(body).isFixed()) {
+        if (state.body(body).isImmobile()) {
             return 0;
         }
         motion.fall(body, fall, 0);

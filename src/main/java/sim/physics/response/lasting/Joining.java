@@ -146,7 +146,7 @@ final class Joining implements Serializable {
 
     private void join(int body) {
         by.ensure(body);
-        if (state.body(body).isFixed()) {
+        if (state.body(body).isImmobile()) {
             return;
         }
         push(MARK, body, 0);

@@ -164,7 +164,7 @@ public final class RestingContacts implements Serializable {
             isStill = Arrays.copyOf(isStill, n);
             place = Arrays.copyOf(place, n);
         }
-        if (state.body(body).isFixed()) {
+        if (state.body(body).isImmobile()) {
             return;
         }
         if (!rests[body]) {
@@ -248,7 +248,7 @@ public final class RestingContacts implements Serializable {
      * @param body index
      */
     public void forget(int body) {
-        if (!rests(body) && !state.body(body).isFixed()) {
+        if (!rests(body) && !state.body(body).isImmobile()) {
             return;
         }
         Pairs pairs = detection.pairs();
@@ -291,7 +291,7 @@ public final class RestingContacts implements Serializable {
             for (int m = 0; m < detection.pairs().countOf(cluster.values[k]); m++) {
                 int pair = detection.pairs().of(cluster.values[k], m);
                 int other = detection.pairs().other(pair, cluster.values[k]);
-                if (detection.marks().isHeld(pair) && !state.body(other).isFixed() && place[other] == 0) {
+                if (detection.marks().isHeld(pair) && !state.body(other).isImmobile() && place[other] == 0) {
                     enter(other);
                 }
             }
@@ -450,7 +450,7 @@ public final class RestingContacts implements Serializable {
             for (int m = 0; m < detection.pairs().countOf(cluster.values[k]); m++) {
                 int pair = detection.pairs().of(cluster.values[k], m);
                 int other = detection.pairs().other(pair, cluster.values[k]);
-                if (detection.marks().isHeld(pair) && (state.body(other).isFixed() || place[other] > k + 1)) {
+                if (detection.marks().isHeld(pair) && (state.body(other).isImmobile() || place[other] > k + 1)) {
                     collect(pair, tau, near);
                 }
             }
@@ -459,7 +459,7 @@ public final class RestingContacts implements Serializable {
 
     /** The radius of a body that can move; one that cannot is brought to where it is. */
     private double reach(int body, double tau) {
-        if (!state.body(body).isFixed()) {
+        if (!state.body(body).isImmobile()) {
             return trajectories.radius(body);
         }
         trajectories.bring(body, tau);
@@ -483,8 +483,8 @@ public final class RestingContacts implements Serializable {
             detection.hold(pair, false);
             return;
         }
-        ledger.open(pair, tau, manifold, !state.body(a).isFixed());
-        ground.add(manifold, !state.body(a).isFixed());
+        ledger.open(pair, tau, manifold, !state.body(a).isImmobile());
+        ground.add(manifold, !state.body(a).isImmobile());
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
             origin.add(2 * pair + k);
@@ -494,6 +494,6 @@ public final class RestingContacts implements Serializable {
     }
 
     private int number(int body) {
-        return state.body(body).isFixed() ? -1 : place[body] - 1;
+        return state.body(body).isImmobile() ? -1 : place[body] - 1;
     }
 }

@@ -86,7 +86,7 @@ final class Standing implements Serializable {
     }
 
     private double pull(int body) {
-        if (state.body(body).isFixed()) {
+        if (state.body(body).isImmobile()) {
             return 0;
         }
         motion.fall(body, fall, 0);
@@ -125,7 +125,7 @@ final class Standing implements Serializable {
         manifold = manifold == null ? new Manifold() : manifold;
         detection.narrowPhase().contact(pair, tau, manifold);
         double none = Math.max(STANDING * pull * trajectories.h(), Math.sqrt(8 * pull * near));
-        boolean isGround = state.body(detection.pairs().other(pair, body)).isFixed();
+        boolean isGround = state.body(detection.pairs().other(pair, body)).isImmobile();
         boolean yes = true;
         for (int k = 0; k < manifold.count; k++) {
             points.load(manifold, pair, k, point);
