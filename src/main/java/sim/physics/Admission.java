@@ -166,12 +166,15 @@ final class Admission implements Presence, Serializable {
     }
 
     private void admit(int index, double tau) {
+        if (audit != null && stepped == null) {
+            audit.written(index, tau);
+        }
+        if (state.touched().isReshaped(index)) {
+            forget(index); // it is taken in as it is now
+        }
         if (stepped != null) {
             stepped.admit(index);
             return;
-        }
-        if (audit != null) {
-            audit.written(index, tau);
         }
         if (state.body(index).isImmobile() && state.isOnlyPushed(index) && detection.knows(index)) {
             return; // what it bears has been told
@@ -182,7 +185,7 @@ final class Admission implements Presence, Serializable {
         } else {
             resting.forget(index);
         }
-        if (isThere && heaps.has(index) && !state.isTurned(index)) {
+        if (isThere && heaps.has(index) && !state.touched().isTurned(index)) {
             heaps.struck(index);
         } else {
             heaps.forget(index);
@@ -284,7 +287,7 @@ final class Admission implements Presence, Serializable {
         for (int k = 0, n = state.touchedCount(); k < n; k++) {
             int index = state.touched(k);
             boolean isSurface = state.isOnlyPushed(index) && state.body(index) != null && state.body(index).isImmobile();
-            if ((isSurface || state.isTurned(index)) && detection.knows(index)) {
+            if ((isSurface || state.touched().isTurned(index)) && detection.knows(index)) {
                 stirOn(index, tau);
             }
         }

@@ -88,7 +88,7 @@ final class Enclosures implements Serializable {
 
     void remove(int body) {
         broadPhase.remove(body, boxes, pairs);
-        shapes.remove(body, state.body(body).getShape());
+        shapes.remove(body);
         agenda.schedule(body, Agenda.NEVER);
     }
 

@@ -171,7 +171,7 @@ public final class Constraints implements Ties, Serializable {
      */
     public void touched(Body body) {
         version++;
-        if (body.isImmobile() || state.isTurned(body.index())) {
+        if (body.isImmobile() || state.touched().isTurned(body.index())) {
             register.changed.addAll(register.of(body));
         } else if (isTied(body.index())) {
             of[body.index()].forget();

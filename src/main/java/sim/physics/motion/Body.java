@@ -139,6 +139,33 @@ public class Body implements Serializable {
     }
 
     /**
+     * Gives the body another shape, about the centre of mass that it has: it grows, shrinks, or breaks. It keeps its mass, place, angle,
+     * velocities, joints and springs. The moment of inertia becomes that of a body of uniform density.
+     *
+     * <p>To keep the density, multiply the mass by the ratio of the areas ({@link #setMass(double)}). A body that overlaps others from
+     * then on is one that was put there.
+     *
+     * @param shape the new shape
+     * @throws IllegalArgumentException if the moment of inertia, or its inverse, would be no finite number greater than 0
+     */
+    public final void setShape(Shape shape) {
+        double turning = isDynamic() ? mass * Objects.requireNonNull(shape, "shape").unitInertia() : inertia;
+        if (isDynamic()) {
+            Check.positive("inertia", turning);
+            Check.positive("1 / inertia", 1 / turning);
+            weigh(mass, turning);
+        }
+        state.write(index);
+        inertia = turning;
+        this.shape = Objects.requireNonNull(shape, "shape");
+        if (particulars != null) {
+            particulars.patch = null;
+        }
+        state.touched.note(index, Touched.RESHAPED);
+        state.placed(index);
+    }
+
+    /**
      * Returns whether this body is one that nothing moves.
      *
      * @return true for a body made by {@link #fixed(Shape)}
@@ -410,7 +437,7 @@ public class Body implements Serializable {
     final void setImmobile(boolean yes, double mass, double inertia) {
         immobile = yes;
         weigh(yes ? Double.POSITIVE_INFINITY : mass, yes ? Double.POSITIVE_INFINITY : inertia);
-        state.touched.turn(index);
+        state.touched.note(index, Touched.TURNED);
     }
 
     /** Lets nothing move the body but its author. */

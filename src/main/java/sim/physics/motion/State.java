@@ -407,13 +407,9 @@ public final class State implements Serializable {
         return touched.has(index);
     }
 
-    /**
-     * {@return whether a kinematic body has begun to move, or has come to a stand, since then}
-     *
-     * @param index the block
-     */
-    public boolean isTurned(int index) {
-        return touched.isTurned(index);
+    /** {@return which blocks were written since then, and how} */
+    public Touched touched() {
+        return touched;
     }
 
     /** {@return how many blocks were written by their bodies' setters since the last call of {@link #clearTouched()}} */

@@ -7,17 +7,18 @@ import java.util.Arrays;
 import sim.physics.internal.Growth;
 
 /** Which blocks of a {@link State} their bodies' setters have written since the last step, in the order of writing. */
-final class Touched implements Serializable {
+public final class Touched implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** After how many steps in which no body was written the room to note them is given back. */
     private static final int QUIET = 100;
 
-    /** Only a force was applied; or anything was written; or nothing moves the body any more, or something does again. */
+    /** Only a force was applied; or anything was written; or nothing moves the body any more, or something does again; or it has another shape. */
     private static final byte PUSHED = 1;
 
     private static final byte WRITTEN = 2;
-    private static final byte TURNED = 3;
+    static final byte TURNED = 3;
+    static final byte RESHAPED = 4;
 
     private int[] list = {};
     private byte[] how;
@@ -50,13 +51,27 @@ final class Touched implements Serializable {
         return how[index] == PUSHED;
     }
 
-    boolean isTurned(int index) {
-        return how[index] == TURNED;
+    /**
+     * {@return whether a kinematic body has begun to move, or has come to a stand, or a body has another shape}
+     *
+     * @param index the block
+     */
+    public boolean isTurned(int index) {
+        return how[index] >= TURNED;
     }
 
-    /** Notes that a block that has been noted is of a body that has become immobile, or is so no more. */
-    void turn(int index) {
-        how[index] = TURNED;
+    /**
+     * {@return whether a body has another shape}
+     *
+     * @param index the block
+     */
+    public boolean isReshaped(int index) {
+        return how[index] == RESHAPED;
+    }
+
+    /** Notes more of a block that has been noted. */
+    void note(int index, byte change) {
+        how[index] = (byte) Math.max(how[index], change);
     }
 
     int count() {
@@ -77,7 +92,7 @@ final class Touched implements Serializable {
             list[count++] = index;
             how[index] = PUSHED;
         }
-        how[index] = isForce || how[index] == TURNED ? how[index] : WRITTEN;
+        how[index] = isForce ? how[index] : (byte) Math.max(how[index], WRITTEN);
     }
 
     PlaceLog places() {

@@ -70,10 +70,7 @@ final class Census {
     }
 
     private void learn(int i) {
-        Body body = state.body(i);
-        if (body != bodies[i] || body == null) {
-            bodies[i] = body;
-            radii[i] = body == null ? -1 : body.getShape().boundingRadius() * (1 + 1e-12);
-        }
+        bodies[i] = state.body(i);
+        radii[i] = bodies[i] == null ? -1 : bodies[i].getShape().boundingRadius() * (1 + 1e-12);
     }
 }

@@ -67,7 +67,7 @@ final class Poses implements Serializable {
      * @param a accelerations, as they are left for bodies that do not move
      */
     void written(int index, double[] a) {
-        if (state.isTurned(index)) {
+        if (state.touched().isTurned(index)) {
             leave(index);
             if (!state.body(index).isImmobile()) {
                 movable.insert(index);

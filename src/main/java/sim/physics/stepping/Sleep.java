@@ -148,7 +148,7 @@ public final class Sleep implements Serializable {
     void admit(int index, boolean isNew) {
         ensure(index + 1);
         Body body = state.body(index);
-        isStale |= isNew || state.isTurned(index);
+        isStale |= isNew || state.touched().isTurned(index);
         if (body.isImmobile()) {
             if (!isNew) {
                 wakeAround(index);

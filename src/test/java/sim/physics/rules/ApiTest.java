@@ -42,6 +42,7 @@ class ApiTest {
             "State.placeLog", "queries look again at what has moved",
             "State.setGlance", "the vectors within a step, for listeners",
             "State.setPresence", "the same, and what listeners write",
+            "State.touched", "which blocks were written, and how",
             "Boxes.notes", "what detection keeps of bodies beside boxes",
             "CellGrid.update", "many bodies at once",
             "Pairs.setListener", "detection follows the pairs that begin and end");

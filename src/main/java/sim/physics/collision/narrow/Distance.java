@@ -73,7 +73,7 @@ public final class Distance {
 
     private void place(int slot, Body body) {
         if (measured[slot] != null) {
-            shapes.remove(slot, measured[slot]);
+            shapes.remove(slot);
         }
         measured[slot] = body.getShape();
         shapes.set(slot, measured[slot]);

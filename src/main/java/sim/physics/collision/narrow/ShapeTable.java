@@ -49,6 +49,9 @@ public final class ShapeTable implements Serializable {
     private int[][] partsOf;
     private final Map<Shape, Integer> known = new HashMap<>();
 
+    /** The same the other way round. */
+    private final Map<Integer, Shape> shapes = new HashMap<>();
+
     /** Places of shapes that nobody has any more, by their number of vertices. */
     private final Map<Integer, IntList> free = new HashMap<>();
 
@@ -153,6 +156,7 @@ public final class ShapeTable implements Serializable {
         if (base == null) {
             base = append(shape, isRound);
             known.put(shape, base);
+            shapes.put(base, shape);
         }
         data[base + USERS]++;
         return base;
@@ -162,13 +166,13 @@ public final class ShapeTable implements Serializable {
      * Forgets the shape of a body, and gives its place away if nobody else has it.
      *
      * @param body index
-     * @param shape its shape
      */
-    public void remove(int body, Shape shape) {
-        for (int k = 0; k < shape.partCount(); k++) {
-            Shape part = shape.part(k);
+    public void remove(int body) {
+        boolean isWhole = partsOf == null || body >= partsOf.length || partsOf[body] == null;
+        for (int k = 0, parts = isWhole ? 1 : partsOf[body].length; k < parts; k++) {
             int base = base(body, k);
             if (--data[base + USERS] == 0) {
+                Shape part = shapes.remove(base);
                 known.remove(part);
                 free.computeIfAbsent(part.vertexCount(), n -> new IntList()).add(base);
             }

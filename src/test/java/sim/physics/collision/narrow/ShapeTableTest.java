@@ -21,11 +21,11 @@ class ShapeTableTest {
         table.set(0, new Rectangle(2, 1));
         table.set(1, new Rectangle(2, 1));
         assertThat(table.base(1)).isEqualTo(table.base(0));
-        table.remove(0, new Rectangle(2, 1));
+        table.remove(0);
         table.set(2, new Rectangle(4, 1));
         assertThat(table.base(2)).isNotEqualTo(table.base(1));
         int place = table.base(1);
-        table.remove(1, new Rectangle(2, 1));
+        table.remove(1);
         table.set(3, new Rectangle(8, 1));
         assertThat(table.base(3)).isEqualTo(place);
         assertThat(table.data()[place + ShapeTable.FIRST]).isEqualTo(new Rectangle(8, 1).vertexX(0));
@@ -38,7 +38,7 @@ class ShapeTableTest {
         }
         int room = table.data().length;
         for (int k = 3; k < 10_000; k++) {
-            table.remove(k % 3, shape(k - 3));
+            table.remove(k % 3);
             table.set(k % 3, shape(k));
         }
         assertThat(table.data()).hasSize(room);
