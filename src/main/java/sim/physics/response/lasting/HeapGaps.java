@@ -117,8 +117,8 @@ final class HeapGaps {
 
     /** How deep a pair may be that has become too deep too often. */
     static double deeper(double gap, double size) {
-        double root = Math.sqrt(Math.max(0, -gap)) + DEEPER * Math.sqrt(CUSHION * size);
-        return gap < 0 ? root * root : 0;
+        double root = Math.sqrt(Math.max(0, -gap / size)) + DEEPER * Math.sqrt(CUSHION); // of numbers: that of a length depends on its unit
+        return gap < 0 ? size * (root * root) : 0;
     }
 
     /** How deep a pair of a large heap may be. */
