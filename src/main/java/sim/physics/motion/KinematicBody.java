@@ -135,6 +135,17 @@ public class KinematicBody extends Body {
         }
     }
 
+    /** Where the body is to go: to be {@linkplain #putBack put back}. */
+    final double[] keep() {
+        return new double[] {target[State.X], target[State.Y], target[State.THETA], hasCourse ? 1 : 0};
+    }
+
+    /** It goes on as it did, from where it has been put back. */
+    final void putBack(double[] kept) {
+        System.arraycopy(kept, 0, target, 0, State.BLOCK);
+        hasCourse = kept[State.BLOCK] != 0;
+    }
+
     /** It goes on from where it is. */
     final void leaveCourse() {
         hasCourse = false;

@@ -32,6 +32,9 @@ final class Kinematics implements Serializable {
     private double mass;
     private double inertia;
 
+    /** Whether there were no other bodies that can move, beside which they would be heavy. */
+    private boolean wereNone;
+
     /** How heavy they are made now. */
     private double heavy;
 
@@ -153,11 +156,13 @@ final class Kinematics implements Serializable {
             }
         }
         double arm = largest * largest;
-        heaviest = heaviest == 0 ? arm : heaviest;
-        if (!isWithin(mass, heaviest) || !isWithin(inertia, heaviest * arm)) {
+        boolean areNone = heaviest == 0;
+        heaviest = areNone ? arm : heaviest;
+        if (wereNone || !isWithin(mass, heaviest) || !isWithin(inertia, heaviest * arm)) {
             mass = Math.min(HUGE, heavy * powerOfTwo(heaviest));
             inertia = Math.min(HUGE, mass * powerOfTwo(arm));
         }
+        wereNone = areNone;
         for (int k = 0; k < bodies.size(); k++) {
             bodies.get(k).become(mass, inertia);
         }
