@@ -88,7 +88,7 @@ public final class Constraints implements Ties, Serializable {
 
     /** {@return the constraints: a copy, in the order in which they were added} */
     public List<Constraint> all() {
-        return new ArrayList<>(register.all);
+        return new ArrayList<>(register.all());
     }
 
     /**
@@ -97,7 +97,7 @@ public final class Constraints implements Ties, Serializable {
      * @param constraint any
      */
     public boolean contains(Constraint constraint) {
-        return register.all.contains(constraint);
+        return register.all().contains(constraint);
     }
 
     @Override
@@ -116,7 +116,7 @@ public final class Constraints implements Ties, Serializable {
      * @throws IllegalArgumentException if no body of it can move, or its rows are not 1 to 3, or are not satisfied
      */
     public void check(Constraint constraint, boolean closed) {
-        if (register.all.contains(constraint)) {
+        if (register.all().contains(constraint)) {
             throw new IllegalStateException("constraint is " + constraint + ": it was added already");
         }
         Admissible.check(constraint, closed);

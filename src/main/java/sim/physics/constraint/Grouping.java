@@ -34,13 +34,13 @@ final class Grouping {
             open.addAll(dissolve(c.getBodyB(), register, state, by));
             open.add(c);
         }
-        open.retainAll(register.all);
+        open.retainAll(register.all());
         register.changed.clear();
         if (register.isSomeDissolved) {
             groups.removeIf(group -> group.isDissolved);
             register.isSomeDissolved = false;
         }
-        for (TiedGroup group : groups(open, register.sets(state.size()))) {
+        for (TiedGroup group : groups(register.inOrder(open), register.sets(state.size()))) {
             groups.add(group);
             group.forget(); // what acts is decided anew: a motor that acted in the island of before keeps another speed than its own here
             for (int k = 0; k < group.bodies.size; k++) {

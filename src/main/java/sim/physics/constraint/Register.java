@@ -5,10 +5,13 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import sim.physics.internal.Growth;
 import sim.physics.motion.Body;
 
@@ -19,7 +22,11 @@ final class Register implements Serializable {
     /** The islands that were kept when something was tried. */
     transient Formation formation;
 
-    final LinkedHashSet<Constraint> all = new LinkedHashSet<>();
+    /** In the order of adding, each with a number that grows. */
+    private final Map<Constraint, Long> numbers = new LinkedHashMap<>();
+
+    private long added;
+
     final LinkedHashSet<Constraint> changed = new LinkedHashSet<>();
 
     /** Whether islands have been dissolved since islands were formed. */
@@ -34,14 +41,26 @@ final class Register implements Serializable {
     private transient Map<Body, LinkedHashSet<Constraint>> ofMovable;
 
     void add(Constraint constraint) {
-        all.add(constraint);
+        numbers.put(constraint, added++);
         changed.add(constraint);
         list(ofFixed, true, constraint);
         list(ofMovable, false, constraint);
     }
 
+    /** All constraints, in the order of adding. */
+    Set<Constraint> all() {
+        return numbers.keySet();
+    }
+
+    /** Some constraints in the order of adding, whenever they come to be told. */
+    List<Constraint> inOrder(Collection<Constraint> some) {
+        List<Constraint> those = new ArrayList<>(some);
+        those.sort(Comparator.comparing(numbers::get));
+        return those;
+    }
+
     boolean remove(Constraint constraint) {
-        if (!all.remove(constraint)) {
+        if (numbers.remove(constraint) == null) {
             return false;
         }
         changed.add(constraint);
@@ -60,7 +79,7 @@ final class Register implements Serializable {
 
     /** The constraints of a body, as a copy in the order of adding. */
     List<Constraint> of(Body body) {
-        if (all.isEmpty()) {
+        if (numbers.isEmpty()) {
             return List.of();
         }
         if (map(body) == null) {
@@ -76,7 +95,7 @@ final class Register implements Serializable {
 
     private void index(boolean fixed) {
         Map<Body, LinkedHashSet<Constraint>> map = new IdentityHashMap<>();
-        for (Constraint constraint : all) {
+        for (Constraint constraint : all()) {
             list(map, fixed, constraint);
         }
         ofFixed = fixed ? map : ofFixed;
