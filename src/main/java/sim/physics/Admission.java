@@ -150,6 +150,7 @@ final class Admission implements Presence, Serializable {
         if (trajectories.data().length == 0) {
             state.trim();
         }
+        state.touched().sort();
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
             trajectories.ensure(state.size()); // also for the block of a body that was removed before its first step

@@ -82,6 +82,16 @@ public final class Touched implements Serializable {
         return list[k];
     }
 
+    /** Brings them into the order of blocks, so that in what order they were written does not matter. */
+    public void sort() {
+        for (int k = 1; k < count; k++) {
+            if (list[k] < list[k - 1]) {
+                Arrays.sort(list, 0, count);
+                return;
+            }
+        }
+    }
+
     /** Notes that a block is written, or that a force is applied only. */
     void note(int index, boolean isForce) {
         writes++;

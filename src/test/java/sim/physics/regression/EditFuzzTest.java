@@ -30,9 +30,9 @@ import sim.physics.motion.Body;
  *   <li><b>Threads change no bit</b>: every other copy has three.
  *   <li><b>Units change nothing.</b> A twin in units that differ by powers of two does, refuses and throws the same, has as many impacts, and
  *       is where the world is to {@link #UNDERFLOW}.
- *   <li><b>All stays finite</b>, and nothing is thrown: no body gets faster than {@link #THROWN}.
+ *   <li><b>All stays finite</b>, and nothing is thrown: no body gets faster than {@link #THROWN}, unless kinematic bodies squeeze it.
  *   <li><b>Nothing sinks in.</b> Two bodies do not come to overlap by more than {@link #SUNK} in a step by events, unless the author has put
- *       bodies into one another.
+ *       bodies into one another, or squeezes them between kinematic ones.
  *   <li><b>What is asked about places is right</b> ({@link QueryCheck}), and reactions are finite.
  *   <li><b>A step throws nothing but a {@link ConstraintException}</b>; so do the steps of all twins then.
  * </ul>
@@ -61,33 +61,55 @@ class EditFuzzTest {
 
     /** Seeds of the long run that are known to break a law, each with what is known. One that breaks none any more must be taken off. */
     private static final Map<Long, String> KNOWN = Map.of(
-            920L, "other units: a rounding error in step 61; why is not known",
-            1487L, "joints come and go while the time step is 0: in what order an island has them, and how it is closed, depends on whether something was asked in between",
-            1534L, "after a refused separate() the step of joints by Automatic is another one, by 3e-15; why is not known");
+            1487L, "joints come and go while the time step is 0: how an island is closed depends on whether something was asked in between");
+
+    /** The same where there are kinematic bodies, and shapes change. */
+    private static final Map<Long, String> KNOWN_OF_MORE = Map.of(
+            85L, "other units: a rounding error in a relieved step; why is not known",
+            263L, "RadauIIA meets no tolerance where a motor rolls a disc; why is not known",
+            819L, "time stepping solves bounces otherwise where there has been a joint",
+            877L, "a motor on a gear with a kinematic body, which a slider holds, too");
 
     @Test
     void lawsHoldInTwentyEditedWorlds() {
         for (long seed = 0; seed < SHORT; seed++) {
-            assertThat(broken(seed)).as("what seed %s breaks", seed).isEmpty();
+            assertThat(broken(seed, false)).as("what seed %s breaks", seed).isEmpty();
+        }
+    }
+
+    @Test
+    void lawsHoldWhereShapesChangeAndBodiesMoveAsTheirAuthorSays() {
+        for (long seed = 0; seed < SHORT; seed++) {
+            assertThat(broken(seed, true)).as("what seed %s breaks", seed).isEmpty();
         }
     }
 
     @Tag("soak")
     @Test
     void lawsHoldInSixteenHundredEditedWorlds() {
+        assertBroken(false, LONG, KNOWN);
+    }
+
+    @Tag("soak")
+    @Test
+    void lawsHoldInAThousandWhereShapesChange() {
+        assertBroken(true, 1000, KNOWN_OF_MORE);
+    }
+
+    private static void assertBroken(boolean hasMore, int seeds, Map<Long, String> known) {
         Map<Long, String> broken = new TreeMap<>();
-        for (long seed = 0; seed < LONG; seed++) {
-            String how = broken(seed);
+        for (long seed = 0; seed < seeds; seed++) {
+            String how = broken(seed, hasMore);
             if (!how.isEmpty()) {
                 broken.put(seed, how);
             }
         }
-        assertThat(broken.keySet()).as("%s", broken).isEqualTo(KNOWN.keySet());
+        assertThat(broken.keySet()).as("%s", broken).isEqualTo(known.keySet());
     }
 
     /** What a seed's world breaks; empty if all laws hold. */
-    private static String broken(long seed) {
-        Run run = new Run(seed);
+    private static String broken(long seed, boolean hasMore) {
+        Run run = new Run(seed, hasMore);
         try {
             run.go();
             return "";
@@ -108,10 +130,10 @@ class EditFuzzTest {
         private final SplittableRandom random;
         private final int rate;
 
-        Run(long seed) {
-            world = new EditedWorld(seed, 1, 1, 1);
-            quiet = new EditedWorld(seed, 1, 1, 1);
-            scaled = new EditedWorld(seed, UNITS[0], UNITS[1], UNITS[2]);
+        Run(long seed, boolean hasMore) {
+            world = new EditedWorld(seed, hasMore, 1, 1, 1);
+            quiet = new EditedWorld(seed, hasMore, 1, 1, 1);
+            scaled = new EditedWorld(seed, hasMore, UNITS[0], UNITS[1], UNITS[2]);
             random = new SplittableRandom(seed * 31 + 7);
             rate = 1 + random.nextInt(6);
         }
@@ -157,7 +179,7 @@ class EditFuzzTest {
             }
             assertSound();
             boolean isByEvents = engine.getTimeStepping() == 0 && engine.getRelievedSteps() == relieved;
-            if (isByEvents && isUnedited && !hasThrown) {
+            if (isByEvents && isUnedited && !hasThrown && !world.hasMore) {
                 assertNoneSinksIn(before);
             }
         }
@@ -196,7 +218,7 @@ class EditFuzzTest {
             }
             for (Body b : world.engine.bodies()) {
                 double speed = Math.hypot(b.getVelocityX(), b.getVelocityY());
-                require(speed < THROWN, b + " was thrown, with " + speed);
+                require(speed < THROWN || world.hasMore, b + " was thrown, with " + speed);
             }
         }
 

@@ -16,6 +16,7 @@ import sim.physics.motion.Forces;
 import sim.physics.motion.GraggBulirschStoer;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.Integrator;
+import sim.physics.motion.KinematicBody;
 import sim.physics.motion.RadauIIA;
 import sim.physics.motion.Rattle;
 import sim.physics.motion.RungeKutta4;
@@ -69,6 +70,9 @@ final class EditedWorld implements CollisionListener, ContactListener {
 
     private int impactsInStep;
 
+    /** Whether there are kinematic bodies, and bodies get other shapes. */
+    final boolean hasMore;
+
     /** A force of an author that pulls to the origin and damps; threads may share it or not. */
     static final class Pull implements ForceGenerator {
         private static final long serialVersionUID = 1L;
@@ -104,7 +108,8 @@ final class EditedWorld implements CollisionListener, ContactListener {
         }
     }
 
-    EditedWorld(long seed, double length, double time, double mass) {
+    EditedWorld(long seed, boolean hasMore, double length, double time, double mass) {
+        this.hasMore = hasMore;
         this.length = length;
         this.time = time;
         this.mass = mass;
@@ -232,14 +237,15 @@ final class EditedWorld implements CollisionListener, ContactListener {
     void addBody(SplittableRandom r, boolean isToBeFree) {
         Shape shape = shape(r);
         boolean isFixed = r.nextInt(9) == 0;
-        Body body = isFixed ? Body.fixed(shape) : new Body(shape);
+        boolean isKinematic = hasMore && r.nextInt(6) == 0;
+        Body body = isKinematic ? new KinematicBody(shape) : isFixed ? Body.fixed(shape) : new Body(shape);
         double heavy = r.nextInt(3) == 0 ? StrictMath.pow(10, signed(r)) : 1;
         boolean moves = r.nextInt(3) > 0;
         double vx = 3 * signed(r);
         double vy = 3 * signed(r);
         double omega = 3 * signed(r);
         rub(body).setSurfaceFriction(0.3 * r.nextDouble());
-        if (!isFixed) {
+        if (body.isDynamic()) {
             body.setMass(heavy * mass);
         }
         boolean isFree = false;
@@ -248,7 +254,7 @@ final class EditedWorld implements CollisionListener, ContactListener {
             isFree = !isToBeFree || isFree(body);
         }
         if (isFree && engine.bodies().size() < MOST_BODIES) {
-            if (!isFixed && moves) {
+            if (!body.isFixed() && moves) {
                 body.moving(vx * length / time, vy * length / time, omega / time);
             }
             engine.add(body);

@@ -21,6 +21,7 @@ import sim.physics.constraint.Wheel;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Gravity;
+import sim.physics.motion.KinematicBody;
 import sim.physics.motion.Spring;
 import sim.physics.motion.SurfaceFriction;
 import sim.physics.motion.ViscousFriction;
@@ -117,6 +118,10 @@ final class Edits implements Serializable {
         if (a == null && isOfBody) {
             return Kind.REFUSED;
         }
+        if (world.hasMore && a != null && r.nextInt(4) == 0) {
+            more(r, a, v, w, z);
+            return Kind.DONE;
+        }
         boolean isBetweenSteps = kind == 16 || kind == CLEAR || kind >= 34 && kind <= 36 || kind == 38;
         if (isWithin && isBetweenSteps) {
             return Kind.DONE;
@@ -139,6 +144,18 @@ final class Edits implements Serializable {
             set(kind, r, a, u);
         }
         return Kind.DONE;
+    }
+
+    private void more(SplittableRandom r, Body a, double v, double w, double z) {
+        double speed = world.length / world.time;
+        if (a instanceof KinematicBody moved && r.nextInt(4) > 0) {
+            boolean stops = r.nextInt(3) == 0;
+            last += ", target of " + a;
+            moved.setTargetVelocity(stops ? 0 : v * speed, stops ? 0 : w * speed, stops ? 0 : z / world.time);
+        } else {
+            last += ", shape of " + a;
+            a.setShape(world.shape(r));
+        }
     }
 
     static <X> X any(List<X> list, SplittableRandom r) {
