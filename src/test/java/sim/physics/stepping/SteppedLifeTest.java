@@ -295,4 +295,26 @@ class SteppedLifeTest {
         double[] p = Stepped.momentum(engine);
         assertThat(Math.hypot(p[0], p[1])).isLessThan(1e-9);
     }
+
+    /** What bounces off a fixed body met the velocity of what had moved in its place. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aFixedBodyThatComesInThePlaceOfAMovingOneStands(boolean hasTurned) {
+        double[] heights = new double[2];
+        for (int run = 0; run < 2; run++) {
+            PhysicsEngine engine = Stepped.engine(1.0 / 64, 4);
+            engine.add(new Gravity(0, -10));
+            engine.add(Body.fixed(new Rectangle(20, 1)).at(0, -100.5));
+            Body before = engine.add(new Body(new Rectangle(0.5, 1)).at(0, run == 0 ? 50 : -98));
+            before.setVelocity(0, run == 0 ? 0 : -30);
+            before.setAngularVelocity(run == 1 && hasTurned ? 5 : 0);
+            Stepped.run(engine, 4);
+            engine.remove(before);
+            engine.add(Body.fixed(new Rectangle(20, 1)).at(0, -0.5));
+            Body ball = engine.add(new Body(new Circle(0.5)).at(0.1, 1.5));
+            Stepped.run(engine, 60);
+            heights[run] = ball.getY();
+        }
+        assertThat(heights[1]).isEqualTo(heights[0]);
+    }
 }
