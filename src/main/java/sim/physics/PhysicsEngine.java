@@ -349,6 +349,7 @@ public final class PhysicsEngine implements Steppable {
     public void remove(Body body) {
         requireMine(body);
         state.requireOpen();
+        response.lasting().leave(body);
         if (stepping) {
             admission.leave(body);
         } else {
