@@ -37,6 +37,15 @@ final class Outset implements Serializable {
         this.rows = rows;
     }
 
+    /** A body is new: nothing pulls at it yet, nor ever if it is fixed; what was in its place was pulled at. */
+    void add(int body) {
+        int b = State.BLOCK * body;
+        if (b < a.length) {
+            Arrays.fill(a, b, b + State.BLOCK, 0);
+            Arrays.fill(before, b, b + State.BLOCK, 0);
+        }
+    }
+
     /** Begins a step, whose forces are to be found; one that was not solved begins anew. */
     void begin() {
         int n = state.x().length;

@@ -168,6 +168,7 @@ public final class TimeStepping implements Serializable {
             poses.turn(body);
             near.add(body, h);
             retake.add(body);
+            outset.add(body);
             sleep.admit(body, true);
             isCold = true;
         } else {
@@ -364,9 +365,7 @@ public final class TimeStepping implements Serializable {
             isJudged = false; // also if a force of an author throws in one of the substeps: that far is what is reported
         }
         areOthersAsleep = false;
-        if (isRubbed) {
-            surface.begin(poses.awake);
-        }
+        surface.begin(poses.awake);
         boolean bounces = rows.bounces > 0 || rows.fast > 0 || isTied && ties.stops().mayStrike(h);
         boolean isBalanced = bounces || isTied || rows.unlike > 0;
         retake.begin(rows, isCold || areOthers, isBalanced || rows.driven > 0);
