@@ -138,7 +138,8 @@ public final class PhysicsEngine implements Steppable {
      * @throws ConstraintException if there are no places that satisfy the joints, or the step is much too long for them. You are
      *     told once: the next step, if it would throw that again, is {@linkplain #setWorkLimit relieved} instead, in which time
      *     stepping pulls the bodies together as far as they go. Audited engines throw it each time
-     * @throws IllegalStateException if a listener or other code calls this within a step
+     * @throws IllegalStateException if a listener or other code calls this within a step; or if time stepping throws a body beyond all
+     *     numbers, as the step is too long or a mass too small for what acts on it: all are where the step began then
      */
     public void step() {
         if (stepping || asking || telling) {
@@ -348,6 +349,7 @@ public final class PhysicsEngine implements Steppable {
     public void remove(Body body) {
         requireMine(body);
         state.requireOpen();
+        response.lasting().leave(body);
         if (stepping) {
             admission.leave(body);
         } else {
@@ -695,7 +697,7 @@ public final class PhysicsEngine implements Steppable {
      */
     public List<LastingContact> contacts() {
         requireBetweenSteps("contacts were asked for");
-        return isStepped ? timeStepping.contacts() : response.lasting().all();
+        return isStepped ? timeStepping.contacts(null) : response.lasting().all();
     }
 
     /**

@@ -183,6 +183,27 @@ class LifeOfBodiesTest {
         assertThat(body.getAngularVelocity()).isCloseTo(3, within(1e-14));
     }
 
+    /** What comes in its place was tied as it had been: moved to where that was, or the step threw that the joint was open. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 4})
+    void aBodyWhoseJointIsRemovedBeforeItLeavesNothing(int substeps) {
+        for (boolean isFixed : new boolean[] {false, true}) {
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(0.125);
+            engine.setTimeStepping(substeps);
+            Body door = engine.add(new Body(new Rectangle(1, 1)).at(2, 0));
+            PinJoint hinge = engine.add(new PinJoint(door, 3, 0));
+            run(engine, 3);
+            engine.remove(hinge);
+            engine.remove(door);
+            Body next = isFixed ? Body.fixed(new Circle(1)) : new Body(new Circle(1)).moving(1, -2);
+            engine.add(next.at(10, 5));
+            run(engine, 8);
+            assertThat(next.getX()).isEqualTo(isFixed ? 10 : 11);
+            assertThat(next.getY()).isEqualTo(isFixed ? 5 : 3);
+        }
+    }
+
     @Test
     void aParabolaIsExactForAnyStep() {
         for (double step : new double[] {1e-3, 0.1, 1}) {

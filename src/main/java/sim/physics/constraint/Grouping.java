@@ -61,6 +61,9 @@ final class Grouping {
             cut(c.getBodyB(), register, state, of, concerned);
             register.remove(c);
         }
+        if (isMovable(body) && body.index() < of.length && of[body.index()] != null) {
+            cut(body, register, state, of, concerned); // its last constraint has been removed just before
+        }
         return concerned;
     }
 

@@ -52,6 +52,13 @@ public class KinematicBody extends Body {
     /** Velocities that it was to have at the end of the last step. */
     private final double[] pace = new double[State.BLOCK];
 
+    /** The same, and where it was, when the step began that may begin again. */
+    private final double[] lastPlace = new double[State.BLOCK];
+
+    private final double[] lastCourse = new double[State.BLOCK];
+    private final double[] lastPace = new double[State.BLOCK];
+    private boolean hadCourse;
+
     /** Velocities at both ends of the step. */
     private final double[] before = new double[State.BLOCK];
 
@@ -129,7 +136,7 @@ public class KinematicBody extends Body {
         if (isVelocity) {
             System.arraycopy(state().v(), State.BLOCK * index(), target, 0, State.BLOCK);
         }
-        leaveCourse();
+        hasCourse = false;
         if (isImmobile() && !isToStand()) {
             setImmobile(false, heavy, heavyInertia);
         }
@@ -146,13 +153,21 @@ public class KinematicBody extends Body {
         hasCourse = kept[State.BLOCK] != 0;
     }
 
-    /** It goes on from where it is. */
-    final void leaveCourse() {
-        hasCourse = false;
-    }
-
-    /** Begins a step: finds the accelerations by which it gets its target velocity in it, and where its velocities bring it. */
-    final void begin(double h) {
+    /**
+     * Begins a step: finds the accelerations by which it gets its target velocity in it, and where its velocities bring it.
+     *
+     * @param unlike how many times as heavy as all others it is, if it moves
+     * @param isAgain whether it is the step that had begun last, which has failed
+     */
+    final void begin(double h, double unlike, boolean isAgain) {
+        if (isAgain) {
+            comeBack();
+        }
+        settle(h, STILL * 0x1p40 / unlike);
+        System.arraycopy(state().x(), State.BLOCK * index(), lastPlace, 0, State.BLOCK);
+        System.arraycopy(course, 0, lastCourse, 0, State.BLOCK);
+        System.arraycopy(pace, 0, lastPace, 0, State.BLOCK);
+        hadCourse = hasCourse;
         for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK; k++, at++) {
             double x = state().x()[at];
             before[k] = state().v()[at];
@@ -162,6 +177,17 @@ public class KinematicBody extends Body {
             pace[k] = target[k];
         }
         hasCourse = true;
+    }
+
+    /** Is on the course again that it was on when the step began that has failed; or goes on from where it is, if it has moved since. */
+    private void comeBack() {
+        boolean isThere = hasCourse;
+        for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK; k++, at++) {
+            isThere &= state().x()[at] == lastPlace[k] && state().v()[at] == before[k];
+        }
+        System.arraycopy(lastCourse, 0, course, 0, State.BLOCK);
+        System.arraycopy(lastPace, 0, pace, 0, State.BLOCK);
+        hasCourse = isThere && hadCourse;
     }
 
     /** How much it makes up for in a step of what it has missed of its course, where something closed on it within the ones before. */
@@ -176,13 +202,8 @@ public class KinematicBody extends Body {
         return rate[k];
     }
 
-    /**
-     * Before a step begins: lets nothing move the body as long as it is to stand, and does.
-     *
-     * @param unlike how many times as heavy as all others it is, if it moves
-     */
-    final void settle(double h, double unlike) {
-        double still = STILL * 0x1p40 / unlike;
+    /** Lets nothing move the body as long as it is to stand, and does. */
+    private void settle(double h, double still) {
         boolean stands = isToStand();
         for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK && stands; k++, at++) {
             double off = Math.max(Math.abs(state().v()[at]) * h, Math.abs(missed(k, state().x()[at])));

@@ -41,10 +41,10 @@ final class Kinematics implements Serializable {
     /** Number of the last step that has begun. */
     private long last = -1;
 
-    /** Number of bodies, and how often they had been written, when masses were looked at last. */
+    /** Number of bodies when masses were looked at last, and how often these had been written then, plus 1; 0 if that is not known. */
     private int count = -1;
 
-    private transient long writes = -1;
+    private transient long writes;
 
     Kinematics() {
         // none yet
@@ -70,7 +70,7 @@ final class Kinematics implements Serializable {
         return yes;
     }
 
-    /** Sets the forces for a step; one that begins again has failed, and all go on from where they are. */
+    /** Sets the forces for a step; one that begins again has failed. */
     void push(State state, long number, double gravityX, double gravityY, double h, boolean isStepped) {
         for (int k = bodies.size() - 1; k >= 0; k--) {
             if (bodies.get(k).state() != state) {
@@ -78,24 +78,20 @@ final class Kinematics implements Serializable {
             }
         }
         double wanted = isStepped ? HEAVY_IF_STEPPED : HEAVY;
-        if (!bodies.isEmpty() && (count != state.bodyCount() || writes != state.writes() || heavy != wanted)) {
+        if (!bodies.isEmpty() && (count != state.bodyCount() || writes != state.writes() + 1 || heavy != wanted)) {
             heavy = wanted;
             weigh(state);
         }
         for (int k = 0; k < bodies.size(); k++) {
-            if (number == last) {
-                bodies.get(k).leaveCourse();
-            }
-            bodies.get(k).settle(h, wanted);
-            push(bodies.get(k), gravityX, gravityY, h);
+            bodies.get(k).begin(h, wanted, number == last);
+            push(bodies.get(k), gravityX, gravityY);
         }
         last = number;
         count = state.bodyCount();
-        writes = state.writes();
+        writes = state.writes() + 1;
     }
 
-    private void push(KinematicBody body, double gravityX, double gravityY, double h) {
-        body.begin(h);
+    private void push(KinematicBody body, double gravityX, double gravityY) {
         boolean stands = body.isImmobile();
         double ax = stands ? 0 : body.acceleration(State.X) - gravityX;
         double ay = stands ? 0 : body.acceleration(State.Y) - gravityY;

@@ -63,6 +63,9 @@ public final class SurfaceRows implements Serializable {
      */
     public void begin(IntList movable) {
         bodies.clear();
+        if (isEmpty()) {
+            return;
+        }
         if (STRIDE * movable.size > rows.length) {
             rows = new double[STRIDE * Growth.length(movable.size, movable.size)];
         }

@@ -5,8 +5,11 @@ package sim.physics.response;
 import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.PairMarks;
 import sim.physics.collision.broad.Pairs;
@@ -36,6 +39,9 @@ public final class LastingContacts implements Serializable {
     private final List<Body> bodies = new ArrayList<>();
 
     private int[] places = {};
+
+    /** Bodies that have left since; they may come again, and lie where they did, but their contacts are others. */
+    private final List<Body> left = new ArrayList<>();
 
     /** Null until it is needed. */
     private transient Distance distance;
@@ -177,6 +183,17 @@ public final class LastingContacts implements Serializable {
         return new LastingContact(a, b, near.getX() + x, near.getY() + y, nx, ny, first + second, friction);
     }
 
+    /**
+     * Takes note that a body leaves the engine.
+     *
+     * @param body any
+     */
+    public void leave(Body body) {
+        if (!listeners.isEmpty()) {
+            left.add(body);
+        }
+    }
+
     /** Tells the listeners, if there are any, what has begun, lasts, and has ended with the step that is over. */
     public void tell() {
         IntList found = listeners.isEmpty() ? null : find();
@@ -192,8 +209,12 @@ public final class LastingContacts implements Serializable {
     void tell(IntList found, List<LastingContact> contacts) {
         if (listeners.isEmpty()) {
             bodies.clear();
+            left.clear();
             return;
         }
+        Set<Body> gone = Collections.newSetFromMap(new IdentityHashMap<>());
+        gone.addAll(left);
+        left.clear();
         List<Body> before = new ArrayList<>(bodies);
         int[] placesBefore = places.clone();
         bodies.clear();
@@ -207,7 +228,9 @@ public final class LastingContacts implements Serializable {
             lasted[k] = place >= 0
                     && 2 * place < before.size()
                     && before.get(2 * place) == contact.a()
-                    && before.get(2 * place + 1) == contact.b();
+                    && before.get(2 * place + 1) == contact.b()
+                    && !gone.contains(contact.a())
+                    && !gone.contains(contact.b());
             if (lasted[k]) {
                 goesOn[place] = true;
             }

@@ -74,6 +74,21 @@ final class Balance implements Serializable {
         }
     }
 
+    /** A body is new: what was in its place has no velocity any more, which one that is fixed would have had, and owes nothing. */
+    void add(int body) {
+        if (body < debt.length) {
+            Arrays.fill(speeds, BLOCK * body, BLOCK * body + BLOCK, 0);
+            debt[body] = 0;
+        }
+    }
+
+    /** Nobody owes anything. */
+    void forgive() {
+        Arrays.fill(debt, 0);
+        Arrays.fill(marks, false);
+        Arrays.fill(shares, 1);
+    }
+
     /** Notes where the bodies are, and their velocities. */
     void note() {
         double[] x = state.x();

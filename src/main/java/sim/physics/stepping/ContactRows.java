@@ -27,7 +27,6 @@ final class ContactRows implements Serializable {
     static final int TANGENT = 8;
     /** Speed at which it opens at the start. */
     static final int APPROACH = 9;
-
     /** The part of what it has taken that a point gives once more. */
     static final int RESTORED = 10;
 
@@ -268,6 +267,7 @@ final class ContactRows implements Serializable {
         points[p + LAST] = 0;
         points[p + RESTORED] = 0;
         points[p + BEND] = 0;
+        points[p + OPENING] = 0;
     }
 
     /**

@@ -85,8 +85,8 @@ public final class Decisions implements Serializable {
         if (isOpen && (touches || isReached)) {
             asked.add(pair);
             questions.add(contact(row));
-        } else if (isOpen) {
-            thirds.wait(row, h);
+        } else if (!touches) {
+            thirds.wait(row, h, isOpen);
         }
         return isOpen;
     }

@@ -163,8 +163,8 @@ final class NearPairs implements Pairs.Listener, Serializable {
         double[] d = boxes.data();
         bound(body, h, 1, more);
         int o = Boxes.STRIDE * body;
-        boolean isOut = minX < d[o] || minY < d[o + 1] || maxX > d[o + 2] || maxY > d[o + 3];
-        if (isOut) {
+        boolean isIn = minX >= d[o] && minY >= d[o + 1] && maxX <= d[o + 2] && maxY <= d[o + 3]; // not so if it was no number
+        if (!isIn) {
             bound(body, h, steps(body, h), ROOM + more);
             boxes.set(body, minX, minY, maxX, maxY);
             broad.update(body, boxes, pairs);

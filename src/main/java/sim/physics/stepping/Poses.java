@@ -61,19 +61,13 @@ final class Poses implements Serializable {
         }
     }
 
-    /**
-     * Takes note of a body that was written. A kinematic one may have begun to move, or have come to a stand.
-     *
-     * @param a accelerations, as they are left for bodies that do not move
-     */
-    void written(int index, double[] a) {
+    /** Takes note of a body that was written. A kinematic one may have begun to move, or have come to a stand. */
+    void written(int index) {
         if (state.touched().isTurned(index)) {
             leave(index);
             if (!state.body(index).isImmobile()) {
                 movable.insert(index);
             }
-            int b = State.BLOCK * index;
-            Arrays.fill(a, Math.min(b, a.length), Math.min(b + State.BLOCK, a.length), 0);
         }
         turn(index);
     }

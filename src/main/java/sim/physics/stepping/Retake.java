@@ -69,6 +69,20 @@ final class Retake implements Serializable {
         groups.forget();
     }
 
+    /** A body is new. */
+    void add(int body) {
+        balance.add(body);
+        bounced.add(body);
+    }
+
+    /** Nothing is known any more. */
+    void forget() {
+        groups.forget();
+        balance.forgive();
+        bounced.forgive();
+        isStale = true;
+    }
+
     /**
      * Begins a step.
      *

@@ -17,6 +17,11 @@ final class ThirdParties implements Serializable {
     /** Speed that an impact gives to a body at most, in terms of that with which the two meet. */
     private static final double GAIN = 2;
 
+    /** In the place of a pair: it has been found; and listeners have been asked about it. */
+    private static final int FOUND = -1;
+
+    private static final int DECIDED = -2;
+
     private final State state;
     private final ContactRows rows;
 
@@ -66,14 +71,18 @@ final class ThirdParties implements Serializable {
         return isMore;
     }
 
-    /** The two bodies of a row do not touch in a step by themselves. */
-    void wait(int row, double h) {
+    /**
+     * The two bodies of a row do not touch in a step by themselves.
+     *
+     * @param isOpen whether listeners are still to be asked about them; else the two only pass on what they get
+     */
+    void wait(int row, double h, boolean isOpen) {
         double lack = Double.POSITIVE_INFINITY;
         for (int m = 0; m < rows.pointCount(row); m++) {
             double forced = h * rows.of(row, m, ContactRows.FORCED);
             lack = Math.min(lack, rows.of(row, m, ContactRows.GAP) / h - rows.approach(row, m) + forced);
         }
-        pairs.add(rows.pair(row));
+        pairs.add(isOpen ? rows.pair(row) : DECIDED);
         firsts.add(rows.first(row));
         seconds.add(rows.second(row));
         if (pairs.size > lacks.length) {
@@ -89,15 +98,17 @@ final class ThirdParties implements Serializable {
         while (goesOn) {
             goesOn = false;
             for (int k = 0; k < pairs.size; k++) {
-                if (pairs.values[k] < 0) {
+                if (pairs.values[k] == FOUND) {
                     continue;
                 }
                 int a = firsts.values[k];
                 int b = seconds.values[k];
                 double speed = gained(a) + gained(b);
                 if (speed > 0 && lacks[k] <= speed) {
-                    reached.add(pairs.values[k]);
-                    pairs.values[k] = -1;
+                    if (pairs.values[k] != DECIDED) {
+                        reached.add(pairs.values[k]);
+                    }
+                    pairs.values[k] = FOUND;
                     gain(a, speed);
                     gain(b, speed);
                     goesOn = true;

@@ -33,13 +33,6 @@ import sim.physics.response.LastingContact;
 public final class TimeStepping implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Oscillations in a substep, and damping ratios, with which depths of contacts and gaps of joints are regained. */
-    private static final double CONTACT_FREQUENCY = 1.0 / 4;
-
-    private static final double CONTACT_DAMPING = 5;
-    private static final double JOINT_FREQUENCY = 1.0 / 4;
-    private static final double JOINT_DAMPING = 2;
-
     /** Gap, relative to the smaller body, from which on a contact is kept in mind whatever the speeds are. */
     private static final double NEAR = 0.01;
 
@@ -52,9 +45,6 @@ public final class TimeStepping implements Serializable {
     /** How many times larger impulses are begun with in a longer substep at most: what a short one has not settled would grow as much. */
     private static final double MOST_GROWTH = 2;
 
-    /** Time in which the pace becomes shorter by one unit of it where substeps are shorter: depths are regained in a few paces. */
-    private static final double PATIENCE = 16;
-
     /** Friction of what sticks. */
     private static final double STICKS = 1e100;
 
@@ -63,6 +53,8 @@ public final class TimeStepping implements Serializable {
     private final SteppedForces forces;
     private final SurfaceRows surface;
     private final Poses poses;
+    private final Outset outset;
+    private final Pace pace = new Pace();
     private final NearPairs near;
     private final Touch touch;
     private final ContactRows rows;
@@ -85,23 +77,12 @@ public final class TimeStepping implements Serializable {
     private boolean isCold;
     private boolean areOthersAsleep;
 
-    private double[] a = {};
-    private double[] before = {}; // those of the step before
     private double h;
 
     /** The substep that impulses are kept of, 0 if none are; and what they are to be multiplied by for the present one. */
     private double keptOf;
 
     private double growth;
-
-    /** The substep by which depths and gaps are regained: what longer ones have left is not to be thrown out in a shorter one. */
-    private double pace;
-
-    /** The pace that the softness is of. */
-    private double softened;
-
-    private Softness contact = Softness.RIGID;
-    private Softness joint = Softness.RIGID;
 
     /** Whether the last step's impulses have been asked for joints that break. */
     private boolean isJudged = true;
@@ -125,6 +106,7 @@ public final class TimeStepping implements Serializable {
         surface = forces.surface();
         poses = new Poses(state);
         rows = new ContactRows(state);
+        outset = new Outset(state, poses.awake, rows);
         contacts = new ContactSolver(state, rows);
         ties = new TieRows(state);
         onset = new Onset(state);
@@ -180,7 +162,12 @@ public final class TimeStepping implements Serializable {
      * @param body index
      */
     public void admit(int body) {
-        if (!poses.knows(body)) {
+        boolean isNew = !poses.knows(body);
+        if (isNew || state.touched().isTurned(body)) {
+            retake.add(body);
+            outset.add(body);
+        }
+        if (isNew) {
             poses.add(body);
             poses.turn(body);
             near.add(body, h);
@@ -189,7 +176,7 @@ public final class TimeStepping implements Serializable {
         } else {
             sleep.admit(body, false);
             if (!state.isOnlyPushed(body)) {
-                poses.written(body, a);
+                poses.written(body);
                 near.written(body, h);
                 retake.written();
             }
@@ -237,7 +224,7 @@ public final class TimeStepping implements Serializable {
      * @param step a whole one
      */
     public void setPace(double step) {
-        pace = step / substeps;
+        pace.set(step / substeps);
     }
 
     /** {@return what is asked and told of contacts} */
@@ -254,11 +241,7 @@ public final class TimeStepping implements Serializable {
     public void begin(double time, double step) {
         h = step;
         forces.begin();
-        if (a.length < state.x().length) {
-            a = new double[state.x().length];
-            before = new double[a.length];
-        }
-        System.arraycopy(a, 0, before, 0, a.length);
+        outset.begin();
         growth = keptOf > 0 ? Math.min(MOST_GROWTH, step / substeps / keptOf) : 0;
         sleep.wakeDriven(ties);
         areOthersAsleep |= sleep.refresh();
@@ -271,8 +254,8 @@ public final class TimeStepping implements Serializable {
         do {
             areOthersAsleep |= sleep.refresh();
             forces.springs().begin(step / substeps, sleep.asleep());
-            forces.load(poses.awake, time, a);
-            near.drive(step, a);
+            forces.load(poses.awake, time, outset.a);
+            near.drive(step, outset.a);
             rows.begin();
             decisions.begin(time, step);
             deepestTied = 0;
@@ -301,6 +284,7 @@ public final class TimeStepping implements Serializable {
         looks++;
         Pairs pairs = near.pairs();
         double bounce = laws.restitution(first, second);
+        double[] a = outset.a;
         double way = speeds.way(first, second, bounce > 0, a, h);
         touch.find(first, pairs.firstPart(pair), second, pairs.secondPart(pair), NEAR * size + way);
         if (touch.count == 0) {
@@ -326,7 +310,7 @@ public final class TimeStepping implements Serializable {
             deepest = Math.min(deepest, touch.gap[k]);
             deepestTied = areTied ? Math.max(deepestTied, -touch.gap[k] / size) : deepestTied;
         }
-        near.remember(pair, touch, rows, growth * near.release(pair, rows, a, before, h / substeps));
+        near.remember(pair, touch, rows, growth * near.release(pair, rows, a, outset.before, h / substeps));
     }
 
     /**
@@ -336,6 +320,42 @@ public final class TimeStepping implements Serializable {
      * @param isLast whether no other part of the step comes after it
      */
     public void solve(double time, boolean isLast) {
+        outset.note();
+        try {
+            solve(time);
+        } catch (RuntimeException e) {
+            takeBackIfLost(e);
+            throw e;
+        }
+        takeBackIfLost(null);
+        near.keep(rows, contacts);
+        sleep.watch(h, outset.a);
+        keptOf = h / substeps;
+        outset.end();
+        isCold = false;
+        forces.end(isLast);
+    }
+
+    /** Where bodies have been thrown beyond all numbers, all go back to where the step began, and nothing is known of impulses. */
+    private void takeBackIfLost(RuntimeException cause) {
+        int lost = outset.lost();
+        if (lost < 0) {
+            return;
+        }
+        outset.putBack();
+        String text = state.body(lost) + " has been thrown beyond all numbers in a step of " + h + " from there";
+        pace.putBack();
+        rows.begin();
+        h = 0;
+        keptOf = 0;
+        ties.forget();
+        forces.leave();
+        retake.forget();
+        isCold = true;
+        throw new IllegalStateException(text + ": it may be too long, or a mass too small, for what acts", cause);
+    }
+
+    private void solve(double time) {
         double d = h / substeps;
         contacts.begin(h, d);
         boolean isTied = constraints != null;
@@ -347,28 +367,22 @@ public final class TimeStepping implements Serializable {
             isJudged = false; // also if a force of an author throws in one of the substeps: that far is what is reported
         }
         areOthersAsleep = false;
-        if (isRubbed) {
-            surface.begin(poses.awake);
-        }
+        surface.begin(poses.awake);
         boolean bounces = rows.bounces > 0 || rows.fast > 0 || isTied && ties.stops().mayStrike(h);
         boolean isBalanced = bounces || isTied || rows.unlike > 0;
         retake.begin(rows, isCold || areOthers, isBalanced || rows.driven > 0);
         if (bounces) {
             retake.expect();
         }
-        soften(Math.max(d, pace - h / PATIENCE));
+        pace.begin(h, d);
         for (int k = 0; k < substeps; k++) {
-            spinners.find(k, a);
+            spinners.find(k, outset.a);
             substep(time + (k + 1) * d, d, isTied, isRubbed, isBalanced, bounces);
         }
-        near.keep(rows, contacts);
-        sleep.watch(h, a);
-        keptOf = d;
-        isCold = false;
-        forces.end(isLast);
     }
 
     private void substep(double end, double d, boolean isTied, boolean isRubbed, boolean isBalanced, boolean bounces) {
+        double[] a = outset.a;
         int turns = isCold ? COLD : 1;
         if (bounces) {
             retake.approach();
@@ -387,7 +401,7 @@ public final class TimeStepping implements Serializable {
             solve(isTied, isRubbed, true, d);
         }
         if (bounces && isTied) {
-            retake.bear(contact, joint, d);
+            retake.bear(pace.contact, pace.joint, d);
         }
         halves.move(d);
         if (forces.areUneven()) {
@@ -405,7 +419,7 @@ public final class TimeStepping implements Serializable {
         }
         contacts.straighten();
         if (isBalanced) {
-            retake.close(a, contact, joint, d);
+            retake.close(a, pace.contact, pace.joint, d);
         }
         if (isTied) {
             ties.add();
@@ -416,15 +430,6 @@ public final class TimeStepping implements Serializable {
         contacts.add();
         if (isTied) {
             ties.stops().note();
-        }
-    }
-
-    private void soften(double substep) {
-        pace = substep;
-        if (substep != softened) { // the pace may have been set beforehand
-            softened = substep;
-            contact = Softness.of(CONTACT_FREQUENCY, CONTACT_DAMPING, pace);
-            joint = Softness.of(JOINT_FREQUENCY, JOINT_DAMPING, pace);
         }
     }
 
@@ -445,9 +450,9 @@ public final class TimeStepping implements Serializable {
         }
         forces.springs().solve();
         if (isTied) {
-            ties.solve(regains ? joint : Softness.RIGID, d);
+            ties.solve(regains ? pace.joint : Softness.RIGID, d);
         }
-        contacts.solve(regains ? contact : Softness.RIGID, regains, d);
+        contacts.solve(regains ? pace.contact : Softness.RIGID, regains, d);
     }
 
     /** {@return how deep two bodies of joints were in one another when the last step began, at most, relative to the smaller one} */
@@ -482,15 +487,10 @@ public final class TimeStepping implements Serializable {
         return isKnown ? List.of() : ties.overloaded(h);
     }
 
-    /** {@return the contacts that last, as a new list} */
-    public List<LastingContact> contacts() {
-        return decisions.contacts(null);
-    }
-
     /**
      * The contacts of a body that last.
      *
-     * @param body one of the engine
+     * @param body one of the engine; null for all contacts
      * @return a new list
      */
     public List<LastingContact> contacts(Body body) {

@@ -295,4 +295,60 @@ class SteppedLifeTest {
         double[] p = Stepped.momentum(engine);
         assertThat(Math.hypot(p[0], p[1])).isLessThan(1e-9);
     }
+
+    /** What bounces off a fixed body met the velocity of what had moved in its place. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aFixedBodyThatComesInThePlaceOfAMovingOneStands(boolean hasTurned) {
+        double[] heights = new double[2];
+        for (int run = 0; run < 2; run++) {
+            PhysicsEngine engine = Stepped.engine(1.0 / 64, 4);
+            engine.add(new Gravity(0, -10));
+            engine.add(Body.fixed(new Rectangle(20, 1)).at(0, -100.5));
+            Body before = engine.add(new Body(new Rectangle(0.5, 1)).at(0, run == 0 ? 50 : -98));
+            before.setVelocity(0, run == 0 ? 0 : -30);
+            before.setAngularVelocity(run == 1 && hasTurned ? 5 : 0);
+            Stepped.run(engine, 4);
+            engine.remove(before);
+            engine.add(Body.fixed(new Rectangle(20, 1)).at(0, -0.5));
+            Body ball = engine.add(new Body(new Circle(0.5)).at(0.1, 1.5));
+            Stepped.run(engine, 60);
+            heights[run] = ball.getY();
+        }
+        assertThat(heights[1]).isEqualTo(heights[0]);
+    }
+
+    /** Forces on what was there pulled at a fixed body that came in its place, and friction with a plane that has been taken away still rubbed. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3})
+    void nothingIsLeftOfASceneThatHasBeenRemoved(int substeps) {
+        double[][] places = new double[2][];
+        for (int run = 0; run < 2; run++) {
+            PhysicsEngine engine = Stepped.engine(1.0 / 64, substeps);
+            Gravity old = engine.add(new Gravity(3, -7));
+            SurfaceFriction plane = engine.add(new SurfaceFriction(5));
+            Body[] before = new Body[4];
+            for (int k = 0; k < 4; k++) {
+                Circle disc = new Circle(0.5);
+                before[k] = run == 0 ? Body.fixed(disc) : new Body(disc);
+                before[k].setSurfaceFriction(0.2);
+                engine.add(before[k].at(50 + 3 * k, 0));
+            }
+            Stepped.run(engine, 10);
+            for (int k = 3; k >= 0; k--) {
+                engine.remove(before[k]);
+            }
+            engine.remove(plane);
+            engine.remove(old);
+            engine.add(new Gravity(0.3, -5));
+            Body floor = engine.add(Body.fixed(new Rectangle(24, 2)).at(0, -9));
+            Body far = engine.add(new Body(new Rectangle(0.9, 1.3)).at(-7, -6, 2));
+            far.setVelocity(2, -1);
+            Body ball = engine.add(new Body(new Circle(0.5)).at(5, -7));
+            engine.add(Limit.rope(far, 0, 0, floor, 0, 0, 4)); // it is too long already, and brought back
+            Stepped.run(engine, 60);
+            places[run] = new double[] {far.getX(), far.getY(), far.getAngle(), ball.getX(), ball.getY(), ball.getVelocityX()};
+        }
+        assertThat(places[1]).containsExactly(places[0]);
+    }
 }

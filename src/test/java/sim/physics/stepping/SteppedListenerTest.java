@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
@@ -227,6 +228,25 @@ class SteppedListenerTest {
         engine.setTimeStepping(2);
         Stepped.run(engine, 50);
         assertThat(late.now).hasSize(engine.contacts().size());
+    }
+
+    /** What is taken out and put in again before the next step begins to lie anew; by events it does. Nothing was told by time stepping. */
+    @ParameterizedTest
+    @CsvSource({"0, 1, 0", "0, 3, 1", "0, 3, 2", "4, 1, 0", "4, 2, 0", "4, 2, 1", "4, 3, 0", "4, 3, 1", "4, 3, 2"})
+    void whatComesAgainAtOnceBeginsToLieAnew(int substeps, int boxes, int which) {
+        PhysicsEngine engine = Stepped.engine(STEP, 4);
+        engine.setTimeStepping(substeps);
+        Body[] stack = Stepped.stack(engine, boxes);
+        Roll roll = new Roll();
+        engine.addContactListener(roll);
+        Stepped.run(engine, 100);
+        assertThat(roll.now).hasSize(boxes);
+        assertThat(roll.ended).isZero();
+        engine.remove(stack[which]);
+        engine.add(stack[which]);
+        Stepped.run(engine, 30);
+        assertThat(roll.ended).isEqualTo(which == boxes - 1 ? 1 : 2);
+        assertThat(roll.now).hasSize(boxes);
     }
 
     /** A body that another one removes in the same step is not told of any more. */

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
@@ -99,6 +100,49 @@ class StruckByAThirdTest {
             assertThat(deepest(engine)).as("step %d", k).isLessThan(5e-3);
         }
         assertThat(row.get(4).getVelocityX()).isGreaterThan(5);
+    }
+
+    /** Throws now and then when it is asked. */
+    private static final class Faulty extends Ear {
+        private static final long serialVersionUID = 1L;
+        private int thrown;
+
+        @Override
+        public Decision colliding(Contact contact) {
+            if (asked % 3 == 2 && thrown < asked) {
+                thrown = asked;
+                throw new IllegalArgumentException("an author's mistake");
+            }
+            return super.colliding(contact);
+        }
+    }
+
+    /** A step that a listener has stopped by an exception while it was asked is made again as it would have been; the last ones were not reached. */
+    @Test
+    void aStepThatIsMadeAgainIsTheSame() {
+        List<Double> places = new ArrayList<>();
+        for (Ear ear : new Ear[] {new Ear(), new Faulty()}) {
+            PhysicsEngine engine = Stepped.engine(STEP, 4);
+            engine.addListener(ear);
+            for (int k = 0; k < 7; k++) {
+                put(engine, 0.2, 1, k * 0.22, 0, 0.5);
+            }
+            put(engine, 1, 1, -1, 0, 0.5).setVelocity(20, 0);
+            for (int k = 0; k < 30; k++) {
+                step(engine);
+            }
+            engine.bodies().forEach(body -> places.add(body.getX()));
+            assertThat(ear.told).isGreaterThanOrEqualTo(7);
+        }
+        assertThat(places.subList(8, 16)).isEqualTo(places.subList(0, 8));
+    }
+
+    private static void step(PhysicsEngine engine) {
+        try {
+            engine.step();
+        } catch (IllegalArgumentException e) {
+            step(engine);
+        }
     }
 
     /** Nobody is asked about what stays apart. */
