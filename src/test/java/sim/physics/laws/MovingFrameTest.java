@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.laws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.motion.DormandPrince853;
+import sim.physics.motion.ForceGenerator;
+import sim.physics.motion.Forces;
+import sim.physics.motion.KinematicBody;
+import sim.physics.motion.Spring;
+import sim.physics.shape.Circle;
+
+/** A scene is the same when all that bears, holds and drives it moves evenly: Galilei's law. */
+class MovingFrameTest {
+    /** Hooke's law between a body and a hook, as an author would write it. */
+    private record Pull(Body hook, double stiffness) implements ForceGenerator {
+        @Override
+        public void addForce(Body body, double time, Forces forces) {
+            assertThat(body.isDynamic()).isTrue(); // forces on others are not asked for
+            forces.add(body, stiffness * (hook.getX() - 1 - body.getX()), 0);
+        }
+
+        @Override
+        public boolean isCoupled() {
+            return true;
+        }
+    }
+
+    /** A disc behind a hook that goes on evenly, or ever faster: ξ = −(u sin ωt) / ω − a (1 − cos ωt) / ω². */
+    @ParameterizedTest
+    @CsvSource({"3, 0, 0, false, 1e-6", "3, 0, 1e-10, false, 1e-8", "1, 4, 0, false, 1e-6", "1, 4, 1e-10, false, 1e-8", "1, 4, 0, true, 1e-6", "1, 4, 1e-10, true, 1e-8"})
+    void aHookPullsWhereItIs(double u, double a, double tolerance, boolean isAuthors, double bound) {
+        double omega = 8;
+        double h = 1 / 128.0;
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(h);
+        if (tolerance > 0) {
+            engine.setIntegrator(new DormandPrince853(tolerance));
+        }
+        KinematicBody hook = new KinematicBody(new Circle(0.1));
+        engine.add(hook.at(100, 0).moving(u, 0));
+        Body disc = engine.add(new Body(new Circle(0.1)));
+        disc.setMass(2);
+        double stiffness = disc.getMass() * omega * omega;
+        disc.at(99, 0);
+        engine.add(isAuthors ? new Pull(hook, stiffness) : new Spring(disc, 0, 0, hook, 0, 0, 1, stiffness, 0));
+        for (int k = 1; k <= 256; k++) {
+            hook.setTargetVelocity(u + a * k * h, 0, 0);
+            engine.step();
+        }
+        double lag = -u / omega * StrictMath.sin(2 * omega) - a / (omega * omega) * (1 - StrictMath.cos(2 * omega));
+        assertThat(hook.getX()).isCloseTo(100 + 2 * u + 2 * a, within(1e-9));
+        assertThat(disc.getX() - hook.getX() + 1).isCloseTo(lag, within(bound));
+    }
+}
