@@ -12,9 +12,11 @@ import sim.physics.motion.Body;
 import sim.physics.motion.DormandPrince853;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
+import sim.physics.motion.Gravity;
 import sim.physics.motion.KinematicBody;
 import sim.physics.motion.Spring;
 import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
 
 /** A scene is the same when all that bears, holds and drives it moves evenly: Galilei's law. */
 class MovingFrameTest {
@@ -57,5 +59,28 @@ class MovingFrameTest {
         double lag = -u / omega * StrictMath.sin(2 * omega) - a / (omega * omega) * (1 - StrictMath.cos(2 * omega));
         assertThat(hook.getX()).isCloseTo(100 + 2 * u + 2 * a, within(1e-9));
         assertThat(disc.getX() - hook.getX() + 1).isCloseTo(lag, within(bound));
+    }
+
+    /** A box that friction holds against a field askew stands on a floor that goes on as on the ground: by time stepping it crept on at 2 mm/s. */
+    @ParameterizedTest
+    @CsvSource({"0, 0, 4, 2e-5", "3, 0, 4, 2e-5", "0, -2, 4, 2e-5", "3, -2, 1, 3e-3", "0, 0, 0, 1e-9", "3, -2, 0, 1e-9"})
+    void frictionHoldsOnWhatMoves(double u, double v, int substeps, double bound) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1 / 60.0);
+        engine.setTimeStepping(substeps);
+        engine.add(new Gravity(3, -10));
+        Body floor = engine.add(new KinematicBody(new Rectangle(40, 2)).at(0, -1).moving(u, v));
+        Body box = engine.add(new Body(new Rectangle(1, 1)).at(0, 0.5).moving(u, v));
+        for (Body body : engine.bodies()) {
+            body.setFriction(0.5);
+            body.setRestitution(0);
+        }
+        double fastest = 0;
+        for (int k = 0; k < 600; k++) {
+            engine.step();
+            fastest = k < 60 ? 0 : Math.max(fastest, Math.abs(box.getVelocityX() - u));
+        }
+        assertThat(box.getX() - floor.getX()).isCloseTo(0, within(bound));
+        assertThat(fastest).isLessThan(bound);
     }
 }
