@@ -83,4 +83,38 @@ class MovingFrameTest {
         assertThat(box.getX() - floor.getX()).isCloseTo(0, within(bound));
         assertThat(fastest).isLessThan(bound);
     }
+
+    /** A box that falls askew onto a floor, slides and stops, by time stepping: the floor may be fixed, stand, or go on. */
+    @ParameterizedTest
+    @CsvSource({"0, 0", "3, -2"})
+    void aBoxLandsOnWhatMovesAsOnTheGround(double u, double v) {
+        PhysicsEngine still = landing(Body.fixed(new Rectangle(40, 2)), 0, 0);
+        PhysicsEngine moving = landing(new KinematicBody(new Rectangle(40, 2)).moving(u, v), u, v);
+        Body there = still.bodies().get(1);
+        Body here = moving.bodies().get(1);
+        for (int k = 1; k <= 150; k++) {
+            still.step();
+            moving.step();
+            assertThat(here.getX() - u * k / 60).isCloseTo(there.getX(), within(1e-6));
+            assertThat(here.getY() - v * k / 60).isCloseTo(there.getY(), within(1e-6));
+            assertThat(here.getAngle()).isCloseTo(there.getAngle(), within(1e-6));
+            assertThat(here.getVelocityY() - v).isCloseTo(there.getVelocityY(), within(1e-5));
+            assertThat(here.getAngularVelocity()).isCloseTo(there.getAngularVelocity(), within(1e-5));
+        }
+    }
+
+    private static PhysicsEngine landing(Body floor, double u, double v) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1 / 60.0);
+        engine.setTimeStepping(4);
+        engine.setSleepAllowed(false);
+        engine.add(new Gravity(0, -10));
+        engine.add(floor.at(0, -1));
+        engine.add(new Body(new Rectangle(1, 0.6)).at(0, 1.5, 0.3).moving(u + 4, v, 1));
+        for (Body body : engine.bodies()) {
+            body.setFriction(0.5);
+            body.setRestitution(0.3);
+        }
+        return engine;
+    }
 }
