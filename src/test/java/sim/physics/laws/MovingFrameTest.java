@@ -8,6 +8,8 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
+import sim.physics.constraint.Motor;
+import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.DormandPrince853;
 import sim.physics.motion.ForceGenerator;
@@ -114,6 +116,36 @@ class MovingFrameTest {
         for (Body body : engine.bodies()) {
             body.setFriction(0.5);
             body.setRestitution(0.3);
+        }
+        return engine;
+    }
+
+    /** An arm that a motor presses on a wall, where both are fixed, stand or go on: nothing is squeezed, so no step is relieved, and all have one angle. */
+    @ParameterizedTest
+    @CsvSource({"0, 20", "1e-6, 20", "3, 20", "1e-6, 1000", "0, 1000"})
+    void aMotorPressesOnAWall(double u, double torque) {
+        PhysicsEngine still = press(Body.fixed(new Circle(0.1)), Body.fixed(new Rectangle(1, 1)), 0, torque);
+        PhysicsEngine moving = press(new KinematicBody(new Circle(0.1)).moving(u, 0), new KinematicBody(new Rectangle(1, 1)).moving(u, 0), u, torque);
+        for (int k = 0; k < 240; k++) {
+            still.step();
+            moving.step();
+        }
+        assertThat(moving.getRelievedSteps()).isZero();
+        assertThat(moving.bodies().get(2).getAngle()).isCloseTo(still.bodies().get(2).getAngle(), within(1e-6));
+        assertThat(moving.bodies().get(0).getX()).isCloseTo(4 * u, within(1e-9));
+    }
+
+    private static PhysicsEngine press(Body pivot, Body wall, double u, double torque) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1 / 60.0);
+        engine.add(pivot);
+        engine.add(wall.at(0, 1.8));
+        Body arm = engine.add(new Body(new Rectangle(2, 0.1)).at(1, 0).moving(u, 0));
+        engine.add(new PinJoint(pivot, arm, 0, 0));
+        engine.add(Motor.turning(arm, pivot, 3, torque));
+        for (Body body : engine.bodies()) {
+            body.setFriction(0.3);
+            body.setRestitution(0);
         }
         return engine;
     }
