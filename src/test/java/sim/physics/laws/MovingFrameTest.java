@@ -149,4 +149,63 @@ class MovingFrameTest {
         }
         return engine;
     }
+
+    /** A disc in a room that is carried along ever faster, and falls as it does, bounces off a wall beside another one: it did not, by time stepping. */
+    @ParameterizedTest
+    @CsvSource({"0, 0", "1.7, -2.3"})
+    void aDiscBouncesInARoomThatFalls(double gx, double gy) {
+        double h = 1 / 60.0;
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(h);
+        engine.setTimeStepping(4);
+        engine.add(new Gravity(gx, gy));
+        KinematicBody roof = new KinematicBody(new Rectangle(9, 2));
+        KinematicBody wall = new KinematicBody(new Rectangle(2, 9));
+        engine.add(roof.at(0, 3.5));
+        engine.add(wall.at(-3.5, 0));
+        Body disc = engine.add(new Body(new Circle(0.2755)).at(-0.96, 1.778).moving(-5.78, 1.7, 0.84));
+        for (Body body : engine.bodies()) {
+            body.setFriction(0.37);
+            body.setRestitution(0.5);
+        }
+        for (int k = 1; k <= 16; k++) {
+            roof.setTargetVelocity(gx * k * h, gy * k * h, 0);
+            wall.setTargetVelocity(gx * k * h, gy * k * h, 0);
+            engine.step();
+        }
+        assertThat(engine.getImpacts()).isEqualTo(1);
+        assertThat(disc.getVelocityX() - wall.getVelocityX()).isCloseTo(0.5 * 5.78, within(1e-6));
+    }
+
+    /** What joints and a motor give a four-bar is watched as closely where its frame is fast: by time stepping it went on as if nobody did. */
+    @ParameterizedTest
+    @CsvSource({"3, 0", "1000, 333"})
+    void aFourBarOnAFrameThatMoves(double u, double v) {
+        PhysicsEngine still = fourBar(0, 0);
+        PhysicsEngine moving = fourBar(u, v);
+        for (int k = 0; k < 20; k++) {
+            still.step();
+            moving.step();
+            for (int m = 1; m < 4; m++) {
+                assertThat(moving.bodies().get(m).getAngularVelocity()).isCloseTo(still.bodies().get(m).getAngularVelocity(), within(1e-6));
+            }
+        }
+    }
+
+    private static PhysicsEngine fourBar(double u, double v) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1 / 60.0);
+        engine.setTimeStepping(4);
+        engine.add(new Gravity(0, -10));
+        Body frame = engine.add(new KinematicBody(new Circle(0.1)).moving(u, v));
+        Body crank = engine.add(new Body(new Rectangle(1, 0.1)).at(0, 0.5, Math.PI / 2).moving(u, v));
+        Body coupler = engine.add(new Body(new Rectangle(3, 0.1)).at(1.5, 1).moving(u, v));
+        Body rocker = engine.add(new Body(new Rectangle(2, 0.1)).at(3, 0, Math.PI / 2).moving(u, v));
+        engine.add(new PinJoint(crank, frame, 0, 0));
+        engine.add(new PinJoint(crank, coupler, 0, 1));
+        engine.add(new PinJoint(coupler, rocker, 3, 1));
+        engine.add(new PinJoint(rocker, frame, 3, -1));
+        engine.add(Motor.turning(crank, frame, 2, 100));
+        return engine;
+    }
 }
