@@ -7,7 +7,9 @@ import sim.physics.collision.CollisionDetection;
 import sim.physics.collision.broad.BroadPhase;
 import sim.physics.collision.broad.CellGrid;
 import sim.physics.constraint.Constraints;
+import sim.physics.constraint.Strength;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Squeezed;
 import sim.physics.internal.Team;
 import sim.physics.internal.Work;
 import sim.physics.motion.Motion;
@@ -270,8 +272,9 @@ final class EventStep implements Serializable {
 
     /** Looks whether bodies are squeezed, where some are moved by their author; not in an audit, which must have all events. */
     private void look(double tau) {
-        if (audit == null) {
-            steering.refuseSqueezing(tau, timeStep, events > 0);
+        boolean areAny = audit == null && steering.isSqueezing(tau, timeStep, events > 0, 0);
+        if (areAny && (constraints == null || steering.isSqueezing(tau, timeStep, events > 0, Strength.of(constraints)))) {
+            throw new Squeezed();
         }
     }
 

@@ -302,7 +302,7 @@ final class Generators implements Serializable {
         return driving;
     }
 
-    /** Those that act on a body. */
+    /** Those that act on a body, or on others that feel where it is. */
     Entry[] acting(Body body) {
         int index = body.index();
         if (index >= acting.length || acting[index] == null) {
@@ -318,9 +318,9 @@ final class Generators implements Serializable {
             acting = Arrays.copyOf(acting, Growth.length(acting.length, index + 1));
         }
         Entry[] old = acting[index];
-        List<Entry> named = body.isDynamic() ? naming(body) : null;
+        List<Entry> named = body.isFixed() ? null : naming(body);
         int n = 0;
-        for (int k = 0; k < asked.size() && body.isDynamic(); k++) {
+        for (int k = 0; k < asked.size() && !body.isFixed(); k++) {
             while (named != null && n < named.size() && named.get(n).order < asked.get(k).order) {
                 find(named.get(n++), body);
             }
@@ -340,8 +340,9 @@ final class Generators implements Serializable {
         found.clear();
     }
 
+    /** A body that forces do not move is asked about only where others feel where it is: it moves together with these. */
     private void find(Entry entry, Body body) {
-        if (entry.generator.actsOn(body)) {
+        if ((entry.isCoupled || body.isDynamic()) && entry.generator.actsOn(body)) {
             found.add(entry);
         }
     }
@@ -450,6 +451,9 @@ final class Generators implements Serializable {
 
     /** Adds the forces on a body, but for those of uniform fields. */
     private void addForces(Body body, double time, Forces forces, ForceGenerator without, long asking) {
+        if (!body.isDynamic()) {
+            return;
+        }
         forces.ask(body);
         for (Entry entry : acting(body)) {
             if (entry.generator != without && !entry.isRow) {

@@ -59,6 +59,9 @@ public class KinematicBody extends Body {
     private final double[] lastPace = new double[State.BLOCK];
     private boolean hadCourse;
 
+    /** Velocities that it was to have when the step began. */
+    private final double[] asked = new double[State.BLOCK];
+
     /** Velocities at both ends of the step. */
     private final double[] before = new double[State.BLOCK];
 
@@ -173,7 +176,8 @@ public class KinematicBody extends Body {
             before[k] = state().v()[at];
             rate[k] = (target[k] + catchUp(k, x) / h - before[k]) / h;
             after[k] = before[k] + h * rate[k];
-            course[k] = (hasCourse ? course[k] : x) + 0.5 * h * ((hasCourse ? pace[k] : before[k]) + target[k]);
+            asked[k] = hasCourse ? pace[k] : before[k];
+            course[k] = (hasCourse ? course[k] : x) + 0.5 * h * (asked[k] + target[k]);
             pace[k] = target[k];
         }
         hasCourse = true;
@@ -232,10 +236,10 @@ public class KinematicBody extends Body {
         return hasCourse;
     }
 
-    /** The fastest that its surface goes in the step. */
+    /** The fastest that its surface is to go in the step: what others push it by is no part of that. */
     final double fastest() {
-        double spin = getShape().boundingRadius() * Math.max(Math.abs(before[State.THETA]), Math.abs(after[State.THETA]));
-        return Math.max(speed(before), speed(after)) + spin;
+        double spin = getShape().boundingRadius() * Math.max(Math.abs(asked[State.THETA]), Math.abs(pace[State.THETA]));
+        return Math.max(speed(asked), speed(pace)) + spin;
     }
 
     private static double speed(double[] v) {

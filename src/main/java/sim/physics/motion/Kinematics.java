@@ -107,8 +107,9 @@ final class Kinematics implements Serializable {
      *
      * @param tau offset of an instant in the step
      * @param areKept whether the ends of driven bodies have been kept, so that the state may be written
+     * @param strength of motors
      */
-    boolean areSqueezing(State state, Trajectories trajectories, double tau, boolean areKept, double gravity, double h) {
+    boolean areSqueezing(State state, Trajectories trajectories, double tau, boolean areKept, double gravity, double strength, double h) {
         double most = 0;
         double speed = 0;
         for (int k = 0; k < bodies.size(); k++) {
@@ -121,7 +122,7 @@ final class Kinematics implements Serializable {
             }
         }
         double given = mass * most;
-        return speed > 0 && given > TOO_MUCH * mass / (SPAN * heavy) * speed && given > TOO_MUCH * most(state, speed, gravity, h);
+        return speed > 0 && given > TOO_MUCH * mass / (SPAN * heavy) * speed && given > TOO_MUCH * (strength * h + most(state, speed, gravity, h));
     }
 
     /** The momentum that all others have, seen from a body as fast as the fastest one, and get from forces in a step. */

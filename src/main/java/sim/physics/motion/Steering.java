@@ -3,7 +3,6 @@
 package sim.physics.motion;
 
 import java.io.Serializable;
-import sim.physics.internal.Squeezed;
 
 /** Moves the kinematic bodies of an engine, if there are any. */
 public final class Steering implements Serializable {
@@ -67,15 +66,11 @@ public final class Steering implements Serializable {
      * @param tau offset of the present instant in the step
      * @param h the step
      * @param areKept whether {@link Motion#keepEnds} was called in it
-     * @throws Squeezed if there is
+     * @param strength force that motors may press with
+     * @return whether they are pushed by far more than all others could push
      */
-    public void refuseSqueezing(double tau, double h, boolean areKept) {
-        if (!isAny()) {
-            return;
-        }
+    public boolean isSqueezing(double tau, double h, boolean areKept, double strength) {
         double gravity = Math.abs(generators.gravityX) + Math.abs(generators.gravityY);
-        if (kinematics.areSqueezing(state, trajectories, tau, areKept, gravity, h)) {
-            throw new Squeezed();
-        }
+        return isAny() && kinematics.areSqueezing(state, trajectories, tau, areKept, gravity, strength, h);
     }
 }

@@ -15,7 +15,8 @@ import sim.physics.motion.State;
  * a body is between heavy ones and the farther from its centre it is tied. In joints that jam that would grow without bound.
  *
  * <p>The energy of a group that is free of what cannot move is that of its motion about its centre of mass: what its bodies do to one another changes no
- * other, and a part of the energy of its flight would be many times what there is to be spread.
+ * other, and a part of the energy of its flight would be many times what there is to be spread. Where one of its bodies moves as its author says, all is
+ * seen from that one. Of such bodies, which are so heavy that a part of their own energy would be anything, only what they give the others counts.
  */
 final class Balance implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -30,6 +31,9 @@ final class Balance implements Serializable {
 
     /** What energies may differ by for rounding. */
     private static final double ROUNDING = 1e-12;
+
+    /** The same of what bodies take that their authors move, of which the rest is not counted. */
+    private static final double ROUNDED = 1e-15;
 
     private final State state;
     private final Groups groups;
@@ -138,8 +142,8 @@ final class Balance implements Serializable {
         for (int g = 0, k = 0; g < groups.count; g++) {
             double then = 0;
             double now = 0;
-            if (groups.areFree[g]) {
-                measureFree(v, g);
+            if (groups.areFree[g] || groups.anchors[g] >= 0) {
+                measureSeen(v, g);
                 k = groups.begins[g + 1];
                 continue;
             }
@@ -153,6 +157,53 @@ final class Balance implements Serializable {
             before[g] = then;
             after[g] = now;
         }
+    }
+
+    private void measureSeen(double[] v, int g) {
+        if (groups.anchors[g] < 0) {
+            measureFree(v, g);
+        } else {
+            before[g] = seen(speeds, speeds, g);
+            after[g] = borne(v, v, g);
+        }
+    }
+
+    /** The product of the bodies that forces move, seen from one that its author moves, or from the world where the group touches what is fixed. */
+    private double seen(double[] u, double[] v, int g) {
+        int anchor = groups.anchors[g];
+        boolean isFree = groups.areFree[g];
+        double ux = isFree ? u[anchor] : 0;
+        double uy = isFree ? u[anchor + 1] : 0;
+        double vx = isFree ? v[anchor] : 0;
+        double vy = isFree ? v[anchor + 1] : 0;
+        double sum = 0;
+        for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
+            int b = groups.blocks[k];
+            if (!groups.areSteered[k]) {
+                sum += groups.masses[2 * k] * ((u[b] - ux) * (v[b] - vx) + (u[b + 1] - uy) * (v[b + 1] - vy));
+                sum += groups.masses[2 * k + 1] * u[b + 2] * v[b + 2];
+            }
+        }
+        return sum;
+    }
+
+    /** The product of velocities of now or of those that were noted, seen from where these are seen from, and with it what steered bodies have taken. */
+    private double borne(double[] u, double[] v, int g) {
+        int anchor = groups.anchors[g];
+        double x = groups.areFree[g] ? speeds[anchor] : 0;
+        double y = groups.areFree[g] ? speeds[anchor + 1] : 0;
+        double sum = 0;
+        for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
+            int b = groups.blocks[k];
+            double along = (u[b] - x) * (v[b] - x) + (u[b + 1] - y) * (v[b + 1] - y);
+            double turn = u[b + 2] * v[b + 2];
+            if (groups.areSteered[k]) {
+                along -= (speeds[b] - x) * (speeds[b] - x) + (speeds[b + 1] - y) * (speeds[b + 1] - y);
+                turn -= speeds[b + 2] * speeds[b + 2];
+            }
+            sum += groups.masses[2 * k] * along + groups.masses[2 * k + 1] * turn;
+        }
+        return sum;
     }
 
     /** The same of a group that is free, at one go. */
@@ -186,7 +237,12 @@ final class Balance implements Serializable {
 
     /** The product u M v of a group, about the centre of mass of one that is free: twice the energy if the two are the same velocities. */
     private double product(double[] u, double[] v, int g) {
-        return whole(u, v, g) - (groups.areFree[g] ? ofCentre(u, v, g) : 0);
+        return groups.anchors[g] >= 0 ? borne(u, v, g) : whole(u, v, g) - (groups.areFree[g] ? ofCentre(u, v, g) : 0);
+    }
+
+    /** The product of velocities that others have noted, or of accelerations. */
+    private double given(double[] u, double[] v, int g) {
+        return groups.anchors[g] >= 0 ? seen(u, v, g) : product(u, v, g);
     }
 
     /** The part of the product that is of the motion of the centre of mass. */
@@ -224,7 +280,7 @@ final class Balance implements Serializable {
     void bound(Balance noted, double[] a, double h) {
         double[] v = noted.speeds;
         for (int g = 0; g < groups.count; g++) {
-            most[g] = product(v, v, g) + Math.max(0, h * (h * product(a, a, g) - 2 * product(v, a, g)));
+            most[g] = given(v, v, g) + Math.max(0, h * (h * given(a, a, g) - 2 * given(v, a, g)));
         }
     }
 
@@ -272,7 +328,7 @@ final class Balance implements Serializable {
         for (int g = 0; g < groups.count; g++) {
             int first = groups.firsts[g];
             if (groups.areBooked[g] && isMore(g)) {
-                boolean isSlow = after[g] < SLOW * h * h * whole(a, a, g);
+                boolean isSlow = after[g] < SLOW * h * h * pull(a, g);
                 debt[first] = isSlow ? 0 : Math.max(0, debt[first] - most[g]);
             }
             most[g] += before[g];
@@ -287,9 +343,34 @@ final class Balance implements Serializable {
         return any;
     }
 
+    /** Twice the energy that forces give in a unit of time to a group that is at rest. */
+    private double pull(double[] a, int g) {
+        return groups.anchors[g] >= 0 ? seen(a, a, g) : whole(a, a, g);
+    }
+
     /** What may be rounding of the energy of a group that is free: that of its flight is no part of it, but is rounded. */
     private double rounding(int g) {
+        if (groups.anchors[g] >= 0) {
+            return roundingOfSteered(g);
+        }
         return groups.areFree[g] ? ROUNDING * whole(speeds, speeds, g) : 0;
+    }
+
+    /** The same of what bodies take that their authors move, but for the one from which all is seen. */
+    private double roundingOfSteered(int g) {
+        int anchor = groups.anchors[g];
+        double x = groups.areFree[g] ? speeds[anchor] : 0;
+        double y = groups.areFree[g] ? speeds[anchor + 1] : 0;
+        double sum = 0;
+        for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
+            int b = groups.blocks[k];
+            if (groups.areSteered[k]) {
+                double way = Math.abs(speeds[b] - x) + Math.abs(speeds[b + 1] - y);
+                double fast = Math.abs(speeds[b]) + Math.abs(speeds[b + 1]) + Math.abs(x) + Math.abs(y);
+                sum += groups.masses[2 * k] * way * fast + groups.masses[2 * k + 1] * speeds[b + 2] * speeds[b + 2];
+            }
+        }
+        return ROUNDED * sum;
     }
 
     /** The bodies of groups that have too much energy. */

@@ -24,6 +24,7 @@ import static sim.physics.stepping.ContactRows.STEADY;
 import static sim.physics.stepping.ContactRows.STRIDE;
 
 import java.io.Serializable;
+import sim.physics.internal.Growth;
 import sim.physics.motion.State;
 
 /**
@@ -53,6 +54,9 @@ final class ContactArms implements Serializable {
     private transient double[] normals;
     private transient double[] points;
 
+    /** By pair: whether one of the two goes its way whatever touches it, as it is fixed, or moves as its author says. */
+    private transient boolean[] areBorne;
+
     ContactArms(State state, ContactRows rows) {
         this.state = state;
         this.rows = rows;
@@ -64,6 +68,12 @@ final class ContactArms implements Serializable {
         pairs = rows.pairs;
         normals = rows.normals;
         points = rows.points;
+        if (areBorne == null || areBorne.length < rows.count) {
+            areBorne = new boolean[Growth.length(areBorne == null ? 0 : areBorne.length, rows.count)];
+        }
+        for (int k = 0; k < rows.count; k++) {
+            areBorne[k] = !state.body(rows.first(k)).isDynamic() || !state.body(rows.second(k)).isDynamic();
+        }
     }
 
     /** Lets the points of a pair go along, whose gaps have just been measured. */
@@ -73,11 +83,11 @@ final class ContactArms implements Serializable {
         boolean isOnFixed = w[a] == 0 || w[b] == 0;
         int discs = pairs[INTS * k + DISCS];
         if (!(isOnFixed && (discs == 1 || discs == 2) && turns.mode(k) == ContactTurns.STILL)) {
-            follow(k, a, b, isOnFixed, discs);
+            follow(k, a, b, areBorne[k], discs);
         }
     }
 
-    private void follow(int k, int a, int b, boolean isOnFixed, int discs) {
+    private void follow(int k, int a, int b, boolean isBorne, int discs) {
         double[] x = state.x();
         double dx = x[b] - x[a];
         double dy = x[b + 1] - x[a + 1];
@@ -98,7 +108,7 @@ final class ContactArms implements Serializable {
             } else if (discs == 1 || discs == 2) {
                 isFar = move(p, discs - 1, dx, dy);
             } else {
-                isFar = isOnFixed || isOne
+                isFar = isBorne || isOne
                         ? swing(k, p, x[a + 2] - rows.from[a + 2], x[b + 2] - rows.from[b + 2], dx, dy)
                         : move(p, 0.5, dx, dy);
             }
@@ -167,16 +177,14 @@ final class ContactArms implements Serializable {
         double square = arm * arm + lever * lever;
         double wayA = square(endX - points[p + AX], endY - points[p + AY]);
         double wayB = square(endX - dx - points[p + BX], endY - dy - points[p + BY]);
-        boolean movesA = isMovable(rows.first(k));
-        boolean movesB = isMovable(rows.second(k));
-        if (movesA && movesB && (isOfFirst ? wayB : wayA) > SLID * SLID * square) {
+        if (!areBorne[k] && (isOfFirst ? wayB : wayA) > SLID * SLID * square) {
             return move(p, 0.5, dx, dy);
         }
         points[p + AX] = endX;
         points[p + AY] = endY;
         points[p + BX] = endX - dx;
         points[p + BY] = endY - dy;
-        double way = Math.max(movesA ? wayA : 0, movesB ? wayB : 0); // on a floor none counts, nor on a belt
+        double way = !areBorne[k] ? Math.max(wayA, wayB) : isDynamic(rows.first(k)) ? wayA : wayB; // on a floor none counts, nor on a belt
         return way > FAR * FAR * square;
     }
 
@@ -184,8 +192,8 @@ final class ContactArms implements Serializable {
         return x * x + y * y;
     }
 
-    private boolean isMovable(int body) {
-        return state.w().values()[State.BLOCK * body] > 0;
+    private boolean isDynamic(int body) {
+        return state.body(body).isDynamic();
     }
 
     /** What was given before the normal turned and taken back along another one has left something beside it: two that do not press do nothing. */

@@ -33,13 +33,18 @@ final class Groups implements Serializable {
     /** Whether nothing outside takes or gives momentum but forces: they touch nothing that cannot move, and nothing ties or rubs them there. */
     boolean[] areFree = {};
 
+    /** The block of a body of each group that moves as its author says, −1 for none. */
+    int[] anchors = {};
+
     /** Where the bodies of a group begin, and where the last one's end. */
     int[] begins = {};
 
     private int[] ends = {};
 
-    /** Number of bodies in them; of each, group by group, its block, its mass and its moment, 0 for what cannot turn. */
+    /** Number of bodies in them; of each, group by group, its block, its mass and its moment, 0 for what cannot turn, and whether its author moves it. */
     int bodies;
+
+    boolean[] areSteered = {};
 
     int[] blocks = {};
     double[] masses = {};
@@ -215,6 +220,7 @@ final class Groups implements Serializable {
     private void sort() {
         double[] w = state.w().values();
         Arrays.fill(begins, 0, count + 1, 0);
+        Arrays.fill(anchors, 0, count, -1);
         for (int k = 0; k < found.size; k++) {
             begins[slots[found.values[k]] + 1]++;
         }
@@ -227,6 +233,10 @@ final class Groups implements Serializable {
             int body = found.values[k];
             int o = --ends[slots[body]];
             blocks[o] = BLOCK * body;
+            areSteered[o] = !state.body(body).isDynamic();
+            if (areSteered[o]) {
+                anchors[slots[body]] = BLOCK * body;
+            }
             masses[2 * o] = 1 / w[BLOCK * body];
             masses[2 * o + 1] = w[BLOCK * body + 2] > 0 ? 1 / w[BLOCK * body + 2] : 0;
         }
@@ -239,6 +249,8 @@ final class Groups implements Serializable {
         firsts = new int[n];
         areBooked = new boolean[n];
         areFree = new boolean[n];
+        anchors = new int[n];
+        areSteered = new boolean[n];
         areFastened = new boolean[n];
         blocks = new int[n];
         begins = new int[n + 1];

@@ -318,14 +318,26 @@ final class NearPairs implements Pairs.Listener, Serializable {
 
     /** The larger one of the forces that press a row's bodies on one another. */
     private double push(ContactRows rows, int k, double[] a) {
-        return Math.max(0, Math.max(push(rows, k, rows.first(k), 1, a), push(rows, k, rows.second(k), -1, a)));
+        int first = rows.first(k);
+        int second = rows.second(k);
+        return Math.max(0, Math.max(push(rows, k, first, second, a), -push(rows, k, second, first, a)));
     }
 
-    /** The force along the normal, or against it, that acts on a body of a row. */
-    private double push(ContactRows rows, int k, int body, int sign, double[] a) {
+    /**
+     * The force along the normal that acts on a body of a row, seen from the other one where that moves as its author says: what moves such a body is
+     * no force, and it is so heavy that rounding of its acceleration would be one.
+     */
+    private double push(ContactRows rows, int k, int body, int other, double[] a) {
         int b = State.BLOCK * body;
         double w = state.w().values()[b];
-        return w > 0 ? sign * (rows.normalX(k) * a[b] + rows.normalY(k) * a[b + 1]) / w : 0;
+        if (w == 0 || !state.body(body).isDynamic()) {
+            return 0;
+        }
+        int c = State.BLOCK * other;
+        boolean isSteered = state.w().values()[c] > 0 && !state.body(other).isDynamic();
+        double x = isSteered ? a[b] - a[c] : a[b];
+        double y = isSteered ? a[b + 1] - a[c + 1] : a[b + 1];
+        return (rows.normalX(k) * x + rows.normalY(k) * y) / w;
     }
 
     private void remember(int pair, ContactRows rows, int point, int place, double growth) {

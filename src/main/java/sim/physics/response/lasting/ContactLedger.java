@@ -33,6 +33,9 @@ public final class ContactLedger implements Serializable {
     private static final int IMPULSE = 4;
     private static final int START = 6;
 
+    /** From when on forces hold that hold no more. */
+    private static final double LEFT = -1;
+
     private final Trajectories trajectories;
 
     /** By pair: where its values are, plus 1. */
@@ -61,8 +64,24 @@ public final class ContactLedger implements Serializable {
             data = used > data.length ? Arrays.copyOf(data, 2 * used) : data;
         }
         int o = places[pair] - 1;
-        Arrays.fill(data, o, o + STRIDE, 0);
+        boolean isAgain = data[o + FROM] == LEFT && data[o + STEP] == trajectories.step();
+        for (int k = 0; k < STRIDE; k++) {
+            boolean isKept = isAgain && k >= POINTS && (k - POINTS) % WIDTH / 2 == IMPULSE / 2;
+            data[o + k] = isKept ? data[o + k] : 0;
+        }
         data[o + STEP] = trajectories.step();
+    }
+
+    /** A pair parts at an instant of the step: what its points have borne until then is kept for when it begins again within the step. */
+    void leave(int pair, double tau) {
+        int o = turn(pair);
+        for (int p = o + POINTS; p < o + STRIDE; p += WIDTH) {
+            for (int c = 0; c < 2; c++) {
+                data[p + IMPULSE + c] += data[p + FORCE + c] * (tau - data[o + FROM]);
+                data[p + FORCE + c] = 0;
+            }
+        }
+        data[o + FROM] = LEFT;
     }
 
     /**

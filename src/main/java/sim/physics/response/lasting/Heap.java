@@ -329,10 +329,11 @@ final class Heap implements Serializable {
         large.meet(manifold.gap, size);
         ledger.open(pair, tau, manifold, !state.body(a).isImmobile());
         double left = regain.time();
-        double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size) : HeapGaps.depth(manifold.gap, size);
+        double rounding = detection.narrowPhase().roundingOfGap();
+        double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size, rounding) : HeapGaps.depth(manifold.gap, size, rounding);
         detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth)
                 : isDriven && !members.isDriven() ? HeapGaps.watched(manifold.gap, depth) : depth);
-        system.tolerance().allow(HeapGaps.littleSpeed(depth, left), HeapGaps.isDeeper(depth, size));
+        system.tolerance().allow(HeapGaps.littleSpeed(depth, left), HeapGaps.isDeeper(depth, size, rounding));
         for (int k = 0; k < manifold.count && !manifold.isAtEnds; k++) {
             if (flush.seams().has(pair, k, tau)) {
                 ledger.setStart(pair, k, 0, 0);

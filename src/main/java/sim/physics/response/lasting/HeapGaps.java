@@ -12,6 +12,9 @@ final class HeapGaps {
     /** How deep a pair may be, relative to the smaller body. */
     private static final double CUSHION = 1e-10;
 
+    /** The same at least, in units of what rounding may make of a gap: that at which pairs touch. */
+    private static final double ROUNDED = 0.25;
+
     /** The same in heaps with driven bodies, whose paths are not quite the motion. */
     private static final double DRIVEN_CUSHION = 1e-7;
 
@@ -75,6 +78,11 @@ final class HeapGaps {
         return (isDriven ? DRIVEN_CUSHION : CUSHION) * size;
     }
 
+    /** The same far from the origin, where rounding of coordinates hides such a depth: bodies would be parted for ever by impacts of nothing. */
+    static double depth(boolean isDriven, double size, double rounding) {
+        return Math.max(depth(isDriven, size), ROUNDED * rounding);
+    }
+
     /** How deep a pair may be whose way is known, and leads out of where it is too deep: rounding alone is not to stop it there. */
     static double slack(double gap, double depth) {
         return Math.max(depth, Math.min(MOST_SLACK * depth, SLACK * depth - gap));
@@ -96,13 +104,13 @@ final class HeapGaps {
     }
 
     /** How deep a pair of free bodies may be that is as deep as it is: less and less where it could be deeper before. */
-    static double depth(double gap, double size) {
-        return Math.max(CUSHION * size, Math.min(FAIR_CUSHION * size, -gap));
+    static double depth(double gap, double size, double rounding) {
+        return Math.max(depth(false, size, rounding), Math.min(FAIR_CUSHION * size, -gap));
     }
 
     /** Whether that is deeper than it is to be when all is at rest. */
-    static boolean isDeeper(double depth, double size) {
-        return depth > LET_BE * CUSHION * size;
+    static boolean isDeeper(double depth, double size, double rounding) {
+        return depth > LET_BE * depth(false, size, rounding);
     }
 
     /** The error of velocities over a time with which a solution is kept if there is no better one. */

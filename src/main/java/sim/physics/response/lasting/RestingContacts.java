@@ -211,6 +211,7 @@ public final class RestingContacts implements Serializable {
         for (int k = 0; k < detection.pairs().countOf(body); k++) {
             int pair = detection.pairs().of(body, k);
             if (detection.marks().isHeld(pair) && !fresh.contains(pair)) {
+                ledger.leave(pair, trajectories.offset(body));
                 release(pair);
             }
         }
