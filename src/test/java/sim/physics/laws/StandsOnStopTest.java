@@ -3,20 +3,24 @@
 package sim.physics.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.SliderJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
+import sim.physics.motion.Gravity;
 import sim.physics.shape.Rectangle;
 
 /**
- * A bar on a pin stands on its stop, a little beyond it, by no more than counts as reached. That gap is closed, against the weight or a motor; it is
+ * What stands on a stop. A bar on a pin, a little beyond it by no more than counts as reached: that gap is closed, against the weight or a motor, and is
  * no error of the step, which is not made in parts for it.
  */
 class StandsOnStopTest {
@@ -62,6 +66,31 @@ class StandsOnStopTest {
         assertThat(weight.calls).isLessThanOrEqualTo(100);
         assertThat(Math.abs(bar.getAngle() - STOP)).isLessThanOrEqualTo(1e-11);
         assertThat(Math.abs(bar.getAngularVelocity())).isLessThanOrEqualTo(1e-20);
+    }
+
+    /** A sledge lies on its stop, which would bounce, and another one runs across it to a stop of its own. */
+    @Test
+    void whatBouncesOffOneStopIsNotHeldBecauseAnotherOneIsPressed() {
+        for (int k = 0; k < 40; k++) {
+            double angle = 0.1 + 0.15 * k;
+            double c = StrictMath.cos(angle);
+            double s = StrictMath.sin(angle);
+            PhysicsEngine physics = new PhysicsEngine();
+            physics.setTimeStep(1.0 / 60);
+            physics.add(new Gravity(-10 * c, -10 * s));
+            Body sledge = physics.add(new Body(new Rectangle(2, 1)));
+            SliderJoint down = physics.add(new SliderJoint(sledge, null, 0, 0, c, s));
+            physics.add(Limit.travel(down, 0, 5, 0.5));
+            Body runner = physics.add(new Body(new Rectangle(0.5, 0.5)).at(0.3, 1).moving(s, -c));
+            SliderJoint across = physics.add(new SliderJoint(runner, sledge, 0.3, 1, -s, c));
+            physics.add(Limit.travel(across, -0.5, 5, 0.5));
+            for (int step = 0; step < 60; step++) {
+                physics.step();
+            }
+            assertThat(across.getTravelSpeed()).as("angle %s", angle).isCloseTo(0.5, within(1e-9));
+            assertThat(across.getTravel()).as("angle %s", angle).isCloseTo(-0.25, within(1e-9));
+            assertThat(down.getTravel()).as("angle %s", angle).isCloseTo(0, within(1e-10));
+        }
     }
 
     private static void place(Body bar, double angle) {
