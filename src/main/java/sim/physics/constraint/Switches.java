@@ -161,13 +161,17 @@ final class Switches implements SwitchedTies {
         setBias();
     }
 
-    /** Lets the rows act that have been decided to; a motor that was overloaded within the step is off from now on. */
-    void settle() {
+    /**
+     * Lets the rows act that have been decided to; a motor that was overloaded within the step is off from now on.
+     *
+     * @param isOfStage whether those act that do at the stage at hand, and nothing is decided
+     */
+    void settle(boolean isOfStage) {
         for (Switched s : rows) {
-            if (s.isOn && !s.isOnNow) {
+            if (s.isOn && !s.isOnNow && !isOfStage) {
                 giveWay(s, s.forceNow);
             }
-            s.isOnNow = s.isOn;
+            s.isOnNow = isOfStage ? s.isOnNow : s.isOn;
         }
         setBias();
     }
@@ -353,7 +357,7 @@ final class Switches implements SwitchedTies {
             if (hold) {
                 isAny |= switches.near.hold(state, false);
             } else {
-                switches.settle();
+                switches.settle(false);
                 switches.near.mark(state);
             }
         }

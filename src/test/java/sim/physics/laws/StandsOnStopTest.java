@@ -8,15 +8,19 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.Limit;
 import sim.physics.constraint.Motor;
 import sim.physics.constraint.PinJoint;
 import sim.physics.constraint.SliderJoint;
 import sim.physics.motion.Body;
+import sim.physics.motion.DormandPrince853;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Forces;
 import sim.physics.motion.Gravity;
+import sim.physics.motion.Integrator;
+import sim.physics.motion.RungeKutta4;
 import sim.physics.shape.Rectangle;
 
 /**
@@ -33,7 +37,7 @@ class StandsOnStopTest {
         @Override
         public void addForce(Body body, double time, Forces forces) {
             calls++;
-            forces.add(body, 0, -3 * body.getMass());
+            forces.add(body, 0, -WEIGHT * body.getMass());
         }
 
         @Override
@@ -42,6 +46,7 @@ class StandsOnStopTest {
         }
     }
 
+    private static final double WEIGHT = 9.81;
     private static final double STOP = 0.5;
     private static final double ARM = 0.75;
 
@@ -91,6 +96,37 @@ class StandsOnStopTest {
             assertThat(across.getTravel()).as("angle %s", angle).isCloseTo(-0.25, within(1e-9));
             assertThat(down.getTravel()).as("angle %s", angle).isCloseTo(0, within(1e-10));
         }
+    }
+
+    /** A light arm on a pin with a heavy sledge on it, that goes to and fro between its stops. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-2, -0.5, -0.1, 0.3, 1.5})
+    void aStopLetsGoAtItsInstant(double slope) {
+        double[] right = sledge(slope, 1.0 / 120, new DormandPrince853(1e-12));
+        double[] place = sledge(slope, 1.0 / 120, new RungeKutta4());
+        assertThat(Math.hypot(place[0] - right[0], place[1] - right[1])).isLessThanOrEqualTo(1e-6);
+        assertThat(place[2]).as("evaluations of a step").isLessThanOrEqualTo(1000);
+    }
+
+    private static double[] sledge(double slope, double h, Integrator method) {
+        PhysicsEngine physics = new PhysicsEngine();
+        physics.setTimeStep(h);
+        physics.setIntegrator(method);
+        Counted weight = physics.add(new Counted());
+        Body arm = physics.add(new Body(new Rectangle(0.64, 0.1)).at(-0.16, 1.28, 2.1));
+        arm.setMass(0.22);
+        physics.add(new PinJoint(arm, 0, 1));
+        Body sledge = physics.add(new Body(new Rectangle(1, 0.1)).at(0.04, 1.2, 5.5));
+        sledge.setMass(7.3);
+        SliderJoint rail = physics.add(new SliderJoint(sledge, arm, -0.3, 1.55, slope, 1));
+        physics.add(Limit.travel(rail, -0.08, 0.016));
+        int most = 0;
+        for (double t = 0; t < 2.5 - h / 2; t += h) {
+            int before = weight.calls;
+            physics.step();
+            most = Math.max(most, weight.calls - before);
+        }
+        return new double[] {sledge.getX(), sledge.getY(), most};
     }
 
     private static void place(Body bar, double angle) {
