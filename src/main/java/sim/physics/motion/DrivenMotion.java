@@ -362,6 +362,9 @@ final class DrivenMotion implements Serializable {
         } else {
             restore(group);
             if (!repose.hasAll(group) && !strides.bring(group, tau, tied)) {
+                if (motion.isTiedGroup(group) && strikes.areAt(group, trajectories.step(), trajectories.offset(first))) {
+                    tied.decide(group);
+                }
                 cover(group, trajectories.offset(first), tau);
             }
         }

@@ -4,6 +4,7 @@ package sim.physics.motion;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 
 /** When driven bodies were struck last: their courses have changed then. */
 final class Strikes implements Serializable {
@@ -61,5 +62,14 @@ final class Strikes implements Serializable {
     /** The offset of the last one in a step, 0 if there was none. */
     double last(int body, double step) {
         return has(body, step) ? at[body] : 0;
+    }
+
+    /** Whether some body of a group was struck last at an offset in a step. */
+    boolean areAt(IntList group, double step, double offset) {
+        boolean yes = false;
+        for (int k = 0; k < group.size; k++) {
+            yes |= has(group.values[k], step) && at[group.values[k]] == offset;
+        }
+        return yes;
     }
 }
