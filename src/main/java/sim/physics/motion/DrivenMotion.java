@@ -362,7 +362,7 @@ final class DrivenMotion implements Serializable {
         } else {
             restore(group);
             if (!repose.hasAll(group) && !strides.bring(group, tau, tied)) {
-                if (motion.isTiedGroup(group) && strikes.areAt(group, trajectories.step(), trajectories.offset(first))) {
+                if (Double.isNaN(endAt[first]) && motion.isTiedGroup(group) && strikes.areAtAnchors(group, trajectories)) {
                     tied.decide(group);
                 }
                 cover(group, trajectories.offset(first), tau);

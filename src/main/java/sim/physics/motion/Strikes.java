@@ -64,11 +64,12 @@ final class Strikes implements Serializable {
         return has(body, step) ? at[body] : 0;
     }
 
-    /** Whether some body of a group was struck last at an offset in a step. */
-    boolean areAt(IntList group, double step, double offset) {
+    /** Whether some body of a group was struck last in this step where the group has its anchors. */
+    boolean areAtAnchors(IntList group, Trajectories trajectories) {
         boolean yes = false;
         for (int k = 0; k < group.size; k++) {
-            yes |= has(group.values[k], step) && at[group.values[k]] == offset;
+            int body = group.values[k];
+            yes |= has(body, trajectories.step()) && at[body] == trajectories.offset(body);
         }
         return yes;
     }

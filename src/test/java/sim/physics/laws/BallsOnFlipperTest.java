@@ -52,6 +52,37 @@ class BallsOnFlipperTest {
         }
     }
 
+    @ParameterizedTest
+    @CsvSource({"0.2, 0.3", "0, 0", "0.3, 0"})
+    void aFlipperThatThrowsBallsDoesNotPassItsStops(double friction, double restitution) {
+        for (int seed = 0; seed < 20; seed++) {
+            PhysicsEngine physics = new PhysicsEngine();
+            physics.setTimeStep(1.0 / 120);
+            physics.add(new Gravity(0, -3));
+            Body wall = Body.fixed(new Rectangle(0.5, 8)).at(-0.25, 4);
+            wall.setRestitution(restitution);
+            wall.setFriction(friction);
+            physics.add(wall);
+            Body flipper = new Body(new Rectangle(1.5, 0.3)).at(0.75 * StrictMath.cos(TILT), -0.75 * StrictMath.sin(TILT), -TILT);
+            flipper.setCollisionGroup(2, 4);
+            add(physics, flipper, 2, friction, restitution);
+            physics.add(new PinJoint(flipper, 0, 0));
+            Motor motor = physics.add(Motor.turning(flipper, null, -20, 300));
+            Limit stops = physics.add(Limit.angle(flipper, null, 0, 1));
+            Random random = new Random(seed);
+            for (int k = 0; k < 3; k++) {
+                Body ball = new Body(new Circle(0.3)).at(0.35 + 0.7 * random.nextDouble(), 1 + 0.7 * k + 0.1 * random.nextDouble());
+                ball.setCollisionGroup(4, -1);
+                add(physics, ball, 0.08, friction, restitution);
+            }
+            for (int step = 0; step < 360; step++) {
+                motor.setSpeed(step % 60 < 20 ? 20 : -20);
+                physics.step();
+                assertThat(stops.getValue()).as("seed %s, step %s", seed, step).isBetween(-1e-9, 1 + 1e-9);
+            }
+        }
+    }
+
     private static void add(PhysicsEngine physics, Body body, double mass, double friction, double restitution) {
         body.setMass(mass);
         body.setFriction(friction);
