@@ -244,6 +244,7 @@ final class Invariants implements Serializable {
         work = 0;
         mostWork = 0;
         roundingOfWork = 0;
+        double torque = 0;
         for (int k = 0; k < x0.length; k++) {
             int s = slot(k);
             double way = state.x()[s] - x0[k];
@@ -251,12 +252,13 @@ final class Invariants implements Serializable {
             mostWork += most[k] * Math.abs(way) / w[s];
             double size = k % State.BLOCK == State.THETA ? 1 : island.mostSize;
             roundingOfWork += most[k] * Math.max(Math.abs(x0[k]), size) / w[s];
+            torque += most[k] * size / w[s];
         }
         double given = island.switches.work.most(state.x());
         mostWork += Math.max(0, given);
         work += given;
         double known = before[0] + mostWork;
-        double room = ROUNDING * roundingOfWork;
+        double room = ROUNDING * roundingOfWork + island.switches.work.leeway(torque);
         if (!isSteady) {
             return after[0] <= (1 + WRONG) * known + room;
         }

@@ -212,6 +212,11 @@ public final class Limit extends Switched {
     }
 
     @Override
+    double leeway() {
+        return reach(side < 0 ? lower : upper);
+    }
+
+    @Override
     double decide(double q, double now, double time) {
         side = 0;
         if (q - lower <= reach(lower)) {

@@ -411,7 +411,7 @@ final class Passage implements Serializable {
     private double keep(State state) {
         int n = State.BLOCK * island.bodies.size;
         if (mean.length == 0) {
-            projection = new Projection();
+            projection = new Projection(true);
             x = new double[n];
             v = new double[n];
             along = new double[n];

@@ -63,8 +63,15 @@ final class Projection implements Serializable {
     private double error;
     private boolean isPatient;
 
+    /** Whether it closes what a stage has, while it is being found which motors and stops act: that is not its business then. */
+    private final boolean isOfStage;
+
     Projection() {
-        // grows with the state
+        this(false);
+    }
+
+    Projection(boolean isOfStage) {
+        this.isOfStage = isOfStage;
     }
 
     /** Corrections that the last call made. */
@@ -200,7 +207,7 @@ final class Projection implements Serializable {
 
     private boolean close(Island island, State state, ConstraintSolver solver, boolean gentle) {
         double[] w = state.w().values();
-        island.switches.settle();
+        island.switches.settle(isOfStage);
         island.evaluate(state);
         error = Slack.error(island, state, ROUNDING);
         double before = Double.POSITIVE_INFINITY;

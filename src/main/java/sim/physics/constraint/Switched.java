@@ -346,6 +346,11 @@ abstract class Switched implements Constraint {
     /** The value that the row keeps at 0 when it is on; 0 if it keeps a speed only. */
     abstract double gap(double q);
 
+    /** How far that may be from 0 when the row begins to be on. */
+    double leeway() {
+        return 0;
+    }
+
     /**
      * Decides whether the row is on from now on.
      *

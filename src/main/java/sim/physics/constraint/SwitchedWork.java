@@ -59,6 +59,22 @@ final class SwitchedWork implements Serializable {
         return yes;
     }
 
+    /**
+     * The energy that it may take to close the gaps which stops may have when they begin to act, against forces and motors that push.
+     *
+     * @param torque what forces give at the arms of the bodies, in sum
+     */
+    double leeway(double torque) {
+        double turn = 0;
+        double most = torque;
+        for (Switched s : rows) {
+            double arm = s.isAngle(0) ? 1 : island.leastSize;
+            turn += s.isOn ? s.leeway() / arm : 0;
+            most += s.isOn ? 0 : Math.abs(s.force) * arm;
+        }
+        return turn * most * island.bodies.size;
+    }
+
     /** Whether some row keeps a speed, which is not to be changed. */
     boolean keepsSpeed() {
         boolean yes = false;

@@ -13,10 +13,6 @@ import sim.physics.motion.SwitchedTies;
 final class Switches implements SwitchedTies {
     private static final long serialVersionUID = 1L;
 
-    private static final byte FAR = 0;
-    private static final byte NEAR = 1;
-    private static final byte PASSED = 2;
-
     /** Times that all rows may change that are wrong, and then one of them. */
     private static final int ALL_AT_ONCE = 6;
 
@@ -27,9 +23,7 @@ final class Switches implements SwitchedTies {
     private final int[] nodes;
     private double[] free = {};
     final SwitchedWork work;
-
-    /** Whether a row that does not act was within reach when that was settled, {@link #NEAR}, or far, or had been passed. */
-    private final byte[] reach;
+    private final NearRows near;
 
     /** Whether all push with forces that were found elsewhere. */
     private boolean isFrozen;
@@ -59,7 +53,7 @@ final class Switches implements SwitchedTies {
         }
         rows = found.toArray(new Switched[0]);
         nodes = at.stream().mapToInt(Integer::intValue).toArray();
-        reach = new byte[rows.length];
+        near = new NearRows(island, rows, nodes);
         work = new SwitchedWork(island, rows, nodes);
         bias = new double[2 * island.nodes];
     }
@@ -167,13 +161,17 @@ final class Switches implements SwitchedTies {
         setBias();
     }
 
-    /** Lets the rows act that have been decided to; a motor that was overloaded within the step is off from now on. */
-    void settle() {
+    /**
+     * Lets the rows act that have been decided to; a motor that was overloaded within the step is off from now on.
+     *
+     * @param isOfStage whether those act that do at the stage at hand, and nothing is decided
+     */
+    void settle(boolean isOfStage) {
         for (Switched s : rows) {
-            if (s.isOn && !s.isOnNow) {
+            if (s.isOn && !s.isOnNow && !isOfStage) {
                 giveWay(s, s.forceNow);
             }
-            s.isOnNow = s.isOn;
+            s.isOnNow = isOfStage ? s.isOnNow : s.isOn;
         }
         setBias();
     }
@@ -353,14 +351,18 @@ final class Switches implements SwitchedTies {
 
     /** Turns rows of some islands on that are where they may be held, or settles which act. */
     static void confirm(List<Island> islands, State state, boolean hold) {
+        boolean isAny = false;
         for (int k = 0; k < islands.size(); k++) {
             Switches switches = islands.get(k).switches;
             if (hold) {
-                switches.hold(state);
+                isAny |= switches.near.hold(state, false);
             } else {
-                switches.settle();
-                switches.mark(state);
+                switches.settle(false);
+                switches.near.mark(state);
             }
+        }
+        for (int k = 0; hold && !isAny && k < islands.size(); k++) {
+            islands.get(k).switches.near.hold(state, true);
         }
     }
 
@@ -368,7 +370,7 @@ final class Switches implements SwitchedTies {
     static double watch(List<Island> islands, State state, boolean near) {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < islands.size(); k++) {
-            least = Math.min(least, islands.get(k).switches.watch(state, near));
+            least = Math.min(least, islands.get(k).switches.near.watch(state, near));
         }
         return least;
     }
@@ -377,7 +379,7 @@ final class Switches implements SwitchedTies {
     static double toGo(List<Island> islands, State state, boolean near) {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < islands.size(); k++) {
-            least = Math.min(least, islands.get(k).switches.toGo(state, near));
+            least = Math.min(least, islands.get(k).switches.near.toGo(state, near));
         }
         return least;
     }
@@ -394,6 +396,7 @@ final class Switches implements SwitchedTies {
     /** Decides which rows act; returns whether some row asks for another speed than there is. */
     boolean decide(State state, double time) {
         island.evaluate(state);
+        near.decided();
         boolean hits = false;
         for (int k = 0; k < rows.length; k++) {
             double must = rows[k].decide(rows[k].value(), speed(k, state), time);
@@ -418,17 +421,6 @@ final class Switches implements SwitchedTies {
         return rows[k].speed(state.v(), island.blockA[nodes[k]], island.blockB[nodes[k]]);
     }
 
-    /** Turns the rows on that are where they may be held. */
-    void hold(State state) {
-        island.evaluate(state);
-        for (Switched s : rows) {
-            if (!s.isOn) {
-                s.hold(s.value());
-                s.isOnNow = s.isOn;
-            }
-        }
-    }
-
     /** The least time in which a motor that pushes reaches its speed, at the accelerations that were found last. */
     double push(State state, double[] a) {
         double least = Double.POSITIVE_INFINITY;
@@ -439,46 +431,6 @@ final class Switches implements SwitchedTies {
                 double time = (rows[k].target() - now) / rate;
                 boolean isBefore = rows[k].watch(rows[k].value(), now) > 1; // or it yields, at its speed
                 least = time > 0 && isBefore ? Math.min(least, time) : least;
-            }
-        }
-        return least;
-    }
-
-    /** Notes which of the rows that do not act are within reach; the island is evaluated. */
-    private void mark(State state) {
-        for (int k = 0; k < rows.length; k++) {
-            double watched = rows[k].isOn ? 1 : rows[k].watch(rows[k].value(), speed(k, state));
-            reach[k] = watched >= 1 ? FAR : watched > -1 ? NEAR : PASSED;
-        }
-    }
-
-    /** The least of the values that turn negative when a row must be decided anew. */
-    private double watch(State state, boolean near) {
-        byte which = near ? NEAR : FAR;
-        boolean isAny = false;
-        for (int k = 0; k < rows.length; k++) {
-            isAny |= !rows[k].isOn && reach[k] == which;
-        }
-        double least = Double.POSITIVE_INFINITY;
-        if (!isAny) {
-            return least;
-        }
-        island.evaluate(state);
-        for (int k = 0; k < rows.length; k++) {
-            if (!rows[k].isOn && reach[k] == which) {
-                least = Math.min(least, rows[k].watch(rows[k].value(), speed(k, state)));
-            }
-        }
-        return least;
-    }
-
-    /** The least time until such a row must be; NaN if a motor is among those that have passed. */
-    private double toGo(State state, boolean near) {
-        byte which = near ? NEAR : FAR;
-        double least = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < rows.length; k++) {
-            if (!rows[k].isOn && reach[k] == which) {
-                least = Math.min(least, rows[k].toGo(rows[k].value(), speed(k, state)));
             }
         }
         return least;

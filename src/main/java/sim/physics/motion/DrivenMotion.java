@@ -362,6 +362,9 @@ final class DrivenMotion implements Serializable {
         } else {
             restore(group);
             if (!repose.hasAll(group) && !strides.bring(group, tau, tied)) {
+                if (Double.isNaN(endAt[first]) && motion.isTiedGroup(group) && strikes.areAtAnchors(group, trajectories)) {
+                    tied.decide(group);
+                }
                 cover(group, trajectories.offset(first), tau);
             }
         }

@@ -4,6 +4,7 @@ package sim.physics.motion;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 
 /** When driven bodies were struck last: their courses have changed then. */
 final class Strikes implements Serializable {
@@ -61,5 +62,15 @@ final class Strikes implements Serializable {
     /** The offset of the last one in a step, 0 if there was none. */
     double last(int body, double step) {
         return has(body, step) ? at[body] : 0;
+    }
+
+    /** Whether some body of a group was struck last in this step where the group has its anchors. */
+    boolean areAtAnchors(IntList group, Trajectories trajectories) {
+        boolean yes = false;
+        for (int k = 0; k < group.size; k++) {
+            int body = group.values[k];
+            yes |= has(body, trajectories.step()) && at[body] == trajectories.offset(body);
+        }
+        return yes;
     }
 }

@@ -115,6 +115,13 @@ final class TiedMotion implements Serializable {
         }
     }
 
+    /** Decides which motors and stops of a group act, where its velocities are not those that were decided for. */
+    void decide(IntList group) {
+        if (ties.isSwitched(group)) {
+            ties.decide(group, trajectories.h());
+        }
+    }
+
     /** Sets whether accelerations at the start of the next strides are known. */
     void setStartKnown(boolean yes) {
         isStartKnown = yes;

@@ -102,7 +102,9 @@ final class Heap implements Serializable {
     /** Whether bodies get half of what forces give them in the time, and the second half when it is over. */
     private boolean isHalf;
 
+    /** Whether it hops or is halted, and whether so much has happened to it in the step that rounding may hold it where it is. */
     private boolean halts;
+    private boolean isStuck;
     private double scale;
 
     Heap(
@@ -231,9 +233,9 @@ final class Heap implements Serializable {
         members.find(seed, tau);
         isTied = members.isTied();
         boolean isAlone = !isTied && !members.isCoupled(); // only what moves by itself can be stopped
-        boolean isOver = by.mostTurns(heap) > MOST;
-        isRubbed = isAlone && (members.isRubbed() || members.isDriven() && isOver);
-        isDriven = !isRubbed && (members.isDriven() || isAlone && members.areFollowed() && !isOver);
+        isStuck = by.mostTurns(heap) > MOST;
+        isRubbed = isAlone && (members.isRubbed() || members.isDriven() && isStuck);
+        isDriven = !isRubbed && (members.isDriven() || isAlone && members.areFollowed() && !isStuck);
         isRough = !isEven() && !isTied && large.isRough(heap);
         isFresh = !members.isStruck() || isEven();
         isHalf = isFresh && !isEven() && !pulls.isFalling() && !isTied && !isRough && !LargeHeaps.isLarge(heap.size) && !large.wasRough(heap);
@@ -331,8 +333,8 @@ final class Heap implements Serializable {
         double left = regain.time();
         double rounding = detection.narrowPhase().roundingOfGap();
         double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size, rounding) : HeapGaps.depth(manifold.gap, size, rounding);
-        detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed ? HeapGaps.slack(manifold.gap, depth)
-                : isDriven && !members.isDriven() ? HeapGaps.watched(manifold.gap, depth) : depth);
+        detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed || isDriven && isStuck
+                ? HeapGaps.slack(manifold.gap, depth) : isDriven && !members.isDriven() ? HeapGaps.watched(manifold.gap, depth) : depth);
         system.tolerance().allow(HeapGaps.littleSpeed(depth, left), HeapGaps.isDeeper(depth, size, rounding));
         for (int k = 0; k < manifold.count && !manifold.isAtEnds; k++) {
             if (flush.seams().has(pair, k, tau)) {
