@@ -35,12 +35,6 @@ public class KinematicBody extends Body {
     /** How much of what it has missed of its course it makes up for in a step. */
     private static final double CATCH_UP = 0.5;
 
-    /**
-     * Way in a step, relative to its size, of a body that stands, and how far from its course it may come to a stand; what it bears pushes
-     * one that is 2⁴⁰ times as heavy away by 10⁻¹² of what that would fall.
-     */
-    private static final double STILL = 0x1p-33;
-
     /** Velocities at the end of the next step. */
     private final double[] target = new double[State.BLOCK];
 
@@ -159,14 +153,14 @@ public class KinematicBody extends Body {
     /**
      * Begins a step: finds the accelerations by which it gets its target velocity in it, and where its velocities bring it.
      *
-     * @param unlike how many times as heavy as all others it is, if it moves
+     * @param still way in a step, relative to its size, of a body that stands; negative if it may not be immobile
      * @param isAgain whether it is the step that had begun last, which has failed
      */
-    final void begin(double h, double unlike, boolean isAgain) {
+    final void begin(double h, double still, boolean isAgain) {
         if (isAgain) {
             comeBack();
         }
-        settle(h, STILL * 0x1p40 / unlike);
+        settle(h, still);
         System.arraycopy(state().x(), State.BLOCK * index(), lastPlace, 0, State.BLOCK);
         System.arraycopy(course, 0, lastCourse, 0, State.BLOCK);
         System.arraycopy(pace, 0, lastPace, 0, State.BLOCK);

@@ -22,6 +22,12 @@ final class Kinematics implements Serializable {
     private static final double HEAVY_IF_STEPPED = 0x1p30;
     private static final double SPAN = 16;
 
+    /**
+     * Way in a step, relative to its size, of a body that stands, and how far from its course it may come to a stand; what it bears pushes
+     * one that is 2⁴⁰ times as heavy away by 10⁻¹² of what that would fall.
+     */
+    private static final double STILL = 0x1p-33;
+
     /** How many times what others could give in a step is given where something is squeezed. */
     private static final double TOO_MUCH = 0x1p12;
 
@@ -71,7 +77,7 @@ final class Kinematics implements Serializable {
     }
 
     /** Sets the forces for a step; one that begins again has failed. */
-    void push(State state, long number, double gravityX, double gravityY, double h, boolean isStepped) {
+    void push(State state, long number, Generators generators, double h, boolean isStepped) {
         for (int k = bodies.size() - 1; k >= 0; k--) {
             if (bodies.get(k).state() != state) {
                 bodies.remove(k); // it has left
@@ -83,8 +89,9 @@ final class Kinematics implements Serializable {
             weigh(state);
         }
         for (int k = 0; k < bodies.size(); k++) {
-            bodies.get(k).begin(h, wanted, number == last);
-            push(bodies.get(k), gravityX, gravityY);
+            boolean isFelt = generators.acting(bodies.get(k)).length > 0; // by what is then integrated together with it
+            bodies.get(k).begin(h, isFelt ? -1 : STILL * HEAVY / wanted, number == last);
+            push(bodies.get(k), generators.gravityX, generators.gravityY);
         }
         last = number;
         count = state.bodyCount();

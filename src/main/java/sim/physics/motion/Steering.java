@@ -56,7 +56,7 @@ public final class Steering implements Serializable {
      */
     public void begin(long number, double h, boolean isStepped) {
         if (isAny()) {
-            kinematics.push(state, number, generators.gravityX, generators.gravityY, h, isStepped);
+            kinematics.push(state, number, generators, h, isStepped);
         }
     }
 

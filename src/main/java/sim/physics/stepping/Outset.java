@@ -115,7 +115,7 @@ final class Outset implements Serializable {
     }
 
     private void rest(int body) {
-        if (state.body(body).isFixed()) {
+        if (state.body(body).isImmobile()) {
             Arrays.fill(state.v(), State.BLOCK * body, State.BLOCK * body + State.BLOCK, 0);
         }
     }
