@@ -149,15 +149,12 @@ public class Body implements Serializable {
      * @throws IllegalArgumentException if the moment of inertia, or its inverse, would be no finite number greater than 0
      */
     public final void setShape(Shape shape) {
-        double turning = isDynamic() ? mass * Objects.requireNonNull(shape, "shape").unitInertia() : inertia;
+        Objects.requireNonNull(shape, "shape");
         if (isDynamic()) {
-            Check.positive("inertia", turning);
-            Check.positive("1 / inertia", 1 / turning);
-            weigh(mass, turning);
+            setMass(mass, mass * shape.unitInertia());
         }
         state.write(index);
-        inertia = turning;
-        this.shape = Objects.requireNonNull(shape, "shape");
+        this.shape = shape;
         if (particulars != null) {
             particulars.patch = null;
         }

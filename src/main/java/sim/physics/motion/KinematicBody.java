@@ -23,8 +23,7 @@ import sim.physics.shape.Shape;
  * cannot get out of the way, and overlaps them.
  *
  * <p>The engine moves it as a body that is 2⁴⁰ times as heavy as the heaviest one, or 2³⁰ times by time stepping: an impact changes its
- * velocity by some 10⁻¹² or 10⁻⁹ of that of the other body, until the next step begins. One that stands is a
- * fixed body.
+ * velocity by some 10⁻¹² or 10⁻⁹ of that of the other body, until the next step begins. One that stands is a fixed body.
  */
 public class KinematicBody extends Body {
     private static final long serialVersionUID = 1L;
