@@ -61,7 +61,7 @@ class EditFuzzTest {
 
     /** Seeds of the long run that are known to break a law, each with what is known. One that breaks none any more must be taken off. */
     private static final Map<Long, String> KNOWN = Map.of(
-            1487L, "joints come and go while the time step is 0: how an island is closed depends on whether something was asked in between");
+            1196L, "impacts of a body that is welded fast, and that rounding moves at 10^-30 m/s, are counted in one unit and not in another");
 
     /** The same where there are kinematic bodies, and shapes change. */
     private static final Map<Long, String> KNOWN_OF_MORE = Map.of(
