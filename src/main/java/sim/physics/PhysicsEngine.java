@@ -846,8 +846,8 @@ public final class PhysicsEngine implements Steppable {
      * closed that were added or whose bodies were written. Once a step has been relieved, those are too, since joints may be where
      * time stepping has left them. So is a step that you make after one that has thrown it, without having changed what it was thrown for.
      *
-     * <p>Unless set, the limit is 10 million units plus 200 for each body, which is some seconds; with a kinematic body, a twentieth of
-     * that. The step in which the limit is met and the eight after it are relieved. If events cost too much again within as many steps, twice as many are relieved, up
+     * <p>Unless set, the limit is 10 million units plus 200 for each body, which is some seconds; while a kinematic body moves, a
+     * twentieth of that. The step in which the limit is met and the eight after it are relieved. If events cost too much again within as many steps, twice as many are relieved, up
      * to 256. Events are found again as soon as the joints can be closed, and no two jointed bodies overlap more deeply than they
      * may by events. While the engine is audited, there is no limit.
      *

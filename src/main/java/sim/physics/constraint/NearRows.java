@@ -41,8 +41,9 @@ final class NearRows implements Serializable {
         holds = 0;
     }
 
-    private double speed(int k, State state) {
-        return rows[k].speed(state.v(), island.blockA[nodes[k]], island.blockB[nodes[k]]);
+    /** How fast the coordinate of a row changes at some velocities, or its speed at some accelerations. */
+    double speed(int k, double[] v) {
+        return rows[k].speed(v, island.blockA[nodes[k]], island.blockB[nodes[k]]);
     }
 
     /**
@@ -69,7 +70,7 @@ final class NearRows implements Serializable {
     /** Notes which of the rows that do not act are within reach; the island is evaluated. */
     void mark(State state) {
         for (int k = 0; k < rows.length; k++) {
-            double watched = rows[k].isOn ? 1 : rows[k].watch(rows[k].value(), speed(k, state));
+            double watched = rows[k].isOn ? 1 : rows[k].watch(rows[k].value(), speed(k, state.v()));
             reach[k] = watched >= 1 ? FAR : watched > -1 ? NEAR : PASSED;
             hasLeft[k] = false;
         }
@@ -89,7 +90,7 @@ final class NearRows implements Serializable {
         island.evaluate(state);
         for (int k = 0; k < rows.length; k++) {
             if (!rows[k].isOn && reach[k] == which) {
-                double watched = rows[k].watch(rows[k].value(), speed(k, state));
+                double watched = rows[k].watch(rows[k].value(), speed(k, state.v()));
                 hasLeft[k] |= near && watched > 1;
                 least = Math.min(least, watched);
             }
@@ -103,7 +104,7 @@ final class NearRows implements Serializable {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < rows.length; k++) {
             if (!rows[k].isOn && reach[k] == which) {
-                least = Math.min(least, rows[k].toGo(rows[k].value(), speed(k, state)));
+                least = Math.min(least, rows[k].toGo(rows[k].value(), speed(k, state.v())));
             }
         }
         return least;

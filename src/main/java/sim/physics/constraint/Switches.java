@@ -399,7 +399,7 @@ final class Switches implements SwitchedTies {
         near.decided();
         boolean hits = false;
         for (int k = 0; k < rows.length; k++) {
-            double must = rows[k].decide(rows[k].value(), speed(k, state), time);
+            double must = rows[k].decide(rows[k].value(), near.speed(k, state.v()), time);
             rows[k].isOnNow = rows[k].isOn || !Double.isNaN(must);
             rows[k].yields = false;
             bias[2 * nodes[k]] = Double.isNaN(must) ? rows[k].isOn ? -rows[k].target() : 0 : -must;
@@ -412,13 +412,9 @@ final class Switches implements SwitchedTies {
     boolean isStruck(State state, double time) {
         boolean yes = false;
         for (int k = 0; k < rows.length && !yes; k++) {
-            yes = rows[k].isStruck(rows[k].value(), speed(k, state), time);
+            yes = rows[k].isStruck(rows[k].value(), near.speed(k, state.v()), time);
         }
         return yes;
-    }
-
-    private double speed(int k, State state) {
-        return rows[k].speed(state.v(), island.blockA[nodes[k]], island.blockB[nodes[k]]);
     }
 
     /** The least time in which a motor that pushes reaches its speed, at the accelerations that were found last. */
@@ -426,8 +422,8 @@ final class Switches implements SwitchedTies {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < rows.length; k++) {
             if (!rows[k].isOn && rows[k].force != 0) {
-                double rate = rows[k].speed(a, island.blockA[nodes[k]], island.blockB[nodes[k]]);
-                double now = speed(k, state);
+                double rate = near.speed(k, a);
+                double now = near.speed(k, state.v());
                 double time = (rows[k].target() - now) / rate;
                 boolean isBefore = rows[k].watch(rows[k].value(), now) > 1; // or it yields, at its speed
                 least = time > 0 && isBefore ? Math.min(least, time) : least;

@@ -168,14 +168,17 @@ final class Balance implements Serializable {
         }
     }
 
+    /** A component of the velocity of the body from which a group is seen; 0 where that is the world. */
+    private double ofAnchor(double[] v, int g, int component) {
+        return groups.areFree[g] ? v[groups.anchors[g] + component] : 0;
+    }
+
     /** The product of the bodies that forces move, seen from one that its author moves, or from the world where the group touches what is fixed. */
     private double seen(double[] u, double[] v, int g) {
-        int anchor = groups.anchors[g];
-        boolean isFree = groups.areFree[g];
-        double ux = isFree ? u[anchor] : 0;
-        double uy = isFree ? u[anchor + 1] : 0;
-        double vx = isFree ? v[anchor] : 0;
-        double vy = isFree ? v[anchor + 1] : 0;
+        double ux = ofAnchor(u, g, 0);
+        double uy = ofAnchor(u, g, 1);
+        double vx = ofAnchor(v, g, 0);
+        double vy = ofAnchor(v, g, 1);
         double sum = 0;
         for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
             int b = groups.blocks[k];
@@ -189,9 +192,8 @@ final class Balance implements Serializable {
 
     /** The product of velocities of now or of those that were noted, seen from where these are seen from, and with it what steered bodies have taken. */
     private double borne(double[] u, double[] v, int g) {
-        int anchor = groups.anchors[g];
-        double x = groups.areFree[g] ? speeds[anchor] : 0;
-        double y = groups.areFree[g] ? speeds[anchor + 1] : 0;
+        double x = ofAnchor(speeds, g, 0);
+        double y = ofAnchor(speeds, g, 1);
         double sum = 0;
         for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
             int b = groups.blocks[k];
@@ -358,9 +360,8 @@ final class Balance implements Serializable {
 
     /** The same of what bodies take that their authors move, but for the one from which all is seen. */
     private double roundingOfSteered(int g) {
-        int anchor = groups.anchors[g];
-        double x = groups.areFree[g] ? speeds[anchor] : 0;
-        double y = groups.areFree[g] ? speeds[anchor + 1] : 0;
+        double x = ofAnchor(speeds, g, 0);
+        double y = ofAnchor(speeds, g, 1);
         double sum = 0;
         for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
             int b = groups.blocks[k];
