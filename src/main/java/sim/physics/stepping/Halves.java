@@ -84,6 +84,10 @@ final class Halves implements Serializable {
         double[] v = state.v();
         System.arraycopy(a, 0, half, 0, a.length);
         forces.load(poses.awake, time, a);
+        for (int k = 0; k < poses.steered.size; k++) {
+            int b = State.BLOCK * poses.steered.values[k];
+            System.arraycopy(half, b, a, b, State.BLOCK); // on its course, while nothing can move it
+        }
         for (int k = 0; k < poses.awake.size; k++) {
             int b = State.BLOCK * poses.awake.values[k];
             v[b] += 0.5 * d * (a[b] - half[b]);
