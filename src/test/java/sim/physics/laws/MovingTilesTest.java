@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.laws;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.motion.KinematicBody;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
+
+/** Tiles that move alike are a floor as fixed ones are: Galilei's law. The corner of the next plate stopped what slid over it, by time stepping. */
+class MovingTilesTest {
+    /** A floor of tiles, or one body, in a world that is turned, with a body on it or above it. */
+    private record Scene(int substeps, double angle, double friction, Shape shape, double height, double drop, double x, double speed) {
+        PhysicsEngine build(boolean isMoving, double u, double v) {
+            double cos = StrictMath.cos(angle);
+            double sin = StrictMath.sin(angle);
+            PhysicsEngine engine = new PhysicsEngine();
+            engine.setTimeStep(1 / 60.0);
+            engine.setSleepAllowed(false);
+            engine.setTimeStepping(substeps);
+            engine.add(new Gravity(10 * sin, -10 * cos));
+            for (int k = -6; k < 12; k++) {
+                Rectangle tile = new Rectangle(1, 0.5);
+                Body body = isMoving ? new KinematicBody(tile).moving(u, v) : Body.fixed(tile);
+                engine.add(body.at(cos * k + 0.25 * sin, sin * k - 0.25 * cos, angle));
+            }
+            double y = height + drop;
+            Body body = new Body(shape).at(cos * x - sin * y, sin * x + cos * y, angle + drop / 2);
+            engine.add(body.moving(cos * speed + (isMoving ? u : 0), sin * speed + (isMoving ? v : 0)));
+            for (Body each : engine.bodies()) {
+                each.setFriction(friction);
+                each.setRestitution(0);
+            }
+            return engine;
+        }
+
+        /** The greatest distance within a second between where the body is on the tiles that move, and on those that are fixed. */
+        double off(double u, double v) {
+            PhysicsEngine still = build(false, 0, 0);
+            PhysicsEngine moving = build(true, u, v);
+            Body there = still.bodies().get(18);
+            Body here = moving.bodies().get(18);
+            double startX = still.bodies().get(0).getX();
+            double startY = still.bodies().get(0).getY();
+            double most = 0;
+            for (int k = 1; k <= 60; k++) {
+                still.step();
+                moving.step();
+                double x = here.getX() - moving.bodies().get(0).getX() - (there.getX() - startX);
+                double y = here.getY() - moving.bodies().get(0).getY() - (there.getY() - startY);
+                most = Math.max(most, Math.abs(x) + Math.abs(y));
+            }
+            return most;
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.1, 0", "3, -2", "0, 1", "-100, 30"})
+    void whatSlidesOrFallsFeelsNoSeamByTimeStepping(double u, double v) {
+        for (Shape shape : List.of(new Circle(0.4), new Rectangle(0.7, 0.5), new Rectangle(1, 0.5), new Rectangle(1.7, 0.5))) {
+            double height = shape.vertexCount() == 1 ? 0.4 : 0.25;
+            for (int run = 0; run < 16; run++) {
+                double angle = run % 2 == 0 ? 0 : 0.3;
+                double drop = run % 4 < 2 ? 0 : 0.3;
+                double friction = run % 8 < 4 ? 0 : 0.3;
+                Scene scene = new Scene(4, angle, friction, shape, height, drop, 0.5 + 0.0625 * run, run % 3 == 0 ? 0.5 : 4);
+                assertThat(scene.off(u, v)).as(scene.toString()).isLessThan(5e-4);
+            }
+        }
+    }
+
+    /** A plate that goes another way than the one beside it is a wall where it is higher, and a part of the floor only as long as it goes along. */
+    @ParameterizedTest
+    @CsvSource({"0", "4"})
+    void aPlateThatRisesBeforeABoxStopsIt(int substeps) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(1 / 60.0);
+        engine.setTimeStepping(substeps);
+        engine.add(new Gravity(0, -10));
+        engine.add(new KinematicBody(new Rectangle(4, 0.5)).at(-2, -0.25).moving(1, 0));
+        engine.add(new KinematicBody(new Rectangle(4, 0.5)).at(2, -0.25).moving(1, 0.5));
+        Body box = engine.add(new Body(new Rectangle(0.5, 0.5)).at(-1.25, 0.25).moving(2, 0));
+        for (Body each : engine.bodies()) {
+            each.setFriction(0);
+            each.setRestitution(0);
+        }
+        for (int k = 0; k < 90; k++) {
+            engine.step();
+        }
+        assertThat(box.getX()).isCloseTo(1.5 - 0.25, within(5e-3));
+        assertThat(box.getVelocityX()).isCloseTo(1, within(1e-3));
+    }
+}
