@@ -86,7 +86,7 @@ final class Grounds implements Serializable {
 
     /** Whether a body is one of them. */
     boolean has(int body) {
-        return held.size > 0 && held.contains(body);
+        return held.size > 0 && state.w().values()[BLOCK * body] == 0 && !state.body(body).isImmobile();
     }
 
     /** Lets a body be moved that is one of them. */
@@ -102,9 +102,10 @@ final class Grounds implements Serializable {
 
     /** Lets all of them be moved. */
     void release() {
-        while (held.size > 0) {
-            release(held.values[held.size - 1]);
+        for (int k = 0; k < held.size; k++) {
+            System.arraycopy(weights, BLOCK * k, state.w().values(), BLOCK * held.values[k], BLOCK);
         }
+        held.clear();
     }
 
     /** Notes where they are, and their velocities. */

@@ -9,9 +9,12 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import sim.physics.PhysicsEngine;
+import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.WeldJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.KinematicBody;
+import sim.physics.motion.Spring;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 import sim.physics.shape.Shape;
@@ -76,6 +79,48 @@ class MovingTilesTest {
                 assertThat(scene.off(u, v)).as(scene.toString()).isLessThan(5e-4);
             }
         }
+    }
+
+    /** Boxes that are joined or pushed slide over tiles that move as over fixed ones, by events: seams turned them, and one corner or another was stopped. */
+    @ParameterizedTest
+    @CsvSource({"hinge, 0, 1e-7", "weld, 0, 1e-7", "spring, 0, 1e-7", "hinge, 0.3, 5e-4", "weld, 0.3, 5e-4", "spring, 0.3, 1e-7"})
+    void whatIsJoinedFeelsNoSeamByEvents(String by, double friction, double bound) {
+        for (int run = 0; run < 20; run++) {
+            double angle = run % 2 == 0 ? 0 : 0.3;
+            PhysicsEngine still = joined(by, false, friction, angle, 0.5 + 0.0625 * run);
+            PhysicsEngine moving = joined(by, true, friction, angle, 0.5 + 0.0625 * run);
+            for (int k = 1; k <= 60; k++) {
+                still.step();
+                moving.step();
+                for (int m = 18; m < 20; m++) {
+                    Body there = still.bodies().get(m);
+                    Body here = moving.bodies().get(m);
+                    assertThat(here.getX() - 3 * k / 60.0).as("run " + run).isCloseTo(there.getX(), within(bound));
+                    assertThat(here.getY() + 2 * k / 60.0).as("run " + run).isCloseTo(there.getY(), within(bound));
+                    assertThat(here.getAngle()).as("run " + run).isCloseTo(there.getAngle(), within(bound));
+                }
+            }
+        }
+    }
+
+    private static PhysicsEngine joined(String by, boolean isMoving, double friction, double angle, double x) {
+        Shape shape = new Rectangle(1.2, 0.6);
+        PhysicsEngine engine = new Scene(0, angle, friction, shape, 0.3, 0, x, 4).build(isMoving, 3, -2);
+        double cos = StrictMath.cos(angle);
+        double sin = StrictMath.sin(angle);
+        Body front = engine.bodies().get(18);
+        Body back = engine.add(new Body(shape).at(cos * (x - 1.3) - sin * 0.3, sin * (x - 1.3) + cos * 0.3, angle));
+        back.setVelocity(front.getVelocityX(), front.getVelocityY());
+        back.setFriction(friction);
+        back.setRestitution(0);
+        double pinX = cos * (x - 0.65) - sin * 0.3;
+        double pinY = sin * (x - 0.65) + cos * 0.3;
+        if (by.equals("spring")) {
+            engine.add(new Spring(front, 0, 0, back, 0, 0, 1.3, 200, 1));
+        } else {
+            engine.add(by.equals("hinge") ? new PinJoint(front, back, pinX, pinY) : new WeldJoint(front, back, pinX, pinY));
+        }
+        return engine;
     }
 
     /** A plate that goes another way than the one beside it is a wall where it is higher, and a part of the floor only as long as it goes along. */
