@@ -17,8 +17,8 @@ import sim.physics.motion.Trajectories;
 /**
  * Finds the bodies that a body touches at the instant at which it hits another one of them, as a box that lands flat
  * on three tiles, or a ball that strikes two others; and the other parts with which two bodies touch then, as a table with its legs. By rounding
- * it meets one a little before the others, also of tiles that their authors move alike: by the rounding of a coordinate over its speed. Solved one after the other, these impacts would make it
- * turn, or turn it aside.
+ * it meets one a little before the others: by the rounding of a coordinate over its speed. Solved one after the other, these impacts would make it
+ * turn, or turn it aside. Tiles are fixed, or their authors move them alike.
  */
 final class Companions implements Serializable {
     private static final long serialVersionUID = 1L;

@@ -16,7 +16,7 @@ import sim.physics.motion.Steering;
  * of them knows nothing of what else does. Their course is given, so that they are as heavy as can be, W = 0.
  *
  * <p>What they give others is work, which the books of energy must know of. For bodies that touch but one of them, or several that go as one, there is none
- * in its frame. One that turns, one that joints or springs tie, and one on which something lies that touches another ground, too, are heavy only.
+ * in its frame. One that turns, one that stiff springs tie, and one that something touches, or is tied to, which touches another ground, too, are heavy only.
  */
 final class Grounds implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -29,6 +29,9 @@ final class Grounds implements Serializable {
     /** Those that nothing can move now, in ascending order, and what they weigh else. */
     final IntList held = new IntList();
 
+    /** Those of them that joints tie. */
+    final IntList tied = new IntList();
+
     private double[] weights = {};
 
     /** Where they are, and their velocities, while they are elsewhere. */
@@ -36,8 +39,10 @@ final class Grounds implements Serializable {
 
     private double[] speeds = {};
 
-    /** Scratch: what is tied. */
-    private boolean[] marks = {};
+    /** Scratch: what joints tie, and what springs do. */
+    private boolean[] areTied = {};
+
+    private boolean[] areSprung = {};
 
     Grounds(State state, Poses poses) {
         this.state = state;
@@ -56,15 +61,17 @@ final class Grounds implements Serializable {
             return;
         }
         int n = state.x().length / BLOCK;
-        marks = marks.length < n ? new boolean[n] : marks;
-        Arrays.fill(marks, false);
+        areTied = areTied.length < n ? new boolean[n] : areTied;
+        areSprung = areSprung.length < n ? new boolean[n] : areSprung;
+        Arrays.fill(areTied, false);
+        Arrays.fill(areSprung, false);
         if (isBooked) {
-            ties.mark(marks);
-            springs.mark(marks);
+            ties.mark(areTied);
+            springs.mark(areSprung);
         }
         for (int k = 0; k < poses.steered.size; k++) {
             int body = poses.steered.values[k];
-            if (!marks[body] && !Steering.turns(state.body(body))) {
+            if (!areSprung[body] && !Steering.turns(state.body(body))) {
                 hold(body);
             }
         }
@@ -79,6 +86,9 @@ final class Grounds implements Serializable {
             speeds = new double[length];
         }
         held.add(body);
+        if (areTied[body]) {
+            tied.add(body);
+        }
         double[] w = state.w().values();
         System.arraycopy(w, BLOCK * body, weights, o, BLOCK);
         Arrays.fill(w, BLOCK * body, BLOCK * body + BLOCK, 0);
@@ -98,6 +108,9 @@ final class Grounds implements Serializable {
         System.arraycopy(weights, BLOCK * k, state.w().values(), BLOCK * body, BLOCK);
         System.arraycopy(weights, BLOCK * k + BLOCK, weights, BLOCK * k, BLOCK * (held.size - 1 - k));
         held.takeOut(body);
+        if (areTied[body]) {
+            tied.takeOut(body);
+        }
     }
 
     /** Lets all of them be moved. */
@@ -106,6 +119,7 @@ final class Grounds implements Serializable {
             System.arraycopy(weights, BLOCK * k, state.w().values(), BLOCK * held.values[k], BLOCK);
         }
         held.clear();
+        tied.clear();
     }
 
     /** Notes where they are, and their velocities. */

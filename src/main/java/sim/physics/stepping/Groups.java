@@ -71,6 +71,12 @@ final class Groups implements Serializable {
     /** By body: whether it is tied to what cannot move. */
     private boolean[] areFastened = {};
 
+    /** Those that are tied to what their authors move, each with that. */
+    private final IntList fastened = new IntList();
+
+    /** What is tied and nothing can move, as it was when ties were looked at last. */
+    private final IntList held = new IntList();
+
     /** Whether friction with the plane acts, and whether there were bodies that nothing could move but their authors did. */
     private boolean rubs;
 
@@ -99,7 +105,7 @@ final class Groups implements Serializable {
      * @param areRubbed whether friction with the plane acts on bodies
      */
     void find(ContactRows rows, TieRows ties, SpringRows springs, boolean isNew, boolean areRubbed) {
-        if (isNew || parents.length < state.size()) {
+        if (isNew || parents.length < state.size() || !known(grounds.tied)) {
             tie(ties, springs);
         } else if (areRubbed == rubs && !haveGrounds && grounds.held.size == 0 && areKnown(rows)) {
             return;
@@ -109,7 +115,7 @@ final class Groups implements Serializable {
         do {
             System.arraycopy(tiedParents, 0, parents, 0, state.size());
             join(rows);
-        } while (haveGrounds(rows) && releases(rows));
+        } while (haveGrounds() && releases(rows, ties, springs));
         for (int k = 0; k < found.size; k++) {
             marks[found.values[k]] = false;
         }
@@ -141,8 +147,8 @@ final class Groups implements Serializable {
         free(rows);
     }
 
-    /** Whether there are bodies that nothing can move, but their authors do; notes on which of them, or of what is fixed, others lie. */
-    private boolean haveGrounds(ContactRows rows) {
+    /** Whether there are bodies that nothing can move, but their authors do: which of them, or of what is fixed, others touch, is to be found. */
+    private boolean haveGrounds() {
         haveGrounds = grounds.held.size > 0;
         if (haveGrounds) {
             Arrays.fill(groundOf, 0, state.size(), -1);
@@ -150,9 +156,12 @@ final class Groups implements Serializable {
         return haveGrounds;
     }
 
-    /** Lets those be moved on which something lies that touches another ground, too, or is tied to one; whether there are any. */
-    private boolean releases(ContactRows rows) {
+    /** Lets those be moved that something touches, or is tied to, which touches another ground, too, or is tied to one; whether there are any. */
+    private boolean releases(ContactRows rows, TieRows ties, SpringRows springs) {
         int before = grounds.held.size;
+        for (int k = 0; k < fastened.size; k += 2) {
+            meet(DisjointSets.find(parents, fastened.values[k]), fastened.values[k + 1]);
+        }
         for (int k = 0; k < rows.count; k++) {
             boolean isFirst = isMovable(rows.first(k));
             if (isFirst != isMovable(rows.second(k))) {
@@ -165,7 +174,19 @@ final class Groups implements Serializable {
                 release(ground);
             }
         }
+        if (!known(grounds.tied)) {
+            tie(ties, springs);
+        }
         return grounds.held.size < before;
+    }
+
+    /** Whether those that are tied and that nothing can move are the same as when ties were looked at last. */
+    private boolean known(IntList heldNow) {
+        boolean yes = heldNow.size == held.size;
+        for (int k = 0; yes && k < held.size; k++) {
+            yes = held.values[k] == heldNow.values[k];
+        }
+        return yes;
     }
 
     private void meet(int root, int ground) {
@@ -190,18 +211,26 @@ final class Groups implements Serializable {
         for (int k = 0; k < tied.size; k++) {
             areFree[slots[tied.values[k]]] &= !areFastened[tied.values[k]];
         }
+        for (int k = 0; k < fastened.size; k += 2) {
+            stand(slots[fastened.values[k]], fastened.values[k + 1]);
+        }
         for (int k = 0; k < rows.count; k++) {
             if (!isMovable(rows.first(k)) || !isMovable(rows.second(k))) {
                 int body = isMovable(rows.first(k)) ? rows.first(k) : rows.second(k);
                 int ground = isMovable(rows.first(k)) ? rows.second(k) : rows.first(k);
                 if (marks[body] && grounds.has(ground)) {
-                    areHeld[slots[body]] = true;
-                    anchors[slots[body]] = BLOCK * ground;
+                    stand(slots[body], ground);
                 } else {
                     areFree[slots[body]] &= !marks[body]; // else it is of no group
                 }
             }
         }
+    }
+
+    /** Lets a group be seen from a ground. */
+    private void stand(int group, int ground) {
+        areHeld[group] = true;
+        anchors[group] = BLOCK * ground;
     }
 
     /** Whether a pair is of a group. */
@@ -306,28 +335,14 @@ final class Groups implements Serializable {
     }
 
     private void tie(TieRows ties, SpringRows springs) {
-        int n = state.x().length / BLOCK;
-        tiedParents = new int[n];
-        parents = new int[n];
-        firsts = new int[n];
-        areBooked = new boolean[n];
-        areFree = new boolean[n];
-        anchors = new int[n];
-        areHeld = new boolean[n];
-        groundOf = new int[n];
-        areSteered = new boolean[n];
-        areFastened = new boolean[n];
-        blocks = new int[n];
-        begins = new int[n + 1];
-        ends = new int[n];
-        slots = new int[n];
-        masses = new double[2 * n];
-        marks = new boolean[n];
+        allocate(state.x().length / BLOCK);
+        Arrays.fill(marks, false);
         Arrays.setAll(tiedParents, k -> k);
         ties.mark(marks);
         springs.mark(marks);
-        ties.markFastened(areFastened);
+        Arrays.fill(areFastened, false);
         springs.markFastened(areFastened);
+        fasten(ties);
         ties.join(tiedParents);
         springs.join(tiedParents);
         tied.clear();
@@ -338,6 +353,47 @@ final class Groups implements Serializable {
             }
         }
         Arrays.fill(marks, false);
+    }
+
+    /** Finds who is tied to what does not move: of what its author moves, that is kept. */
+    private void fasten(TieRows ties) {
+        held.clear();
+        for (int k = 0; k < grounds.tied.size; k++) {
+            held.add(grounds.tied.values[k]);
+        }
+        found.clear();
+        fastened.clear();
+        ties.findFastened(found);
+        for (int k = 0; k < found.size; k += 2) {
+            int ground = found.values[k + 1];
+            if (ground >= 0 && grounds.has(ground)) {
+                fastened.add(found.values[k]);
+                fastened.add(ground);
+            } else {
+                areFastened[found.values[k]] = true;
+            }
+        }
+    }
+
+    private void allocate(int n) {
+        if (parents.length != n) {
+            tiedParents = new int[n];
+            parents = new int[n];
+            firsts = new int[n];
+            areBooked = new boolean[n];
+            areFree = new boolean[n];
+            anchors = new int[n];
+            areHeld = new boolean[n];
+            groundOf = new int[n];
+            areSteered = new boolean[n];
+            areFastened = new boolean[n];
+            blocks = new int[n];
+            begins = new int[n + 1];
+            ends = new int[n];
+            slots = new int[n];
+            masses = new double[2 * n];
+            marks = new boolean[n];
+        }
     }
 
     boolean isMovable(int body) {

@@ -13,9 +13,9 @@ import sim.physics.motion.Steering;
 import sim.physics.motion.Trajectories;
 
 /**
- * Seams under a side that lies on bodies laid edge to edge that are fixed, or that their authors move alike: where one of them ends another one goes on. No point of the side's contact is there, as
- * there is none where the ground is one body: what is borne at its outer points does not sink between them. As points the seams would be supports that
- * nobody needs, which pass under the side as it slides, and next to nothing decides which of them bear it.
+ * Seams under a side that lies on bodies laid edge to edge which are fixed, or which their authors move alike: where one of them ends another one goes
+ * on. No point of the side's contact is there, as there is none where the ground is one body: what is borne at its outer points does not sink between
+ * them. As points the seams would be supports that nobody needs, which pass under the side as it slides, and next to nothing decides which of them bear it.
  *
  * <p>A corner of the body that comes to a seam is borne by the ground that it is on, and not by the corner of the next one, from which the gap that is
  * kept in heaps parts it in any direction.
