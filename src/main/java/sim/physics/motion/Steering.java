@@ -65,6 +65,18 @@ public final class Steering implements Serializable {
         return ((KinematicBody) body).turns();
     }
 
+    /**
+     * The acceleration of a body that its author moves, in the step that has begun.
+     *
+     * @param body a kinematic one that moves
+     * @param a takes it, [x″, y″, θ″] per body of the state
+     */
+    public static void accelerate(Body body, double[] a) {
+        for (int k = 0; k < State.BLOCK; k++) {
+            a[State.BLOCK * body.index() + k] = ((KinematicBody) body).acceleration(k);
+        }
+    }
+
     /** {@return whether there is one that does not stand} */
     public boolean areSomeMoving() {
         return kinematics.areSomeMoving();

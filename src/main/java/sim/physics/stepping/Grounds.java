@@ -16,7 +16,7 @@ import sim.physics.motion.Steering;
  * of them knows nothing of what else does. Their course is given, so that they are as heavy as can be, W = 0.
  *
  * <p>What they give others is work, which the books of energy must know of. For bodies that touch but one of them, or several that go as one, there is none
- * in its frame. One that turns, one that stiff springs tie, and one that something touches, or is tied to, which touches another ground, too, are heavy only.
+ * in its frame. One that turns, and one that something touches, or is tied to, which touches another ground, too, are heavy only.
  */
 final class Grounds implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -29,7 +29,7 @@ final class Grounds implements Serializable {
     /** Those that nothing can move now, in ascending order, and what they weigh else. */
     final IntList held = new IntList();
 
-    /** Those of them that joints tie. */
+    /** Those of them that joints or stiff springs tie. */
     final IntList tied = new IntList();
 
     private double[] weights = {};
@@ -39,10 +39,8 @@ final class Grounds implements Serializable {
 
     private double[] speeds = {};
 
-    /** Scratch: what joints tie, and what springs do. */
+    /** Scratch: what is tied. */
     private boolean[] areTied = {};
-
-    private boolean[] areSprung = {};
 
     Grounds(State state, Poses poses) {
         this.state = state;
@@ -62,16 +60,14 @@ final class Grounds implements Serializable {
         }
         int n = state.x().length / BLOCK;
         areTied = areTied.length < n ? new boolean[n] : areTied;
-        areSprung = areSprung.length < n ? new boolean[n] : areSprung;
         Arrays.fill(areTied, false);
-        Arrays.fill(areSprung, false);
         if (isBooked) {
             ties.mark(areTied);
-            springs.mark(areSprung);
+            springs.mark(areTied);
         }
         for (int k = 0; k < poses.steered.size; k++) {
             int body = poses.steered.values[k];
-            if (!areSprung[body] && !Steering.turns(state.body(body))) {
+            if (!Steering.turns(state.body(body))) {
                 hold(body);
             }
         }

@@ -340,9 +340,7 @@ final class Groups implements Serializable {
         Arrays.setAll(tiedParents, k -> k);
         ties.mark(marks);
         springs.mark(marks);
-        Arrays.fill(areFastened, false);
-        springs.markFastened(areFastened);
-        fasten(ties);
+        fasten(ties, springs);
         ties.join(tiedParents);
         springs.join(tiedParents);
         tied.clear();
@@ -356,7 +354,8 @@ final class Groups implements Serializable {
     }
 
     /** Finds who is tied to what does not move: of what its author moves, that is kept. */
-    private void fasten(TieRows ties) {
+    private void fasten(TieRows ties, SpringRows springs) {
+        Arrays.fill(areFastened, false);
         held.clear();
         for (int k = 0; k < grounds.tied.size; k++) {
             held.add(grounds.tied.values[k]);
@@ -364,6 +363,7 @@ final class Groups implements Serializable {
         found.clear();
         fastened.clear();
         ties.findFastened(found);
+        springs.findFastened(found);
         for (int k = 0; k < found.size; k += 2) {
             int ground = found.values[k + 1];
             if (ground >= 0 && grounds.has(ground)) {

@@ -254,7 +254,7 @@ public final class TimeStepping implements Serializable {
         do {
             areOthersAsleep |= sleep.refresh();
             forces.springs().begin(step / substeps, sleep.asleep());
-            forces.load(poses.awake, time, outset.a);
+            halves.load(outset.a, time);
             near.drive(step, outset.a);
             rows.begin();
             decisions.begin(time, step);

@@ -14,6 +14,7 @@ import sim.physics.constraint.PinJoint;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
 import sim.physics.motion.KinematicBody;
+import sim.physics.motion.Spring;
 import sim.physics.response.LastingContact;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
@@ -128,7 +129,7 @@ class MovingFloorTest {
         for (int k = 1; k <= 90; k++) {
             still.step();
             moving.step();
-            for (int m = 1; m < 6; m++) {
+            for (int m = 1; m < 7; m++) {
                 Body there = still.bodies().get(m);
                 Body here = moving.bodies().get(m);
                 assertThat(here.getX() - u * k / 60).isCloseTo(there.getX(), within(1e-8));
@@ -137,7 +138,7 @@ class MovingFloorTest {
         }
     }
 
-    /** A double pendulum, a four-bar with a motor, and a heap. */
+    /** A double pendulum, a four-bar with a motor, what hangs on a stiff spring, and a heap. */
     private static PhysicsEngine machines(Body floor, double restitution, double u, double v) {
         PhysicsEngine engine = new PhysicsEngine();
         engine.setTimeStep(1 / 60.0);
@@ -156,6 +157,8 @@ class MovingFloorTest {
         engine.add(new PinJoint(coupler, rocker, 3, 6));
         engine.add(new PinJoint(rocker, floor, 3, 4));
         engine.add(Motor.turning(crank, floor, 2, 100));
+        Body hung = engine.add(new Body(new Rectangle(1, 1)).at(20, 4).moving(u + 1, v));
+        engine.add(new Spring(hung, 0.3, 0.5, floor, 20, 7, 2, 1e5, 1));
         for (int k = 0; k < 5; k++) {
             engine.add(new Body(new Rectangle(0.7, 0.6)).at(50, 0.8 + 1.2 * k, 0.3 * k).moving(u, v));
         }

@@ -123,6 +123,46 @@ class MovingTilesTest {
         return engine;
     }
 
+    /** The planks of a deck that turns slowly about its middle are a deck: their corners stopped what slid over it. */
+    @ParameterizedTest
+    @CsvSource({"0.01, 60", "0.05, 60", "0.2, 60", "0.2, 240"})
+    void planksThatTurnAboutOnePointAreADeck(double rate, int steps) {
+        Body one = slideOverDeck(1, rate, steps);
+        Body other = slideOverDeck(20, rate, steps);
+        assertThat(other.getX()).isCloseTo(one.getX(), within(1e-3));
+        assertThat(other.getY()).isCloseTo(one.getY(), within(1e-3));
+        assertThat(other.getAngle()).isCloseTo(one.getAngle(), within(1e-3));
+    }
+
+    private static Body slideOverDeck(int count, double rate, int steps) {
+        double h = 1.0 / steps;
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(h);
+        engine.setTimeStepping(4);
+        engine.add(new Gravity(0, -10));
+        KinematicBody[] planks = new KinematicBody[count];
+        double length = 20.0 / count;
+        for (int k = 0; k < count; k++) {
+            planks[k] = new KinematicBody(new Rectangle(length, 0.5));
+            planks[k].at(length * (k + 0.5) - 10, 0).moving(0, rate * (length * (k + 0.5) - 10), rate);
+            engine.add(planks[k]);
+        }
+        Body box = engine.add(new Body(new Rectangle(0.7, 0.5)).at(-7.1, 0.5).moving(4, -7.1 * rate, rate));
+        for (Body each : engine.bodies()) {
+            each.setFriction(0);
+            each.setRestitution(0);
+        }
+        for (int step = 1; step <= 2 * steps; step++) {
+            double angle = rate * step * h;
+            for (int k = 0; k < count; k++) {
+                double r = length * (k + 0.5) - 10;
+                planks[k].setTargetVelocity(-rate * r * StrictMath.sin(angle), rate * r * StrictMath.cos(angle), rate);
+            }
+            engine.step();
+        }
+        return box;
+    }
+
     /** A plate that goes another way than the one beside it is a wall where it is higher, and a part of the floor only as long as it goes along. */
     @ParameterizedTest
     @CsvSource({"0", "4"})
