@@ -73,7 +73,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         marks = new PairMarks(pairs, new Clearances(pairs, trajectories, narrowPhase));
         this.search = new PairSearch(pairs, trajectories, marks, narrowPhase);
         this.watch = new Watch(this, pairs, marks, search, queue, enclosures.order());
-        this.companions = new Companions(trajectories, boxes, pairs, marks, narrowPhase);
+        this.companions = new Companions(state, trajectories, boxes, pairs, marks, narrowPhase);
         pairs.setListener(this);
     }
 

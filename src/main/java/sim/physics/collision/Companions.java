@@ -10,13 +10,15 @@ import sim.physics.collision.narrow.NarrowPhase;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Tolerances;
 import sim.physics.motion.Motion;
+import sim.physics.motion.State;
+import sim.physics.motion.Steering;
 import sim.physics.motion.Trajectories;
 
 /**
  * Finds the bodies that a body touches at the instant at which it hits another one of them, as a box that lands flat
  * on three tiles, or a ball that strikes two others; and the other parts with which two bodies touch then, as a table with its legs. By rounding
  * it meets one a little before the others: by the rounding of a coordinate over its speed. Solved one after the other, these impacts would make it
- * turn, or turn it aside.
+ * turn, or turn it aside. Tiles are fixed, or their authors move them alike.
  */
 final class Companions implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -33,6 +35,7 @@ final class Companions implements Serializable {
     /** Length along which sides lie on one another, relative to the smaller body. */
     private static final double SIDE = 1e-9;
 
+    private final State state;
     private final Trajectories trajectories;
     private final Boxes boxes;
     private final Pairs pairs;
@@ -46,7 +49,8 @@ final class Companions implements Serializable {
 
     private double ny;
 
-    Companions(Trajectories trajectories, Boxes boxes, Pairs pairs, PairMarks marks, NarrowPhase narrowPhase) {
+    Companions(State state, Trajectories trajectories, Boxes boxes, Pairs pairs, PairMarks marks, NarrowPhase narrowPhase) {
+        this.state = state;
         this.trajectories = trajectories;
         this.boxes = boxes;
         this.pairs = pairs;
@@ -72,17 +76,18 @@ final class Companions implements Serializable {
         for (int k = 0; k < together.size; k++) {
             int a = pairs.first(together.values[k]);
             int b = pairs.second(together.values[k]);
-            int body = boxes.isFixed(a) ? b : a;
+            int body = state.body(a).isDynamic() ? a : b;
             if (!pairs.areWhole()) {
                 gatherParts(together, a, b, tau);
             }
-            if (boxes.isFixed(a) == boxes.isFixed(b) || trajectories.isDriven(body)) {
+            if (state.body(a).isDynamic() == state.body(b).isDynamic() || trajectories.isDriven(body)) {
                 continue;
             }
+            int ground = body == a ? b : a;
             double late = pairs.countOf(body) > 1 ? blur(together.values[k], body, tau) : tau;
             for (int m = 0; m < pairs.countOf(body); m++) {
                 int pair = pairs.of(body, m);
-                if (boxes.isFixed(pairs.other(pair, body))
+                if (isOne(ground, pairs.other(pair, body))
                         && (mayTouch(pair, tau) || pairs.time(pair) <= late)
                         && !together.contains(pair) // last: all may land together
                         && (mayTouch(pair, tau) ? touches(pair, tau, pairs.time(pair)) : touchesAlong(pair, body, tau))) {
@@ -97,8 +102,9 @@ final class Companions implements Serializable {
     private void gatherTied(IntList together, double tau, double next, Motion motion) {
         for (int k = 0, struck = together.size; k < struck; k++) {
             int pair = together.values[k];
-            int body = boxes.isFixed(pairs.first(pair)) ? pairs.second(pair) : pairs.first(pair);
-            if (!trajectories.isDriven(body) || !boxes.isFixed(pairs.other(pair, body))) {
+            int body = state.body(pairs.first(pair)).isDynamic() ? pairs.first(pair) : pairs.second(pair);
+            int ground = pairs.other(pair, body);
+            if (!trajectories.isDriven(body) || state.body(ground).isDynamic()) {
                 continue;
             }
             int code = pairs.code(pair);
@@ -106,19 +112,24 @@ final class Companions implements Serializable {
             pairs.setCode(pair, code);
             IntList group = motion.companions(body);
             for (int m = 0; m < group.size && next <= late; m++) {
-                gatherFixed(together, group.values[m], tau, late);
+                gatherFixed(together, group.values[m], ground, tau, late);
             }
         }
     }
 
-    private void gatherFixed(IntList together, int body, double tau, double late) {
+    private void gatherFixed(IntList together, int body, int ground, double tau, double late) {
         for (int m = 0; m < pairs.countOf(body); m++) {
             int pair = pairs.of(body, m);
-            if (pairs.time(pair) <= late && boxes.isFixed(pairs.other(pair, body)) && touchesNow(pair, tau)) {
+            if (pairs.time(pair) <= late && isOne(ground, pairs.other(pair, body)) && touchesNow(pair, tau)) {
                 pairs.setTime(pair, Double.NaN);
                 together.add(pair);
             }
         }
+    }
+
+    /** Whether another body is fixed as one is that something strikes, or goes as that does. */
+    private boolean isOne(int ground, int other) {
+        return boxes.isFixed(ground) ? boxes.isFixed(other) : Steering.goAsOne(state.body(ground), state.body(other));
     }
 
     private boolean touchesNow(int pair, double tau) {

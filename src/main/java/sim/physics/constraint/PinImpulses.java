@@ -124,9 +124,9 @@ final class PinImpulses implements Serializable {
         TieEquations.mark(marks, blocks, 0, awake);
     }
 
-    /** Marks the bodies that are pinned to the world, or to what cannot move. */
-    void markFastened(boolean[] marks) {
-        TieEquations.markFastened(blocks, awake, state.w().values(), marks);
+    /** Finds the bodies that are pinned to the world, or to what cannot move. */
+    void findFastened(IntList found) {
+        TieEquations.findFastened(blocks, awake, state.w().values(), found);
     }
 
     /** Joins the sets of movable bodies that are pinned to one another. */

@@ -202,23 +202,26 @@ final class TieEquations implements Serializable {
         mark(marks, blocks, k, k + 1);
     }
 
-    /** Marks the bodies that are tied to the world, to what cannot move, or by what hangs in the world itself. */
-    void markFastened(boolean[] marks) {
-        markFastened(blocks, awake, state.w().values(), marks);
-        for (int k = 0; k < awake; k++) {
-            if (!Joint.isInternal(ties[k])) {
-                mark(k, marks);
+    /** Finds the bodies that are tied to the world, to what cannot move, or by what hangs in the world itself; and what to, −1 for the world. */
+    void findFastened(IntList found) {
+        findFastened(blocks, awake, state.w().values(), found);
+        for (int k = 0; k < 2 * awake; k++) {
+            if (blocks[k] >= 0 && !Joint.isInternal(ties[k / 2])) {
+                found.add(blocks[k] / BLOCK);
+                found.add(-1);
             }
         }
     }
 
-    /** Marks the bodies of pins, or other constraints that have these blocks, which tie them to the world or to what cannot move. */
-    static void markFastened(int[] blocks, int count, double[] w, boolean[] marks) {
+    /** Finds the bodies of pins, or other constraints that have these blocks, which tie them to the world or to what cannot move. */
+    static void findFastened(int[] blocks, int count, double[] w, IntList found) {
         for (int k = 0; k < 2 * count; k += 2) {
             int a = blocks[k];
             int b = blocks[k + 1];
             if (b < 0 || w[a] == 0 || w[b] == 0) {
-                mark(marks, blocks, k / 2, k / 2 + 1);
+                boolean isFirst = b < 0 || w[b] == 0;
+                found.add((isFirst ? a : b) / BLOCK);
+                found.add(b < 0 ? -1 : (isFirst ? b : a) / BLOCK);
             }
         }
     }

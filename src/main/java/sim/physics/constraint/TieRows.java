@@ -231,13 +231,13 @@ public final class TieRows implements Serializable {
     }
 
     /**
-     * Marks the bodies that are tied to the world, or to what cannot move.
+     * Finds the bodies that are tied to the world, or to what cannot move.
      *
-     * @param marks by body
+     * @param found takes them, each with the body that it is tied to, −1 for the world
      */
-    public void markFastened(boolean[] marks) {
-        pinImpulses.markFastened(marks);
-        equations.markFastened(marks);
+    public void findFastened(IntList found) {
+        pinImpulses.findFastened(found);
+        equations.findFastened(found);
     }
 
     /**

@@ -34,6 +34,11 @@ public class KinematicBody extends Body {
     /** How much of what it has missed of its course it makes up for in a step. */
     private static final double CATCH_UP = 0.5;
 
+    /** By how much velocities may differ that are those of one body, relative to them, and to what it is that turns. */
+    private static final double ALIKE = 1e-12;
+
+    private static final double TURNED_ALIKE = 1e-4;
+
     /** Velocities at the end of the next step. */
     private final double[] target = new double[State.BLOCK];
 
@@ -237,6 +242,30 @@ public class KinematicBody extends Body {
 
     private static double speed(double[] v) {
         return Math.abs(v[State.X]) + Math.abs(v[State.Y]);
+    }
+
+    /** Whether it turns in the step. */
+    final boolean turns() {
+        return before[State.THETA] != 0 || after[State.THETA] != 0 || asked[State.THETA] != 0 || pace[State.THETA] != 0;
+    }
+
+    /** Whether it and another one go as parts of one rigid body in the step, but for rounding; where they turn, to first order in the angle by which. */
+    final boolean goesWith(KinematicBody other) {
+        double[] x = state().x();
+        int a = State.BLOCK * index();
+        int b = State.BLOCK * other.index();
+        return goAlike(asked, other.asked, x[b] - x[a], x[b + 1] - x[a + 1])
+                && goAlike(pace, other.pace, other.course[0] - course[0], other.course[1] - course[1]);
+    }
+
+    /** Whether two velocities, the second one of what is at (dx, dy) from the first one, are those of one body. */
+    private static boolean goAlike(double[] one, double[] other, double dx, double dy) {
+        double spin = one[State.THETA];
+        double round = Math.abs(spin) * (Math.abs(dx) + Math.abs(dy));
+        double x = other[State.X] - one[State.X] + spin * dy;
+        double y = other[State.Y] - one[State.Y] - spin * dx;
+        double most = ALIKE * (speed(one) + speed(other)) + TURNED_ALIKE * round;
+        return Math.abs(other[State.THETA] - spin) <= ALIKE * Math.abs(spin) && Math.abs(x) + Math.abs(y) <= most;
     }
 
     /** How far its velocity, as the state has it, is outside of what it is to be in the step. */

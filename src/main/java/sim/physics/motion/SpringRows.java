@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import sim.physics.internal.DisjointSets;
+import sim.physics.internal.IntList;
 import sim.physics.internal.Trig;
 
 /**
@@ -283,19 +284,29 @@ public final class SpringRows implements Serializable {
     }
 
     /**
-     * Marks the bodies that such springs tie to the world, or to what cannot move.
+     * Finds the bodies that such springs tie to the world, or to what cannot move.
      *
-     * @param marks by body
+     * @param found takes them, each with the body that it is tied to, −1 for the world
      */
-    public void markFastened(boolean[] marks) {
+    public void findFastened(IntList found) {
         for (int k = 0; k < stiff.size(); k++) {
             Spring spring = (Spring) stiff.get(k).generator;
+            Body a = spring.getBodyA();
             Body b = spring.getBodyB();
-            if (!isIdle[k] && (b == null || b.isFixed() || spring.getBodyA().isFixed())) {
-                marks[spring.getBodyA().index()] = true;
-                marks[b == null ? spring.getBodyA().index() : b.index()] = true;
+            if (!isIdle[k] && isFelt(spring) && (b == null || !mayMove(a) || !mayMove(b))) {
+                found.add(movable(spring));
+                found.add(b == null ? -1 : mayMove(a) ? b.index() : a.index());
             }
         }
+    }
+
+    /** Whether one of its bodies can move. */
+    private boolean isFelt(Spring spring) {
+        return mayMove(spring.getBodyA()) || spring.getBodyB() != null && mayMove(spring.getBodyB());
+    }
+
+    private boolean mayMove(Body body) {
+        return state.w().values()[State.BLOCK * body.index()] > 0;
     }
 
     /**
@@ -310,7 +321,7 @@ public final class SpringRows implements Serializable {
             }
             Spring spring = (Spring) stiff.get(k).generator;
             Body b = spring.getBodyB();
-            if (b != null && !b.isFixed() && !spring.getBodyA().isFixed()) {
+            if (b != null && mayMove(b) && mayMove(spring.getBodyA())) {
                 DisjointSets.join(parent, spring.getBodyA().index(), b.index());
             }
         }
@@ -326,7 +337,7 @@ public final class SpringRows implements Serializable {
     public void give(int[] group, double[] given, double h) {
         for (int k = 0; k < stiff.size(); k++) {
             Spring spring = (Spring) stiff.get(k).generator;
-            if (isIdle[k] || spring.getStiffness() == 0) {
+            if (isIdle[k] || spring.getStiffness() == 0 || !isFelt(spring)) {
                 continue; // a damper has no energy
             }
             int o = STRIDE * k;
@@ -345,14 +356,14 @@ public final class SpringRows implements Serializable {
      */
     public void press(int[] group, double[] pressed) {
         for (int k = 0; k < stiff.size(); k++) {
-            if (!isIdle[k]) {
+            if (!isIdle[k] && isFelt((Spring) stiff.get(k).generator)) {
                 pressed[group[movable((Spring) stiff.get(k).generator)]] += Math.abs(rows[STRIDE * k + IMPULSE]);
             }
         }
     }
 
-    private static int movable(Spring spring) {
-        return (spring.getBodyA().isFixed() ? spring.getBodyB() : spring.getBodyA()).index(); // what is fixed has no group
+    private int movable(Spring spring) {
+        return (mayMove(spring.getBodyA()) ? spring.getBodyA() : spring.getBodyB()).index(); // what cannot move has no group
     }
 
     private double speed(int block, int o, int arm) {

@@ -42,6 +42,41 @@ public final class Steering implements Serializable {
         return !kinematics.isEmpty();
     }
 
+    /**
+     * Whether two bodies that no force moves go on as one in the step that has begun: both are immobile, or their authors move them as a rigid body
+     * would be moved, from the start of the step to its end.
+     *
+     * @param a a body
+     * @param b another one
+     * @return false if forces move one of them
+     */
+    public static boolean goAsOne(Body a, Body b) {
+        boolean areMoving = a instanceof KinematicBody && b instanceof KinematicBody && !a.isImmobile() && !b.isImmobile();
+        return areMoving ? ((KinematicBody) a).goesWith((KinematicBody) b) : a.isImmobile() && b.isImmobile();
+    }
+
+    /**
+     * Whether a body that its author moves turns in the step that has begun.
+     *
+     * @param body a kinematic one
+     * @return false if it is only shifted
+     */
+    public static boolean turns(Body body) {
+        return ((KinematicBody) body).turns();
+    }
+
+    /**
+     * The acceleration of a body that its author moves, in the step that has begun.
+     *
+     * @param body a kinematic one that moves
+     * @param a takes it, [x″, y″, θ″] per body of the state
+     */
+    public static void accelerate(Body body, double[] a) {
+        for (int k = 0; k < State.BLOCK; k++) {
+            a[State.BLOCK * body.index() + k] = ((KinematicBody) body).acceleration(k);
+        }
+    }
+
     /** {@return whether there is one that does not stand} */
     public boolean areSomeMoving() {
         return kinematics.areSomeMoving();

@@ -37,6 +37,7 @@ final class Balance implements Serializable {
 
     private final State state;
     private final Groups groups;
+    private final Grounds grounds;
 
     /** Where bodies were, and their velocities. */
     private double[] places = {};
@@ -57,9 +58,10 @@ final class Balance implements Serializable {
     /** By body: the part that it keeps of what it has got, 1 for those of which nothing was taken. */
     private double[] shares = {};
 
-    Balance(State state, Groups groups) {
+    Balance(State state, Groups groups, Grounds grounds) {
         this.state = state;
         this.groups = groups;
+        this.grounds = grounds;
     }
 
     /** Begins a step, of which the groups are known. */
@@ -105,6 +107,11 @@ final class Balance implements Serializable {
             speeds[b] = v[b];
             speeds[b + 1] = v[b + 1];
             speeds[b + 2] = v[b + 2];
+        }
+        for (int k = 0; k < grounds.held.size; k++) {
+            int b = BLOCK * grounds.held.values[k];
+            System.arraycopy(x, b, places, b, BLOCK);
+            System.arraycopy(v, b, speeds, b, BLOCK);
         }
     }
 
@@ -358,14 +365,14 @@ final class Balance implements Serializable {
         return groups.areFree[g] ? ROUNDING * whole(speeds, speeds, g) : 0;
     }
 
-    /** The same of what bodies take that their authors move, but for the one from which all is seen. */
+    /** The same of what bodies take that their authors move, but for the one from which all is seen; or of all that is seen from one that nothing can move. */
     private double roundingOfSteered(int g) {
         double x = ofAnchor(speeds, g, 0);
         double y = ofAnchor(speeds, g, 1);
         double sum = 0;
         for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
             int b = groups.blocks[k];
-            if (groups.areSteered[k]) {
+            if (groups.areSteered[k] || groups.areHeld[g]) {
                 double way = Math.abs(speeds[b] - x) + Math.abs(speeds[b + 1] - y);
                 double fast = Math.abs(speeds[b]) + Math.abs(speeds[b + 1]) + Math.abs(x) + Math.abs(y);
                 sum += groups.masses[2 * k] * way * fast + groups.masses[2 * k + 1] * speeds[b + 2] * speeds[b + 2];

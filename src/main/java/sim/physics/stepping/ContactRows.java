@@ -213,7 +213,7 @@ final class ContactRows implements Serializable {
         pairs[o + 4] = used;
         pairs[o + FAST] = closes(count - 1, h) ? 1 : 0;
         fast += pairs[o + FAST];
-        pairs[o + UNLIKE] = UnlikeRows.presses(state.w().values(), State.BLOCK * a, State.BLOCK * b, touch, forces) ? 1 : 0;
+        pairs[o + UNLIKE] = UnlikeRows.presses(state, a, b, touch, forces) ? 1 : 0;
         unlike += pairs[o + UNLIKE];
         turns.add(count - 1, touch, h);
     }

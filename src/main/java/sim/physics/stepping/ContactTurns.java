@@ -27,6 +27,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.internal.Growth;
 import sim.physics.motion.State;
+import sim.physics.motion.Steering;
 
 /**
  * Normals and gaps where bodies have gone within a step. A normal is that of an edge, and turns with its body, or goes from the middle of a disc or
@@ -156,9 +157,13 @@ final class ContactTurns implements Serializable {
 
     /** Whether nothing of a pair but its gap changes as the one moves that can: a disc on a fixed edge. */
     private boolean isPlain(int k, Touch touch) {
-        double[] w = state.w().values();
-        return touch.isDiscB && touch.turnsBy == FIRST + ROUND && w[State.BLOCK * rows.first(k)] == 0
-                || touch.isDiscA && touch.turnsBy == SECOND + ROUND && w[State.BLOCK * rows.second(k)] == 0;
+        return touch.isDiscB && touch.turnsBy == FIRST + ROUND && isGround(rows.first(k))
+                || touch.isDiscA && touch.turnsBy == SECOND + ROUND && isGround(rows.second(k));
+    }
+
+    /** Whether no force moves a body, and it does not turn. */
+    private boolean isGround(int body) {
+        return state.w().values()[State.BLOCK * body] == 0 || !state.body(body).isDynamic() && !Steering.turns(state.body(body));
     }
 
     double startX(int k) {

@@ -31,6 +31,7 @@ final class FreeImpacts implements Serializable {
     private final State state;
     private final ContactRows rows;
     private final Groups groups;
+    private final Grounds grounds;
     private final ContactSolver contacts;
     private final Flights flights;
 
@@ -44,10 +45,11 @@ final class FreeImpacts implements Serializable {
 
     private double h;
 
-    FreeImpacts(State state, ContactRows rows, Groups groups, ContactSolver contacts, Flights flights) {
+    FreeImpacts(State state, ContactRows rows, Groups groups, Grounds grounds, ContactSolver contacts, Flights flights) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
+        this.grounds = grounds;
         this.contacts = contacts;
         this.flights = flights;
     }
@@ -78,11 +80,13 @@ final class FreeImpacts implements Serializable {
     void begin(Balance before, double[] a, double step, double substep) {
         h = substep;
         find(step);
+        grounds.note();
         meet(before, a, step);
+        grounds.putBack();
         for (int k = 0; k < groups.bodies; k++) {
             int b = groups.blocks[k];
             for (int o = b; isOfOne(b) && o < b + State.BLOCK; o++) {
-                velocities[o] = before.speeds()[o] - (h - time(b)) * a[o];
+                velocities[o] = before.speeds()[o] - (h - time(b)) * (a[o] - lift(b, o, a));
                 state.v()[o] = velocities[o];
             }
         }
@@ -223,7 +227,7 @@ final class FreeImpacts implements Serializable {
     /** Puts a body where it is at a time of the substep if it has met nobody. */
     private void fly(int body, double time, Balance before, double[] a) {
         int b = State.BLOCK * body;
-        for (int o = b; groups.isMovable(body) && o < b + State.BLOCK; o++) {
+        for (int o = b; (groups.isMovable(body) || grounds.has(body)) && o < b + State.BLOCK; o++) {
             state.x()[o] = before.places()[o] + time * (before.speeds()[o] - (h - 0.5 * time) * a[o]);
         }
     }
@@ -248,8 +252,9 @@ final class FreeImpacts implements Serializable {
             fly(b / State.BLOCK, time(b), before, a);
             double left = h - time(b);
             for (int o = b; o < b + State.BLOCK; o++) {
-                state.x()[o] += left * (v[o] + 0.5 * left * a[o]);
-                v[o] += left * a[o];
+                double lift = lift(b, o, a);
+                state.x()[o] += left * (v[o] - left * lift + 0.5 * left * a[o]);
+                v[o] += left * (a[o] - lift);
             }
         }
         for (int n = 0; n < groups.struck.size; n++) {
@@ -274,6 +279,12 @@ final class FreeImpacts implements Serializable {
                 follow(row);
             }
         }
+    }
+
+    /** How a ground accelerates that nothing can move: its velocity remains that of the end of the substep, and those of its bodies are seen from it. */
+    private double lift(int block, int o, double[] a) {
+        int group = groups.slots[block / State.BLOCK];
+        return groups.areHeld[group] ? a[groups.anchors[group] + o - block] : 0;
     }
 
     private boolean isOfOne(int block) {

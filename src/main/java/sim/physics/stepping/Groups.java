@@ -10,6 +10,7 @@ import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.motion.SpringRows;
 import sim.physics.motion.State;
+import sim.physics.motion.Steering;
 
 /**
  * Groups of movable bodies that joints, stiff springs and contacts connect, and in which there is one of the first two, what may bounce, or
@@ -21,6 +22,7 @@ final class Groups implements Serializable {
     private static final int BLOCK = State.BLOCK;
 
     private final State state;
+    private final Grounds grounds;
 
     /** Number of groups, and the first body of each. */
     int count;
@@ -35,6 +37,12 @@ final class Groups implements Serializable {
 
     /** The block of a body of each group that moves as its author says, −1 for none. */
     int[] anchors = {};
+
+    /** Whether that body is of no group, as nothing can move it ({@link Grounds}). */
+    boolean[] areHeld = {};
+
+    /** By the body that stands for its set: what does not move and is touched by one of it, −1 for nothing; and whether there is another kind of that. */
+    private int[] groundOf = {};
 
     /** Where the bodies of a group begin, and where the last one's end. */
     int[] begins = {};
@@ -63,8 +71,16 @@ final class Groups implements Serializable {
     /** By body: whether it is tied to what cannot move. */
     private boolean[] areFastened = {};
 
-    /** Whether friction with the plane acts. */
+    /** Those that are tied to what their authors move, each with that. */
+    private final IntList fastened = new IntList();
+
+    /** What is tied and nothing can move, as it was when ties were looked at last. */
+    private final IntList held = new IntList();
+
+    /** Whether friction with the plane acts, and whether there were bodies that nothing could move but their authors did. */
     private boolean rubs;
+
+    private boolean haveGrounds;
 
     /** The rows of those in which something has met in this substep, as {@link Impacts} has found. */
     final IntList struck = new IntList();
@@ -77,8 +93,9 @@ final class Groups implements Serializable {
 
     private int knownRows = -1;
 
-    Groups(State state) {
+    Groups(State state, Grounds grounds) {
         this.state = state;
+        this.grounds = grounds;
     }
 
     /**
@@ -88,20 +105,22 @@ final class Groups implements Serializable {
      * @param areRubbed whether friction with the plane acts on bodies
      */
     void find(ContactRows rows, TieRows ties, SpringRows springs, boolean isNew, boolean areRubbed) {
-        if (isNew || parents.length < state.size()) {
+        if (isNew || parents.length < state.size() || !known(grounds.tied)) {
             tie(ties, springs);
-        } else if (areRubbed == rubs && areKnown(rows)) {
+        } else if (areRubbed == rubs && !haveGrounds && grounds.held.size == 0 && areKnown(rows)) {
             return;
         }
         rubs = areRubbed;
         note(rows);
-        System.arraycopy(tiedParents, 0, parents, 0, state.size());
+        do {
+            System.arraycopy(tiedParents, 0, parents, 0, state.size());
+            join(rows);
+        } while (haveGrounds() && releases(rows, ties, springs));
         for (int k = 0; k < found.size; k++) {
             marks[found.values[k]] = false;
         }
         found.clear();
         count = 0;
-        join(rows);
         for (int k = 0; k < tied.size; k++) {
             watch(tied.values[k]);
         }
@@ -128,17 +147,90 @@ final class Groups implements Serializable {
         free(rows);
     }
 
+    /** Whether there are bodies that nothing can move, but their authors do: which of them, or of what is fixed, others touch, is to be found. */
+    private boolean haveGrounds() {
+        haveGrounds = grounds.held.size > 0;
+        if (haveGrounds) {
+            Arrays.fill(groundOf, 0, state.size(), -1);
+        }
+        return haveGrounds;
+    }
+
+    /** Lets those be moved that something touches, or is tied to, which touches another ground, too, or is tied to one; whether there are any. */
+    private boolean releases(ContactRows rows, TieRows ties, SpringRows springs) {
+        int before = grounds.held.size;
+        for (int k = 0; k < fastened.size; k += 2) {
+            meet(DisjointSets.find(parents, fastened.values[k]), fastened.values[k + 1]);
+        }
+        for (int k = 0; k < rows.count; k++) {
+            boolean isFirst = isMovable(rows.first(k));
+            if (isFirst != isMovable(rows.second(k))) {
+                meet(DisjointSets.find(parents, isFirst ? rows.first(k) : rows.second(k)), isFirst ? rows.second(k) : rows.first(k));
+            }
+        }
+        for (int k = 0; k < tied.size; k++) {
+            int ground = groundOf[DisjointSets.find(parents, tied.values[k])];
+            if (areFastened[tied.values[k]] && ground >= 0) {
+                release(ground);
+            }
+        }
+        if (!known(grounds.tied)) {
+            tie(ties, springs);
+        }
+        return grounds.held.size < before;
+    }
+
+    /** Whether those that are tied and that nothing can move are the same as when ties were looked at last. */
+    private boolean known(IntList heldNow) {
+        boolean yes = heldNow.size == held.size;
+        for (int k = 0; yes && k < held.size; k++) {
+            yes = held.values[k] == heldNow.values[k];
+        }
+        return yes;
+    }
+
+    private void meet(int root, int ground) {
+        int other = groundOf[root];
+        if (other < 0) {
+            groundOf[root] = ground;
+        } else if (other != ground && !Steering.goAsOne(state.body(other), state.body(ground))) {
+            release(other);
+            release(ground);
+        }
+    }
+
+    private void release(int ground) {
+        if (grounds.has(ground)) {
+            grounds.release(ground);
+        }
+    }
+
     private void free(ContactRows rows) {
         Arrays.fill(areFree, 0, count, !rubs);
+        Arrays.fill(areHeld, 0, count, false);
         for (int k = 0; k < tied.size; k++) {
             areFree[slots[tied.values[k]]] &= !areFastened[tied.values[k]];
+        }
+        for (int k = 0; k < fastened.size; k += 2) {
+            stand(slots[fastened.values[k]], fastened.values[k + 1]);
         }
         for (int k = 0; k < rows.count; k++) {
             if (!isMovable(rows.first(k)) || !isMovable(rows.second(k))) {
                 int body = isMovable(rows.first(k)) ? rows.first(k) : rows.second(k);
-                areFree[slots[body]] &= !marks[body]; // else it is of no group
+                int ground = isMovable(rows.first(k)) ? rows.second(k) : rows.first(k);
+                if (marks[body] && grounds.has(ground)) {
+                    stand(slots[body], ground);
+                } else {
+                    areFree[slots[body]] &= !marks[body]; // else it is of no group
+                }
             }
         }
+    }
+
+    /** Lets a group be seen from a ground. */
+    private void stand(int group, int ground) {
+        areHeld[group] = true;
+        anchors[group] = BLOCK * ground;
     }
 
     /** Whether a pair is of a group. */
@@ -243,26 +335,12 @@ final class Groups implements Serializable {
     }
 
     private void tie(TieRows ties, SpringRows springs) {
-        int n = state.x().length / BLOCK;
-        tiedParents = new int[n];
-        parents = new int[n];
-        firsts = new int[n];
-        areBooked = new boolean[n];
-        areFree = new boolean[n];
-        anchors = new int[n];
-        areSteered = new boolean[n];
-        areFastened = new boolean[n];
-        blocks = new int[n];
-        begins = new int[n + 1];
-        ends = new int[n];
-        slots = new int[n];
-        masses = new double[2 * n];
-        marks = new boolean[n];
+        allocate(state.x().length / BLOCK);
+        Arrays.fill(marks, false);
         Arrays.setAll(tiedParents, k -> k);
         ties.mark(marks);
         springs.mark(marks);
-        ties.markFastened(areFastened);
-        springs.markFastened(areFastened);
+        fasten(ties, springs);
         ties.join(tiedParents);
         springs.join(tiedParents);
         tied.clear();
@@ -273,6 +351,49 @@ final class Groups implements Serializable {
             }
         }
         Arrays.fill(marks, false);
+    }
+
+    /** Finds who is tied to what does not move: of what its author moves, that is kept. */
+    private void fasten(TieRows ties, SpringRows springs) {
+        Arrays.fill(areFastened, false);
+        held.clear();
+        for (int k = 0; k < grounds.tied.size; k++) {
+            held.add(grounds.tied.values[k]);
+        }
+        found.clear();
+        fastened.clear();
+        ties.findFastened(found);
+        springs.findFastened(found);
+        for (int k = 0; k < found.size; k += 2) {
+            int ground = found.values[k + 1];
+            if (ground >= 0 && grounds.has(ground)) {
+                fastened.add(found.values[k]);
+                fastened.add(ground);
+            } else {
+                areFastened[found.values[k]] = true;
+            }
+        }
+    }
+
+    private void allocate(int n) {
+        if (parents.length != n) {
+            tiedParents = new int[n];
+            parents = new int[n];
+            firsts = new int[n];
+            areBooked = new boolean[n];
+            areFree = new boolean[n];
+            anchors = new int[n];
+            areHeld = new boolean[n];
+            groundOf = new int[n];
+            areSteered = new boolean[n];
+            areFastened = new boolean[n];
+            blocks = new int[n];
+            begins = new int[n + 1];
+            ends = new int[n];
+            slots = new int[n];
+            masses = new double[2 * n];
+            marks = new boolean[n];
+        }
     }
 
     boolean isMovable(int body) {

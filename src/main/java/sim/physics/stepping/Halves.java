@@ -4,6 +4,7 @@ package sim.physics.stepping;
 
 import java.io.Serializable;
 import sim.physics.motion.State;
+import sim.physics.motion.Steering;
 import sim.physics.motion.SteppedForces;
 
 /**
@@ -26,6 +27,14 @@ final class Halves implements Serializable {
         this.state = state;
         this.poses = poses;
         this.forces = forces;
+    }
+
+    /** Finds accelerations: those of forces, and of courses, on which forces do nothing. */
+    void load(double[] a, double time) {
+        forces.load(poses.awake, time, a);
+        for (int k = 0; k < poses.steered.size; k++) {
+            Steering.accelerate(state.body(poses.steered.values[k]), a);
+        }
     }
 
     /** Adds what forces give, all of it for now. */
@@ -83,7 +92,7 @@ final class Halves implements Serializable {
     void reload(double[] a, double time, double d) {
         double[] v = state.v();
         System.arraycopy(a, 0, half, 0, a.length);
-        forces.load(poses.awake, time, a);
+        load(a, time);
         for (int k = 0; k < poses.awake.size; k++) {
             int b = State.BLOCK * poses.awake.values[k];
             v[b] += 0.5 * d * (a[b] - half[b]);

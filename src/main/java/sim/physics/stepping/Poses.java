@@ -27,6 +27,9 @@ final class Poses implements Serializable {
     /** The movable bodies, in ascending order. */
     final IntList movable = new IntList();
 
+    /** Those of them that their authors move. */
+    final IntList steered = new IntList();
+
     /** Those of them that do not sleep. */
     final IntList awake = new IntList();
 
@@ -56,26 +59,39 @@ final class Poses implements Serializable {
         Body body = state.body(index);
         hulls[index] = shared.computeIfAbsent(body.getShape(), Hull::new);
         hulls[index].users++;
-        if (!body.isImmobile()) {
-            movable.insert(index);
-        }
+        enter(index);
     }
 
     /** Takes note of a body that was written. A kinematic one may have begun to move, or have come to a stand. */
     void written(int index) {
         if (state.touched().isTurned(index)) {
             leave(index);
-            if (!state.body(index).isImmobile()) {
-                movable.insert(index);
-            }
+            enter(index);
         }
         turn(index);
+    }
+
+    private void enter(int index) {
+        if (!state.body(index).isImmobile()) {
+            movable.insert(index);
+            if (!state.body(index).isDynamic()) {
+                steered.insert(index);
+            }
+        }
     }
 
     private void leave(int index) {
         if (movable.contains(index)) {
             movable.takeOut(index);
         }
+        if (steered.contains(index)) {
+            steered.takeOut(index);
+        }
+    }
+
+    /** Whether no force moves a body: it is fixed, stands, or moves as its author says. */
+    boolean isGround(int body) {
+        return state.w().values()[State.BLOCK * body] == 0 || steered.size > 0 && !state.body(body).isDynamic();
     }
 
     void remove(int index) {

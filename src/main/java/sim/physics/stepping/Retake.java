@@ -31,6 +31,7 @@ final class Retake implements Serializable {
     private final SpringRows springs;
     private final TieRows ties;
     private final ContactSolver contacts;
+    private final Grounds grounds;
     private final Groups groups;
     private final Balance balance;
 
@@ -54,11 +55,12 @@ final class Retake implements Serializable {
         springs = forces.springs();
         this.ties = ties;
         this.contacts = contacts;
-        groups = new Groups(state);
-        balance = new Balance(state, groups);
-        bounced = new Balance(state, groups);
+        grounds = new Grounds(state, poses);
+        groups = new Groups(state, grounds);
+        balance = new Balance(state, groups, grounds);
+        bounced = new Balance(state, groups, grounds);
         Flights flights = new Flights(rows, groups);
-        free = new FreeImpacts(state, rows, groups, contacts, flights);
+        free = new FreeImpacts(state, rows, groups, grounds, contacts, flights);
         impacts = new Impacts(state, rows, groups, free, flights);
         reflections = new Reflections(state, rows, groups, free);
         belts = new Belts(state, poses);
@@ -84,19 +86,25 @@ final class Retake implements Serializable {
     }
 
     /**
-     * Begins a step.
+     * Begins a step: from now to its {@linkplain #end end} nothing moves bodies that others lie on as on the ground.
      *
      * @param isNew whether joints, springs or bodies are others than in the step before
      * @param isNeeded whether groups are asked for in this step
      */
     void begin(ContactRows rows, boolean isNew, boolean isNeeded) {
         isStale |= isNew;
+        grounds.hold(ties, springs, isNeeded, !surface.isEmpty());
         if (isNeeded) {
             groups.find(rows, ties, springs, isStale, !surface.isEmpty());
             balance.open();
             bounced.open();
             isStale = false;
         }
+    }
+
+    /** Ends a step, or one that has failed. */
+    void end() {
+        grounds.release();
     }
 
     /** Begins a substep, in which nothing but forces has acted yet. */
@@ -133,9 +141,12 @@ final class Retake implements Serializable {
         }
         boolean[] marks = balance.marks();
         balance.takeBack();
+        grounds.note();
+        grounds.takeBack(balance.places());
         contacts.measure(marks);
         regain(marks, contact, joint, h);
         balance.bringBack();
+        grounds.bringBack();
         for (int k = 0; k < TURNS; k++) {
             surface.solve(marks, h);
             springs.solve(marks);
@@ -148,6 +159,7 @@ final class Retake implements Serializable {
             contacts.limit(balance.shares());
         }
         balance.move(h);
+        grounds.putBack();
         contacts.follow(marks);
         ties.evaluate(marks);
         balance.forget();

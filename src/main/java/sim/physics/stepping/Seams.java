@@ -7,10 +7,11 @@ import java.util.Arrays;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.internal.Growth;
 import sim.physics.motion.State;
+import sim.physics.motion.Steering;
 
 /**
  * Where what is fixed near a body joins: edges of a fixed polygon that another one covers, and corners of it that are none of the two together. A
- * body on a floor of tiles is then pushed as by one floor. All is in the frame of that polygon.
+ * body on a floor of tiles is then pushed as by one floor. All is in the frame of that polygon. What goes as it does, as its author says, is fixed there.
  */
 final class Seams implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -85,15 +86,16 @@ final class Seams implements Serializable {
             int by = isFirst ? pairs.second(pair) : pairs.first(pair);
             int byPart = isFirst ? pairs.secondPart(pair) : pairs.firstPart(pair);
             boolean isOther = by != fixed || byPart != part;
-            if (isOther && isFixed(by) && !near.is(pair, NearPairs.FORBIDDEN) && !near.is(pair, NearPairs.IGNORED)) {
+            if (isOther && isOne(fixed, by) && !near.is(pair, NearPairs.FORBIDDEN) && !near.is(pair, NearPairs.IGNORED)) {
                 join(fixed, by, poses.hull(by).part(byPart));
             }
         }
         return found > 0;
     }
 
-    private boolean isFixed(int body) {
-        return state.w().values()[State.BLOCK * body] == 0;
+    /** Whether another body is fixed as the one is, or goes as it does. */
+    private boolean isOne(int fixed, int by) {
+        return by == fixed || poses.isGround(by) && Steering.goAsOne(state.body(fixed), state.body(by));
     }
 
     private void join(int fixed, int by, Hull byHull) {

@@ -25,12 +25,12 @@ final class Speeds implements Serializable {
     /** Whether the means are known. */
     private boolean areKnown;
 
-    /** By body: parents in the sets of those that are awake and whose boxes meet, −1 for others; whether it is next to one of these. */
+    /** By body: parents in the sets of those that are awake and whose boxes meet, −1 for others; the ground that it is next to, −1 for none. */
     private int[] parents = {};
 
-    private boolean[] areHeld = {};
+    private int[] grounds = {};
 
-    /** By the least body of each set: how many have been counted, −1 if one of them is held; and the mean of their velocities. */
+    /** By the least body of each set: how many have been counted, −1 if one of them is next to a ground; and the mean of their velocities. */
     private int[] counts = {};
 
     private double[] means = {};
@@ -49,13 +49,13 @@ final class Speeds implements Serializable {
 
     /**
      * Finds mean velocities, against which bodies that bounce come towards others: who watches from elsewhere sees the same, and it matters to nobody what
-     * moves far away. Next to what does not move they are 0.
+     * moves far away. Next to what no force moves they are the velocity of that.
      */
     private void average() {
         areKnown = true;
         if (parents.length < state.size()) {
             parents = new int[Growth.length(parents.length, state.size())];
-            areHeld = new boolean[parents.length];
+            grounds = new int[parents.length];
             counts = new int[parents.length];
             means = new double[2 * parents.length];
         }
@@ -63,8 +63,8 @@ final class Speeds implements Serializable {
         IntList awake = poses.awake;
         for (int k = 0; k < awake.size; k++) {
             int body = awake.values[k];
-            parents[body] = body;
-            areHeld[body] = false;
+            parents[body] = poses.isGround(body) ? -1 : body;
+            grounds[body] = -1;
             counts[body] = 0;
             means[2 * body] = 0;
             means[2 * body + 1] = 0;
@@ -76,8 +76,7 @@ final class Speeds implements Serializable {
             }
         }
         for (int k = 0; k < awake.size; k++) {
-            int root = DisjointSets.find(parents, awake.values[k]);
-            counts[root] = areHeld[awake.values[k]] ? -1 : counts[root];
+            hold(awake.values[k]);
         }
         for (int k = 0; k < awake.size; k++) {
             count(awake.values[k]);
@@ -88,13 +87,31 @@ final class Speeds implements Serializable {
         if (parents[first] >= 0 && parents[second] >= 0) {
             DisjointSets.join(parents, first, second);
         } else if (parents[first] >= 0) {
-            areHeld[first] = true;
+            grounds[first] = grounds[first] < 0 ? second : grounds[first];
         } else if (parents[second] >= 0) {
-            areHeld[second] = true;
+            grounds[second] = grounds[second] < 0 ? first : grounds[second];
+        }
+    }
+
+    /** Takes note of the ground that a body is next to. */
+    private void hold(int body) {
+        int ground = grounds[body];
+        if (ground < 0) {
+            return;
+        }
+        int root = DisjointSets.find(parents, body);
+        boolean isFirst = counts[root] == 0;
+        counts[root] = -1;
+        if (isFirst && state.w().values()[State.BLOCK * ground] > 0) {
+            means[2 * root] = state.v()[State.BLOCK * ground];
+            means[2 * root + 1] = state.v()[State.BLOCK * ground + 1];
         }
     }
 
     private void count(int body) {
+        if (parents[body] < 0) {
+            return;
+        }
         double[] v = state.v();
         int root = DisjointSets.find(parents, body);
         if (counts[root] >= 0) {

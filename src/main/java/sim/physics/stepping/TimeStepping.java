@@ -254,7 +254,7 @@ public final class TimeStepping implements Serializable {
         do {
             areOthersAsleep |= sleep.refresh();
             forces.springs().begin(step / substeps, sleep.asleep());
-            forces.load(poses.awake, time, outset.a);
+            halves.load(outset.a, time);
             near.drive(step, outset.a);
             rows.begin();
             decisions.begin(time, step);
@@ -326,6 +326,8 @@ public final class TimeStepping implements Serializable {
         } catch (RuntimeException e) {
             takeBackIfLost(e);
             throw e;
+        } finally {
+            retake.end();
         }
         takeBackIfLost(null);
         near.keep(rows, contacts);
@@ -359,7 +361,6 @@ public final class TimeStepping implements Serializable {
         double d = h / substeps;
         contacts.begin(h, d);
         boolean isTied = constraints != null;
-        boolean isRubbed = !surface.isEmpty();
         boolean areOthers = areOthersAsleep || forces.springs().areNew();
         if (isTied) {
             isCold |= ties.gather(constraints, sleep.asleep(), areOthersAsleep);
@@ -377,7 +378,7 @@ public final class TimeStepping implements Serializable {
         pace.begin(h, d);
         for (int k = 0; k < substeps; k++) {
             spinners.find(k, outset.a);
-            substep(time + (k + 1) * d, d, isTied, isRubbed, isBalanced, bounces);
+            substep(time + (k + 1) * d, d, isTied, !surface.isEmpty(), isBalanced, bounces);
         }
     }
 

@@ -92,9 +92,8 @@ final class Touch implements Serializable {
         isDiscA = first == poses.hull(a) && first.count == 1;
         isDiscB = second == poses.hull(b) && second.count == 1;
         meet(a, first, b, second, margin);
-        double[] w = state.w().values();
-        if (count > 0 && (w[i] == 0 || w[k] == 0)) {
-            boolean isFirstFixed = w[i] == 0;
+        if (count > 0 && (poses.isGround(a) || poses.isGround(b))) {
+            boolean isFirstFixed = poses.isGround(a);
             Hull fixed = isFirstFixed ? first : second;
             if (fixed.count > 1 && (isFirstFixed ? seams.find(b, a, partA) : seams.find(a, b, partB))) {
                 joinsFirst = isFirstFixed;

@@ -51,14 +51,17 @@ final class UnlikeRows implements Serializable {
         set = new UnlikeSet(state, rows);
     }
 
-    /** Whether forces press a heavy body on a light one. */
-    static boolean presses(double[] w, int a, int b, Touch touch, double[] forces) {
-        double first = w[a];
-        double second = w[b];
-        if (first > HEAVY * second) {
-            return second > 0 && touch.nx * forces[b] + touch.ny * forces[b + 1] < 0;
+    /** Whether forces press a heavy body on a light one; what its author moves is the ground to others. */
+    static boolean presses(State state, int a, int b, Touch touch, double[] forces) {
+        double first = state.w().values()[State.BLOCK * a];
+        double second = state.w().values()[State.BLOCK * b];
+        boolean isFirst = first > HEAVY * second;
+        if (!isFirst && !(second > HEAVY * first)) {
+            return false;
         }
-        return second > HEAVY * first && first > 0 && touch.nx * forces[a] + touch.ny * forces[a + 1] > 0;
+        int heavy = State.BLOCK * (isFirst ? b : a);
+        double push = touch.nx * forces[heavy] + touch.ny * forces[heavy + 1];
+        return (isFirst ? second : first) > 0 && (isFirst ? push < 0 : push > 0) && state.body(isFirst ? b : a).isDynamic();
     }
 
     /**

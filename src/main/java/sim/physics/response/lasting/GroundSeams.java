@@ -9,12 +9,13 @@ import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.Manifold;
 import sim.physics.internal.IntList;
 import sim.physics.motion.State;
+import sim.physics.motion.Steering;
 import sim.physics.motion.Trajectories;
 
 /**
- * Seams under a side that lies on fixed bodies laid edge to edge: where one of them ends another one goes on. No point of the side's contact is there, as
- * there is none where the ground is one body: what is borne at its outer points does not sink between them. As points the seams would be supports that
- * nobody needs, which pass under the side as it slides, and next to nothing decides which of them bear it.
+ * Seams under a side that lies on bodies laid edge to edge which are fixed, or which their authors move alike: where one of them ends another one goes
+ * on. No point of the side's contact is there, as there is none where the ground is one body: what is borne at its outer points does not sink between
+ * them. As points the seams would be supports that nobody needs, which pass under the side as it slides, and next to nothing decides which of them bear it.
  *
  * <p>A corner of the body that comes to a seam is borne by the ground that it is on, and not by the corner of the next one, from which the gap that is
  * kept in heaps parts it in any direction.
@@ -75,10 +76,10 @@ final class GroundSeams implements Serializable {
     boolean has(int pair, int point, double tau) {
         int a = pairs.first(pair);
         int b = pairs.second(pair);
-        if (state.body(a).isImmobile() == state.body(b).isImmobile()) {
+        if (state.body(a).isDynamic() == state.body(b).isDynamic()) {
             return false;
         }
-        int own = state.body(a).isImmobile() ? b : a;
+        int own = state.body(a).isDynamic() ? a : b;
         if (own != body) {
             body = own;
             find(tau);
@@ -115,7 +116,7 @@ final class GroundSeams implements Serializable {
     }
 
     private boolean isGround(int pair) {
-        return !detection.marks().isIgnored(pair) && state.body(pairs.other(pair, body)).isImmobile();
+        return !detection.marks().isIgnored(pair) && !state.body(pairs.other(pair, body)).isDynamic();
     }
 
     /** Takes in the points of a pair, and compares them with those that have been taken in before. */
@@ -196,6 +197,7 @@ final class GroundSeams implements Serializable {
     }
 
     private boolean areAlike(int a, int b) {
-        return state.friction(a) == state.friction(b) && state.restitution(a) == state.restitution(b) && state.beltSpeed(a) == state.beltSpeed(b);
+        boolean areSame = state.friction(a) == state.friction(b) && state.restitution(a) == state.restitution(b);
+        return areSame && state.beltSpeed(a) == state.beltSpeed(b) && Steering.goAsOne(state.body(a), state.body(b));
     }
 }
