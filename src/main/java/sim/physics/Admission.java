@@ -478,6 +478,7 @@ final class Admission implements Presence, Serializable {
             audit.removed(index);
         }
         forget(index);
+        heaps.drop(index);
         detection.filter().forget(body);
         state.remove(body);
     }

@@ -253,6 +253,11 @@ final class EventStep implements Serializable {
         }
     }
 
+    private void setInstant(double tau) {
+        instant = tau;
+        response.ledger().setNow(tau);
+    }
+
     /** Handles the next event: an impact, or the end of a path before the step is over. */
     void handleEvent() {
         work.spend(EVENT, detection.narrowPhase().evaluations());
@@ -281,7 +286,7 @@ final class EventStep implements Serializable {
     /** Collision response, (16)–(24), at the next impact; then the bodies concerned go on. */
     private void respond() {
         double tau = detection.nextTime();
-        instant = tau;
+        setInstant(tau);
         IntList touching = detection.nextImpacts(motion);
         int pair = touching.size == 1 ? touching.values[0] : -1;
         if (pair >= 0 && !asksAuthors && bounce(pair, tau)) {
@@ -293,6 +298,7 @@ final class EventStep implements Serializable {
         }
         IntList deflected = response.respond(touching, tau, time + tau);
         double at = response.instant();
+        response.ledger().setNow(at);
         state.setPresence(null, true);
         tellDeflected(deflected);
         boolean parts = pair >= 0 && detection.parts(pair, tau);
@@ -380,7 +386,7 @@ final class EventStep implements Serializable {
     /** The path of a body has ended before the step: it has come to rest, or goes on from there. */
     private void goOn(int body) {
         double tau = detection.pathEnd();
-        instant = tau;
+        setInstant(tau);
         if (response.resting().rests(body)) {
             response.resting().again(body);
             settle(tau);
@@ -405,6 +411,7 @@ final class EventStep implements Serializable {
 
     /** The step is over: the state vectors say where bodies are, or will when somebody asks for them. */
     void finish() {
+        response.ledger().setNow(timeStep);
         if (!response.heaps().isEmpty()) {
             IntList completed = response.heaps().finish();
             for (int k = 0; audit != null && k < completed.size; k++) {

@@ -12,13 +12,14 @@ import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
 import sim.physics.response.ContactLaws;
 import sim.physics.response.LastingContact;
+import sim.physics.response.MeanPush;
 
 /**
  * What listeners are asked when a step of time stepping begins, when they may change bodies, joints and filters, and told when it is
  * over, when they may change anything.
  */
 public final class Decisions implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     private final State state;
     private final ContactLaws laws;
@@ -41,7 +42,7 @@ public final class Decisions implements Serializable {
     private boolean isReached;
 
     /** What a pair did in the step. */
-    private final double[] mean = new double[4];
+    private final MeanPush mean = new MeanPush();
 
     private double time;
     private double h;
@@ -107,9 +108,10 @@ public final class Decisions implements Serializable {
             y = 0.5 * (y + rows.armY(row, 1));
         }
         findMean(rows, row);
+        double impulse = Math.sqrt(mean.normal * mean.normal + mean.tangential * mean.tangential);
         return new Contact(
                 state.body(rows.first(row)), state.body(rows.second(row)), time,
-                state.x()[b] + x, state.x()[b + 1] + y, mean[0], mean[1], Math.max(0, approach(row)), mean[2]);
+                state.x()[b] + x, state.x()[b + 1] + y, mean.nx, mean.ny, Math.max(0, approach(row)), impulse);
     }
 
     /** How fast the two bodies of a row come towards one another, at the faster one of its points. */
@@ -243,7 +245,7 @@ public final class Decisions implements Serializable {
         }
         findMean(rows, row);
         return new LastingContact(
-                a, b, b.getX() + x / normal, b.getY() + y / normal, mean[0], mean[1], mean[2] / h, mean[3] / h);
+                a, b, b.getX() + x / normal, b.getY() + y / normal, mean.nx, mean.ny, mean.normal / h, mean.tangential / h);
     }
 
     /** {@return number of pairs that have begun to press on one another} */
@@ -251,30 +253,10 @@ public final class Decisions implements Serializable {
         return impacts;
     }
 
-    /**
-     * What a pair did in the step, in the mean: a normal and the impulses along it and along its tangent, which together are all that the
-     * second body got, and are to one another as the sums.
-     */
+    /** What a pair did in the step, in the mean. */
     private void findMean(ContactRows rows, int k) {
-        double nx = rows.normalX(k);
-        double ny = rows.normalY(k);
-        double normal = rows.impulse(k);
-        double tangent = rows.rubbed(k);
         double moreX = rows.turned[ContactRows.TURNED * k];
         double moreY = rows.turned[ContactRows.TURNED * k + 1];
-        double part = 1;
-        if ((moreX != 0 || moreY != 0) && normal > 0) {
-            double x = normal * nx - tangent * ny + moreX;
-            double y = normal * ny + tangent * nx + moreY;
-            double all = Math.sqrt(x * x + y * y);
-            double sum = Math.sqrt(normal * normal + tangent * tangent);
-            nx = (x * normal + y * tangent) / (all * sum);
-            ny = (y * normal - x * tangent) / (all * sum);
-            part = all / sum;
-        }
-        mean[0] = nx;
-        mean[1] = ny;
-        mean[2] = part * normal;
-        mean[3] = part * tangent;
+        mean.find(rows.normalX(k), rows.normalY(k), rows.impulse(k), rows.rubbed(k), moreX, moreY);
     }
 }

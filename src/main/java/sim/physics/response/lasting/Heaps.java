@@ -390,6 +390,15 @@ public final class Heaps implements Serializable {
         part(body);
     }
 
+    /**
+     * A body leaves: what it has borne in the step is told no more.
+     *
+     * @param body index
+     */
+    public void drop(int body) {
+        heap.lasting.drop(body);
+    }
+
     private void part(int body) {
         for (int k = 0; k < detection.pairs().countOf(body); k++) {
             int pair = detection.pairs().of(body, k);
