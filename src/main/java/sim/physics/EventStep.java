@@ -261,6 +261,7 @@ final class EventStep implements Serializable {
     /** Handles the next event: an impact, or the end of a path before the step is over. */
     void handleEvent() {
         work.spend(EVENT, detection.narrowPhase().evaluations());
+        admission.isWithin = true;
         paths.makeLate();
         motion.keepEnds();
         events++;
@@ -433,6 +434,7 @@ final class EventStep implements Serializable {
     /** Ends the step, whether it is over or not. */
     void end() {
         work.end();
+        admission.isWithin = false;
         isAdmitting = false;
         state.setPresence(null, false);
     }

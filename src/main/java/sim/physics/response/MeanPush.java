@@ -40,6 +40,10 @@ public final class MeanPush implements Serializable {
         nx = n0x;
         ny = n0y;
         double part = 1;
+        if (sum == 0) {
+            findAlone(moreX, moreY);
+            return;
+        }
         if ((moreX != 0 || moreY != 0) && sum > 0) {
             double x = sum * nx - rubbed * ny + moreX;
             double y = sum * ny + rubbed * nx + moreY;
@@ -51,5 +55,13 @@ public final class MeanPush implements Serializable {
         }
         normal = part * sum;
         tangential = part * rubbed;
+    }
+
+    /** All of it has acted along no normal. */
+    private void findAlone(double x, double y) {
+        normal = Math.sqrt(x * x + y * y);
+        tangential = 0;
+        nx = normal > 0 ? x / normal : nx;
+        ny = normal > 0 ? y / normal : ny;
     }
 }

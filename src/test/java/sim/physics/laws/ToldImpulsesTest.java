@@ -43,6 +43,7 @@ class ToldImpulsesTest {
     private final Map<Body, double[]> before = new IdentityHashMap<>();
     private double friction;
     private double restitution;
+    private double none = NONE;
 
     ToldImpulsesTest() {
         engine.add(new Gravity(0, -G));
@@ -56,9 +57,19 @@ class ToldImpulsesTest {
         private final List<Contact> contacts = new ArrayList<>();
         private final List<LastingContact> lasting = new ArrayList<>();
 
+        /** Says which bodies get another shape when they have collided; null for none. */
+        private Random reshapes;
+
+        private final List<Body> reshaped = new ArrayList<>();
+
         @Override
         public void collided(Contact contact) {
             contacts.add(contact);
+            if (reshapes != null && reshapes.nextInt(6) == 0) {
+                Body body = contact.a().isFixed() ? contact.b() : contact.a();
+                body.setShape(new Circle(0.1 + 0.1 * reshapes.nextDouble()));
+                reshaped.add(body);
+            }
         }
 
         @Override
@@ -113,6 +124,7 @@ class ToldImpulsesTest {
     /** Takes a step; returns what momenta have got that nobody is told of, relative to all that bodies have got, for each body that moves. */
     private void stepAndSum(boolean isRough, String name) {
         told.contacts.clear();
+        told.reshaped.clear();
         lasting.lasting.clear();
         for (Body body : bodies) {
             before.put(body, new double[] {body.getVelocityX(), body.getVelocityY()});
@@ -120,7 +132,7 @@ class ToldImpulsesTest {
         engine.step();
         assertThat(lasting.lasting).as(name).containsExactlyInAnyOrderElementsOf(engine.contacts());
         for (Body body : bodies) {
-            if (!body.isFixed()) {
+            if (!body.isFixed() && !told.reshaped.contains(body)) {
                 assertSum(body, isRough, name + " body " + bodies.indexOf(body));
             }
         }
@@ -143,9 +155,9 @@ class ToldImpulsesTest {
         }
         double left = Math.hypot(x, y);
         if (isRough && told.count(body) == 1) {
-            assertThat(left).as(name).isCloseTo(told.sizes(body), within(NONE * all)); // how it is directed is not told
+            assertThat(left).as(name).isCloseTo(told.sizes(body), within(none * all)); // how it is directed is not told
         } else if (!isRough || told.count(body) == 0) {
-            assertThat(left).as(name).isLessThan(NONE * all);
+            assertThat(left).as(name).isLessThan(none * all);
         }
     }
 
@@ -158,6 +170,24 @@ class ToldImpulsesTest {
             one.friction = isRough ? 0.1 + 0.8 * random.nextDouble() : 0;
             one.restitution = Math.max(0, random.nextDouble() - 0.2);
             one.pour(random, isTray);
+            for (int k = 0; k < 120; k++) {
+                one.stepAndSum(isRough, "seed " + seed + " step " + k);
+            }
+        }
+    }
+
+    /** A listener gives bodies other shapes within the step: what lies with them in a heap falls on as it did. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void anotherShapeOfOneBodyGivesOthersNothing(boolean isRough) {
+        for (int seed = 0; seed < 24; seed++) {
+            ToldImpulsesTest one = new ToldImpulsesTest();
+            Random random = new Random(seed);
+            one.friction = isRough ? 0.1 + 0.8 * random.nextDouble() : 0;
+            one.restitution = Math.max(0, random.nextDouble() - 0.2);
+            one.pour(random, true);
+            one.told.reshapes = random;
+            one.none = 1e-4; // pairs of others may be felt a rounding of an instant too long
             for (int k = 0; k < 120; k++) {
                 one.stepAndSum(isRough, "seed " + seed + " step " + k);
             }

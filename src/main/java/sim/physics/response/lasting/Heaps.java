@@ -300,15 +300,24 @@ public final class Heaps implements Serializable {
         if (!has(body)) {
             return;
         }
-        if (by.paidUntil[body] > 0 && !trajectories.isDriven(body)) {
-            heap.pulls.endFor(body); // it has got already what the forces give it
-        }
+        keepPaid(body);
         by.turns[body]++;
         standing.loosen(body, heap.lasting);
         if (isTooOften(body)) {
             giveUp(body);
         } else {
             joining.mark(body);
+        }
+    }
+
+    /**
+     * Lets forces give a body in a heap nothing that it has got already.
+     *
+     * @param body index
+     */
+    public void keepPaid(int body) {
+        if (has(body) && by.paidUntil[body] > 0 && !trajectories.isDriven(body)) {
+            heap.pulls.endFor(body);
         }
     }
 

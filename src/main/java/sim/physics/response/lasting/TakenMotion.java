@@ -64,7 +64,7 @@ final class TakenMotion implements Serializable {
         }
     }
 
-    /** Finds contacts that press and connect bodies with one another, and with what is fixed, each by one way only. */
+    /** Finds contacts that connect bodies with one another, and with what is fixed, each by one way only; those that press first. */
     private void connect() {
         int n = s.bodyCount();
         isLeft = isLeft.length < s.contacts() ? new boolean[2 * s.contacts()] : isLeft;
@@ -73,15 +73,21 @@ final class TakenMotion implements Serializable {
             groups[k] = k;
         }
         for (int p = 0; p < s.contacts(); p++) {
-            int a = body(p, 0);
-            int b = body(p, 1);
-            isLeft[p] = s.normalImpulse(p) != 0 && DisjointSets.find(groups, a) != DisjointSets.find(groups, b);
-            if (isLeft[p]) {
-                DisjointSets.join(groups, a, b);
-                degrees[a]++;
-                degrees[b]++;
-            }
+            isLeft[p] = s.normalImpulse(p) != 0 && joins(body(p, 0), body(p, 1));
         }
+        for (int p = 0; p < s.contacts(); p++) {
+            isLeft[p] |= s.normalImpulse(p) == 0 && joins(body(p, 0), body(p, 1));
+        }
+    }
+
+    private boolean joins(int a, int b) {
+        boolean yes = DisjointSets.find(groups, a) != DisjointSets.find(groups, b);
+        if (yes) {
+            DisjointSets.join(groups, a, b);
+            degrees[a]++;
+            degrees[b]++;
+        }
+        return yes;
     }
 
     private int body(int p, int side) {
