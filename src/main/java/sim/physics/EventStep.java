@@ -447,7 +447,7 @@ final class EventStep implements Serializable {
      * @param isRelieved whether time stepping takes over, so that it is asked whether it got lost
      */
     void breakOff(boolean isFailed, boolean isRelieved) {
-        response.heaps().breakOff();
+        response.heaps().breakOff(instant);
         if (isFailed) {
             motion.late().drop(); // or the same happened again
         }

@@ -467,9 +467,21 @@ public final class Heaps implements Serializable {
         return heap.system.takeCost();
     }
 
-    /** Forgets the heap that was being solved when an author's exception ended the step, or its work was spent. */
-    public void breakOff() {
+    /**
+     * Forgets the heap that was being solved when an author's exception ended the step, or its work was spent. Bodies give back what they have
+     * got for the time that is left.
+     *
+     * @param tau offset in the step at which it has ended
+     */
+    public void breakOff(double tau) {
         Arrays.fill(by.place, 0);
+        for (int k = 0; k < members.size; k++) {
+            int body = members.values[k];
+            if (state.body(body) != null && by.has(body) && !trajectories.isDriven(body)) {
+                by.unpay(body, tau, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX);
+                by.paidUntil[body] = 0;
+            }
+        }
     }
 
     /** Forgets which courses have changed. */
