@@ -44,6 +44,10 @@ public final class Decisions implements Serializable {
     /** What a pair did in the step. */
     private final MeanPush mean = new MeanPush();
 
+    /** What contacts did in the step before the part of it that is being made, if that is not all of it. */
+    private final EarlierPushes earlier;
+
+    private double length;
     private double time;
     private double h;
     private long impacts;
@@ -53,11 +57,31 @@ public final class Decisions implements Serializable {
         this.laws = laws;
         this.rows = rows;
         this.thirds = new ThirdParties(state, rows);
+        this.earlier = new EarlierPushes(state);
     }
 
     void setPairs(NearPairs near, ContactRows kept) {
         this.near = near;
         this.kept = kept;
+    }
+
+    /**
+     * Begins a step that may be made in parts.
+     *
+     * @param step its length
+     */
+    public void beginStep(double step) {
+        length = step;
+        earlier.clear();
+    }
+
+    /**
+     * Takes note of what contacts did in the step before time stepping took over.
+     *
+     * @param contacts with their mean forces over the whole step
+     */
+    public void takeOver(List<LastingContact> contacts) {
+        earlier.add(contacts, length);
     }
 
     void begin(double now, double step) {
@@ -149,15 +173,29 @@ public final class Decisions implements Serializable {
                 && state.body(near.pairs().second(pair)) == contact.b();
     }
 
-    /** Takes note of what has begun to press, and tells the listeners of it, and of what lasts, when the step is over. */
-    public void tell() {
+    /**
+     * Takes note of what has begun to press, and tells the listeners of it; and of what lasts, when the step is over.
+     *
+     * @param isOver whether it is, or else a part of it
+     */
+    public void tell(boolean isOver) {
         List<Contact> begun = begun();
         for (int k = 0; begun != null && k < begun.size(); k++) {
             if (areThere(begun.get(k))) { // or a listener has removed one of the two
                 laws.tell(begun.get(k));
             }
         }
-        tellLasting();
+        if (isOver) {
+            tellLasting();
+        }
+    }
+
+    /** Takes note of what presses in a part of the step that is over, which is not the last one. */
+    public void keepPart() {
+        List<LastingContact> contacts = new ArrayList<>();
+        gather(rows, new IntList(), contacts);
+        gather(kept, new IntList(), contacts);
+        earlier.add(contacts, h);
     }
 
     /** Takes note of what presses; what has begun to do so or has bounced, null if nobody wants to know. */
@@ -190,12 +228,20 @@ public final class Decisions implements Serializable {
         }
         IntList pairs = new IntList();
         List<LastingContact> contacts = new ArrayList<>();
-        gather(rows, pairs, contacts);
-        gather(kept, pairs, contacts);
+        gather(pairs, contacts);
         laws.tellLasting(pairs, contacts);
     }
 
-    /** Gathers the contacts that last, and their pairs. */
+    /** Gathers the contacts that last, and their pairs, with what they did in all of the step. */
+    private void gather(IntList pairs, List<LastingContact> contacts) {
+        gather(rows, pairs, contacts);
+        gather(kept, pairs, contacts);
+        if (!earlier.isEmpty()) {
+            earlier.merge(pairs, contacts, h, length);
+        }
+    }
+
+    /** Gathers those of some rows. */
     private void gather(ContactRows rows, IntList pairs, List<LastingContact> contacts) {
         for (int row = 0; row < rows.count; row++) {
             if (lasts(rows, row)) {
@@ -221,9 +267,9 @@ public final class Decisions implements Serializable {
 
     List<LastingContact> contacts(Body body) {
         List<LastingContact> all = new ArrayList<>();
-        if (body == null) {
-            gather(rows, new IntList(), all);
-            gather(kept, new IntList(), all);
+        if (body == null || !earlier.isEmpty()) {
+            gather(new IntList(), all);
+            all.removeIf(c -> body != null && c.a() != body && c.b() != body);
         } else {
             gather(rows, body.index(), all);
             gather(kept, body.index(), all);
