@@ -47,6 +47,9 @@ final class Admission implements Presence, Serializable {
     /** Offset in the present step of the collision that is being handled. */
     private double now;
 
+    /** Whether changes are let in that were made within the step, so that the vectors do not hold how bodies move. */
+    boolean isWithin;
+
     /** Null unless the engine is audited. */
     private Audit audit;
 
@@ -58,10 +61,7 @@ final class Admission implements Presence, Serializable {
     private final WrittenBlocks written;
 
     Admission(
-            State state,
-            Trajectories trajectories,
-            Motion motion,
-            CollisionDetection detection, RestingContacts resting, Heaps heaps) {
+            State state, Trajectories trajectories, Motion motion, CollisionDetection detection, RestingContacts resting, Heaps heaps) {
         this.resting = resting;
         this.heaps = heaps;
         this.state = state;
@@ -193,6 +193,9 @@ final class Admission implements Presence, Serializable {
         }
         boolean isDriven = trajectories.isDriven(index);
         motion.admit(index, tau);
+        if (isWithin) {
+            heaps.keepPaid(index);
+        }
         if (trajectories.isDriven(index)) {
             resting.forget(index); // it was at rest until it was tied, or a spring was put on it
         }
@@ -277,7 +280,7 @@ final class Admission implements Presence, Serializable {
     }
 
     private void publish(int index, double tau) {
-        if (tau > 0) {
+        if (isWithin) { // also at its first instant: what lies in a heap has got already what it is to have in the step
             motion.bring(index, tau);
             trajectories.publish(index, tau, state);
         }
@@ -478,6 +481,7 @@ final class Admission implements Presence, Serializable {
             audit.removed(index);
         }
         forget(index);
+        heaps.drop(index);
         detection.filter().forget(body);
         state.remove(body);
     }

@@ -253,9 +253,15 @@ final class EventStep implements Serializable {
         }
     }
 
+    private void setInstant(double tau) {
+        instant = tau;
+        response.ledger().setNow(tau);
+    }
+
     /** Handles the next event: an impact, or the end of a path before the step is over. */
     void handleEvent() {
         work.spend(EVENT, detection.narrowPhase().evaluations());
+        admission.isWithin = true;
         paths.makeLate();
         motion.keepEnds();
         events++;
@@ -281,7 +287,7 @@ final class EventStep implements Serializable {
     /** Collision response, (16)–(24), at the next impact; then the bodies concerned go on. */
     private void respond() {
         double tau = detection.nextTime();
-        instant = tau;
+        setInstant(tau);
         IntList touching = detection.nextImpacts(motion);
         int pair = touching.size == 1 ? touching.values[0] : -1;
         if (pair >= 0 && !asksAuthors && bounce(pair, tau)) {
@@ -293,6 +299,7 @@ final class EventStep implements Serializable {
         }
         IntList deflected = response.respond(touching, tau, time + tau);
         double at = response.instant();
+        response.ledger().setNow(at);
         state.setPresence(null, true);
         tellDeflected(deflected);
         boolean parts = pair >= 0 && detection.parts(pair, tau);
@@ -380,7 +387,7 @@ final class EventStep implements Serializable {
     /** The path of a body has ended before the step: it has come to rest, or goes on from there. */
     private void goOn(int body) {
         double tau = detection.pathEnd();
-        instant = tau;
+        setInstant(tau);
         if (response.resting().rests(body)) {
             response.resting().again(body);
             settle(tau);
@@ -405,6 +412,7 @@ final class EventStep implements Serializable {
 
     /** The step is over: the state vectors say where bodies are, or will when somebody asks for them. */
     void finish() {
+        response.ledger().setNow(timeStep);
         if (!response.heaps().isEmpty()) {
             IntList completed = response.heaps().finish();
             for (int k = 0; audit != null && k < completed.size; k++) {
@@ -426,6 +434,7 @@ final class EventStep implements Serializable {
     /** Ends the step, whether it is over or not. */
     void end() {
         work.end();
+        admission.isWithin = false;
         isAdmitting = false;
         state.setPresence(null, false);
     }
@@ -438,7 +447,7 @@ final class EventStep implements Serializable {
      * @param isRelieved whether time stepping takes over, so that it is asked whether it got lost
      */
     void breakOff(boolean isFailed, boolean isRelieved) {
-        response.heaps().breakOff();
+        response.heaps().breakOff(instant);
         if (isFailed) {
             motion.late().drop(); // or the same happened again
         }

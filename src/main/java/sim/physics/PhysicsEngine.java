@@ -242,6 +242,10 @@ public final class PhysicsEngine implements Steppable {
     /** A step of time stepping, from an offset in it on; in parts where it stands in for events, and bodies go far in it. */
     private void stepWithoutEvents(double from) {
         relief.count();
+        timeStepping.decisions().beginStep(timeStep);
+        if (from > 0) {
+            timeStepping.decisions().takeOver(response.lasting().all());
+        }
         double to;
         for (double at = from; at < timeStep; at = to) {
             to = timeStep;
@@ -271,6 +275,9 @@ public final class PhysicsEngine implements Steppable {
         try {
             timeStepping.solve(getTime() + from, to == timeStep);
             steps += to == timeStep ? 1 : 0;
+            if (to < timeStep) {
+                timeStepping.decisions().keepPart();
+            }
         } finally {
             state.setPresence(null, false);
             stepping = false;
@@ -278,7 +285,7 @@ public final class PhysicsEngine implements Steppable {
         telling = true;
         goesOn = to < timeStep;
         try {
-            timeStepping.decisions().tell();
+            timeStepping.decisions().tell(to == timeStep);
         } finally {
             telling = false;
             goesOn = false;

@@ -53,6 +53,7 @@ public final class CollisionResponse implements Serializable {
     private final RestingContacts resting;
     private final Heaps heaps;
     private final LastingContacts lasting;
+    private final ContactLedger ledger;
     private final ContactLaws laws;
     private final Wedged wedged;
     private final ImpactInstant instant;
@@ -85,7 +86,7 @@ public final class CollisionResponse implements Serializable {
         this.apart = new ApartImpacts(simultaneous, part);
         this.freeBounce = new FreeBounce(state, trajectories, detection.narrowPhase(), loader);
         this.bounces = new Bounces(state, trajectories, motion);
-        ContactLedger ledger = new ContactLedger(trajectories);
+        this.ledger = new ContactLedger(trajectories, pairs);
         this.resting = new RestingContacts(state, trajectories, motion, detection, loader, ledger);
         this.heaps = new Heaps(state, trajectories, motion, detection, loader, resting, ledger);
         this.lasting = new LastingContacts(state, detection, resting, heaps, ledger);
@@ -97,6 +98,12 @@ public final class CollisionResponse implements Serializable {
     /** Begins a step. */
     public void begin() {
         wedged.begin();
+        ledger.begin();
+    }
+
+    /** {@return what lasting pairs bear, live} */
+    public ContactLedger ledger() {
+        return ledger;
     }
 
     /**

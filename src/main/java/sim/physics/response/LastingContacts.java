@@ -43,6 +43,8 @@ public final class LastingContacts implements Serializable {
     /** Bodies that have left since; they may come again, and lie where they did, but their contacts are others. */
     private final List<Body> left = new ArrayList<>();
 
+    private final MeanPush mean = new MeanPush();
+
     /** Null until it is needed. */
     private transient Distance distance;
 
@@ -91,18 +93,18 @@ public final class LastingContacts implements Serializable {
     }
 
     /**
-     * The contacts at the end of the last step.
+     * The contacts at the end of the last step, then those that have ended within it.
      *
-     * @return a new list, in the order of bodies
+     * @return a new list, in the order of bodies, and of ends
      */
     public List<LastingContact> all() {
         return contacts(find());
     }
 
-    private List<LastingContact> contacts(IntList found) {
-        List<LastingContact> all = new ArrayList<>(found.size);
-        for (int k = 0; k < found.size; k++) {
-            all.add(contact(found.values[k]));
+    private List<LastingContact> contacts(IntList pages) {
+        List<LastingContact> all = new ArrayList<>(pages.size);
+        for (int k = 0; k < pages.size; k++) {
+            all.add(contact(pages.values[k]));
         }
         return all;
     }
@@ -118,7 +120,14 @@ public final class LastingContacts implements Serializable {
         Pairs pairs = detection.pairs();
         for (int k = 0; detection.knows(body) && k < pairs.countOf(body); k++) {
             if (lasts(pairs.of(body, k))) {
-                all.add(contact(pairs.of(body, k)));
+                all.add(contact(ledger.page(pairs.of(body, k))));
+            }
+        }
+        IntList ended = new IntList();
+        ledger.addEnded(ended);
+        for (int k = 0; k < ended.size; k++) {
+            if (ledger.body(ended.values[k], 0) == body || ledger.body(ended.values[k], 1) == body) {
+                all.add(contact(ended.values[k]));
             }
         }
         return all;
@@ -131,7 +140,8 @@ public final class LastingContacts implements Serializable {
     }
 
     private double force(int pair) {
-        return ledger.meanForce(pair, 0, false) + ledger.meanForce(pair, 1, false);
+        int page = ledger.page(pair);
+        return ledger.meanForce(page, 0, false) + ledger.meanForce(page, 1, false);
     }
 
     /** A pair of a heap lasts until it has parted by a hundredth of its size, so that it need not be found anew when it closes soon. */
@@ -142,7 +152,7 @@ public final class LastingContacts implements Serializable {
         return distance.between(state.body(a), state.body(b)) <= CLOSED * heaps.size(a, b);
     }
 
-    /** The pairs that last, each once: of the body with the smaller index, but for a fixed one. */
+    /** The pages of pairs that last, each once, of the body with the smaller index, but for a fixed one; then of those that have ended. */
     private IntList find() {
         IntList members = new IntList();
         for (IntList some : new IntList[] {resting.members(), heaps.members()}) {
@@ -161,26 +171,26 @@ public final class LastingContacts implements Serializable {
             for (int m = 0; isNew && m < pairs.countOf(body); m++) {
                 int other = pairs.other(pairs.of(body, m), body);
                 if (lasts(pairs.of(body, m)) && (other > body || state.body(other).isImmobile())) {
-                    found.add(pairs.of(body, m));
+                    found.add(ledger.page(pairs.of(body, m)));
                 }
             }
         }
+        ledger.addEnded(found);
         return found;
     }
 
-    private LastingContact contact(int pair) {
-        Body a = state.body(detection.pairs().first(pair));
-        Body b = state.body(detection.pairs().second(pair));
-        double first = ledger.meanForce(pair, 0, false);
-        double second = ledger.meanForce(pair, 1, false);
+    private LastingContact contact(int page) {
+        Body a = state.body(ledger.body(page, 0));
+        Body b = state.body(ledger.body(page, 1));
+        double first = ledger.meanForce(page, 0, false);
+        double second = ledger.meanForce(page, 1, false);
         double share = first + second > 0 ? second / (first + second) : 0;
         Body near = a.isImmobile() ? b : a;
-        double x = (1 - share) * ledger.place(pair, 0, 0) + share * ledger.place(pair, 1, 0);
-        double y = (1 - share) * ledger.place(pair, 0, 1) + share * ledger.place(pair, 1, 1);
-        double friction = ledger.meanForce(pair, 0, true) + ledger.meanForce(pair, 1, true);
-        double nx = ledger.normal(pair, 0);
-        double ny = ledger.normal(pair, 1);
-        return new LastingContact(a, b, near.getX() + x, near.getY() + y, nx, ny, first + second, friction);
+        double x = near.getX() + (1 - share) * ledger.place(page, 0, 0) + share * ledger.place(page, 1, 0);
+        double y = near.getY() + (1 - share) * ledger.place(page, 0, 1) + share * ledger.place(page, 1, 1);
+        double friction = ledger.meanForce(page, 0, true) + ledger.meanForce(page, 1, true);
+        mean.find(ledger.normal(page, 0), ledger.normal(page, 1), first + second, friction, ledger.lack(page, 0), ledger.lack(page, 1));
+        return new LastingContact(a, b, x, y, mean.nx, mean.ny, mean.normal, mean.tangential);
     }
 
     /**
@@ -196,14 +206,22 @@ public final class LastingContacts implements Serializable {
 
     /** Tells the listeners, if there are any, what has begun, lasts, and has ended with the step that is over. */
     public void tell() {
-        IntList found = listeners.isEmpty() ? null : find();
-        tell(found, found == null ? null : contacts(found));
+        if (listeners.isEmpty()) {
+            tell(null, null);
+            return;
+        }
+        IntList pages = find();
+        IntList found = new IntList();
+        for (int k = 0; k < pages.size; k++) {
+            found.add(ledger.pair(pages.values[k]));
+        }
+        tell(found, contacts(pages));
     }
 
     /**
      * The same of contacts that somebody else has found.
      *
-     * @param found the numbers of their pairs
+     * @param found the numbers of their pairs; −1 for one that has ended, whose number another one has
      * @param contacts these pairs' contacts; both are not looked at if nobody listens
      */
     void tell(IntList found, List<LastingContact> contacts) {
@@ -224,7 +242,7 @@ public final class LastingContacts implements Serializable {
         for (int k = 0; k < found.size; k++) {
             int pair = found.values[k];
             LastingContact contact = contacts.get(k);
-            int place = pair < placesBefore.length ? placesBefore[pair] - 1 : -1;
+            int place = pair >= 0 && pair < placesBefore.length ? placesBefore[pair] - 1 : -1;
             lasted[k] = place >= 0
                     && 2 * place < before.size()
                     && before.get(2 * place) == contact.a()
@@ -237,7 +255,9 @@ public final class LastingContacts implements Serializable {
             if (pair >= places.length) {
                 places = Arrays.copyOf(places, Math.max(2 * places.length, pair + 1));
             }
-            places[pair] = k + 1;
+            if (pair >= 0) {
+                places[pair] = k + 1;
+            }
             bodies.add(contact.a());
             bodies.add(contact.b());
         }

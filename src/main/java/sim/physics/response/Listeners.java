@@ -15,7 +15,7 @@ import sim.physics.motion.Trajectories;
 
 /** Asks those who are told of collisions, and tells them. */
 final class Listeners implements Serializable {
-    private static final long serialVersionUID = 2L;
+    private static final long serialVersionUID = 3L;
 
     private final State state;
     private final Trajectories trajectories;
@@ -26,6 +26,9 @@ final class Listeners implements Serializable {
 
     /** All of them; null until somebody is added or removed. */
     private transient Set<CollisionListener> known;
+
+    /** The second point of a pair. */
+    private final Impact next = new Impact();
 
     /** Simulated time of the present instant. */
     private double now;
@@ -153,14 +156,23 @@ final class Listeners implements Serializable {
             int b = simultaneous.bodyB(k);
             simultaneous.get(k, impact);
             double approach = simultaneous.approach(k);
-            boolean two = k + 1 < simultaneous.pointCount()
-                    && simultaneous.bodyA(k + 1) == a
-                    && simultaneous.bodyB(k + 1) == b;
-            if (two) {
-                impact.jn += simultaneous.normalImpulse(++k);
+            if (takesIn(simultaneous, k + 1, a, b, impact)) {
+                k++;
             }
             tellNow(a, b, impact, approach);
         }
+    }
+
+    /** Adds the impulses of a next point to those of one, if it is of the same bodies and acts along the same normal: parts of compounds have others. */
+    private boolean takesIn(SimultaneousImpact simultaneous, int k, int a, int b, Impact impact) {
+        if (k == simultaneous.pointCount() || simultaneous.bodyA(k) != a || simultaneous.bodyB(k) != b) {
+            return false;
+        }
+        simultaneous.get(k, next);
+        boolean isSame = next.nx == impact.nx && next.ny == impact.ny;
+        impact.jn += isSame ? next.jn : 0;
+        impact.jt += isSame ? next.jt : 0;
+        return isSame;
     }
 
     /** Tells of an impact, with the speed before it. */

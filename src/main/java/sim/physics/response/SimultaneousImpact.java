@@ -114,10 +114,6 @@ final class SimultaneousImpact implements Serializable {
         return -before[k];
     }
 
-    double normalImpulse(int k) {
-        return impacts[k].jn;
-    }
-
     /** Copies a point into an impact. */
     void get(int k, Impact to) {
         to.copy(impacts[k]);

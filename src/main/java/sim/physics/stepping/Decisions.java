@@ -12,13 +12,14 @@ import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
 import sim.physics.response.ContactLaws;
 import sim.physics.response.LastingContact;
+import sim.physics.response.MeanPush;
 
 /**
  * What listeners are asked when a step of time stepping begins, when they may change bodies, joints and filters, and told when it is
  * over, when they may change anything.
  */
 public final class Decisions implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     private final State state;
     private final ContactLaws laws;
@@ -41,8 +42,12 @@ public final class Decisions implements Serializable {
     private boolean isReached;
 
     /** What a pair did in the step. */
-    private final double[] mean = new double[4];
+    private final MeanPush mean = new MeanPush();
 
+    /** What contacts did in the step before the part of it that is being made, if that is not all of it. */
+    private final EarlierPushes earlier;
+
+    private double length;
     private double time;
     private double h;
     private long impacts;
@@ -52,11 +57,31 @@ public final class Decisions implements Serializable {
         this.laws = laws;
         this.rows = rows;
         this.thirds = new ThirdParties(state, rows);
+        this.earlier = new EarlierPushes(state);
     }
 
     void setPairs(NearPairs near, ContactRows kept) {
         this.near = near;
         this.kept = kept;
+    }
+
+    /**
+     * Begins a step that may be made in parts.
+     *
+     * @param step its length
+     */
+    public void beginStep(double step) {
+        length = step;
+        earlier.clear();
+    }
+
+    /**
+     * Takes note of what contacts did in the step before time stepping took over.
+     *
+     * @param contacts with their mean forces over the whole step
+     */
+    public void takeOver(List<LastingContact> contacts) {
+        earlier.add(contacts, length);
     }
 
     void begin(double now, double step) {
@@ -107,9 +132,10 @@ public final class Decisions implements Serializable {
             y = 0.5 * (y + rows.armY(row, 1));
         }
         findMean(rows, row);
+        double impulse = Math.sqrt(mean.normal * mean.normal + mean.tangential * mean.tangential);
         return new Contact(
                 state.body(rows.first(row)), state.body(rows.second(row)), time,
-                state.x()[b] + x, state.x()[b + 1] + y, mean[0], mean[1], Math.max(0, approach(row)), mean[2]);
+                state.x()[b] + x, state.x()[b + 1] + y, mean.nx, mean.ny, Math.max(0, approach(row)), impulse);
     }
 
     /** How fast the two bodies of a row come towards one another, at the faster one of its points. */
@@ -147,15 +173,29 @@ public final class Decisions implements Serializable {
                 && state.body(near.pairs().second(pair)) == contact.b();
     }
 
-    /** Takes note of what has begun to press, and tells the listeners of it, and of what lasts, when the step is over. */
-    public void tell() {
+    /**
+     * Takes note of what has begun to press, and tells the listeners of it; and of what lasts, when the step is over.
+     *
+     * @param isOver whether it is, or else a part of it
+     */
+    public void tell(boolean isOver) {
         List<Contact> begun = begun();
         for (int k = 0; begun != null && k < begun.size(); k++) {
             if (areThere(begun.get(k))) { // or a listener has removed one of the two
                 laws.tell(begun.get(k));
             }
         }
-        tellLasting();
+        if (isOver) {
+            tellLasting();
+        }
+    }
+
+    /** Takes note of what presses in a part of the step that is over, which is not the last one. */
+    public void keepPart() {
+        List<LastingContact> contacts = new ArrayList<>();
+        gather(rows, new IntList(), contacts);
+        gather(kept, new IntList(), contacts);
+        earlier.add(contacts, h);
     }
 
     /** Takes note of what presses; what has begun to do so or has bounced, null if nobody wants to know. */
@@ -188,12 +228,20 @@ public final class Decisions implements Serializable {
         }
         IntList pairs = new IntList();
         List<LastingContact> contacts = new ArrayList<>();
-        gather(rows, pairs, contacts);
-        gather(kept, pairs, contacts);
+        gather(pairs, contacts);
         laws.tellLasting(pairs, contacts);
     }
 
-    /** Gathers the contacts that last, and their pairs. */
+    /** Gathers the contacts that last, and their pairs, with what they did in all of the step. */
+    private void gather(IntList pairs, List<LastingContact> contacts) {
+        gather(rows, pairs, contacts);
+        gather(kept, pairs, contacts);
+        if (!earlier.isEmpty()) {
+            earlier.merge(pairs, contacts, h, length);
+        }
+    }
+
+    /** Gathers those of some rows. */
     private void gather(ContactRows rows, IntList pairs, List<LastingContact> contacts) {
         for (int row = 0; row < rows.count; row++) {
             if (lasts(rows, row)) {
@@ -219,9 +267,9 @@ public final class Decisions implements Serializable {
 
     List<LastingContact> contacts(Body body) {
         List<LastingContact> all = new ArrayList<>();
-        if (body == null) {
-            gather(rows, new IntList(), all);
-            gather(kept, new IntList(), all);
+        if (body == null || !earlier.isEmpty()) {
+            gather(new IntList(), all);
+            all.removeIf(c -> body != null && c.a() != body && c.b() != body);
         } else {
             gather(rows, body.index(), all);
             gather(kept, body.index(), all);
@@ -243,7 +291,7 @@ public final class Decisions implements Serializable {
         }
         findMean(rows, row);
         return new LastingContact(
-                a, b, b.getX() + x / normal, b.getY() + y / normal, mean[0], mean[1], mean[2] / h, mean[3] / h);
+                a, b, b.getX() + x / normal, b.getY() + y / normal, mean.nx, mean.ny, mean.normal / h, mean.tangential / h);
     }
 
     /** {@return number of pairs that have begun to press on one another} */
@@ -251,30 +299,10 @@ public final class Decisions implements Serializable {
         return impacts;
     }
 
-    /**
-     * What a pair did in the step, in the mean: a normal and the impulses along it and along its tangent, which together are all that the
-     * second body got, and are to one another as the sums.
-     */
+    /** What a pair did in the step, in the mean. */
     private void findMean(ContactRows rows, int k) {
-        double nx = rows.normalX(k);
-        double ny = rows.normalY(k);
-        double normal = rows.impulse(k);
-        double tangent = rows.rubbed(k);
         double moreX = rows.turned[ContactRows.TURNED * k];
         double moreY = rows.turned[ContactRows.TURNED * k + 1];
-        double part = 1;
-        if ((moreX != 0 || moreY != 0) && normal > 0) {
-            double x = normal * nx - tangent * ny + moreX;
-            double y = normal * ny + tangent * nx + moreY;
-            double all = Math.sqrt(x * x + y * y);
-            double sum = Math.sqrt(normal * normal + tangent * tangent);
-            nx = (x * normal + y * tangent) / (all * sum);
-            ny = (y * normal - x * tangent) / (all * sum);
-            part = all / sum;
-        }
-        mean[0] = nx;
-        mean[1] = ny;
-        mean[2] = part * normal;
-        mean[3] = part * tangent;
+        mean.find(rows.normalX(k), rows.normalY(k), rows.impulse(k), rows.rubbed(k), moreX, moreY);
     }
 }

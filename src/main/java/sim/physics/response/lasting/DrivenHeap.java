@@ -64,15 +64,14 @@ final class DrivenHeap implements Serializable {
         this.switches = search.switches;
         this.probes = search.probes;
         this.turning = search.turning;
-        this.halting = new HeapHalt(system, trajectories);
+        this.halting = new HeapHalt(system, trajectories, notes);
     }
 
-    /** Takes note of the impulses that have been found, and lets pairs be as deep as they are if they had to be. */
+    /** Lets pairs be as deep as they are if they had to be. */
     void note(CollisionDetection detection) {
         if (search.isReleased()) {
             notes.letBe(detection);
         }
-        notes.turn();
     }
 
     /** Takes in a point of the heap, the gap that there may be at the end, and how far forces take its bodies in a step, relative to their size. */

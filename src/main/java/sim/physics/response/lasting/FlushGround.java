@@ -56,7 +56,7 @@ final class FlushGround implements Serializable {
             int pair = pairs.of(body, k);
             if (!detection.marks().isUnseen(pair) && isGround(pair, body) && touches(pair, tau) && goesOn(pair, body, tau)) {
                 detection.hold(pair, true);
-                ledger.begin(pair);
+                ledger.begin(pair, false);
             }
         }
     }

@@ -126,7 +126,7 @@ final class FreeHeap implements Serializable {
             system.bound(p, system.bound(p) < -none ? system.bound(p) : 0);
         }
         system.solve(scale, true);
-        notes.press(time);
+        notes.press(time, false);
         notes.strike(isHalf ? -0.5 : -1); // what has stopped it was more than what holds it
         Arrays.fill(system.v, 0, 3 * heap.size, 0);
     }

@@ -323,9 +323,7 @@ final class Heap implements Serializable {
         double size = scales.size(a, b);
         detection.narrowPhase().contact(pair, tau, manifold, HeapGaps.flat(size, scales.radius(a) + scales.radius(b)));
         if (manifold.gap > PARTED * size && !(isRough && large.foresees(pair))) {
-            if (isFresh) {
-                members.part(pair);
-            }
+            members.part(pair, tau, isFresh);
             return;
         }
         large.meet(manifold.gap, size);
@@ -401,7 +399,7 @@ final class Heap implements Serializable {
         if (isDriven && !members.isDriven()) {
             driving.settle(heap, courses.before(), until - tau);
         }
-        notes.press(given(until - tau));
+        notes.press(given(until - tau), isEven());
         if (isDriven) {
             driving.note(detection);
         }

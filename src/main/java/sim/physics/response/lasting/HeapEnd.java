@@ -94,7 +94,9 @@ final class HeapEnd implements Serializable {
             system.solve(scale, false);
         }
         for (int p = 0; p < system.size(); p++) {
-            ledger.strike(origin.values[p] / 2, origin.values[p] % 2, system.normalImpulse(p), system.tangentImpulse(p));
+            double nx = system.pressing().nx(p);
+            double ny = system.pressing().ny(p);
+            ledger.strike(origin.values[p] / 2, origin.values[p] % 2, nx, ny, system.normalImpulse(p), system.tangentImpulse(p));
         }
         for (int k = 0; k < heap.size; k++) {
             int body = heap.values[k];

@@ -23,6 +23,8 @@ final class HeapHalt implements Serializable {
 
     private final HeapSystem s;
     private final Trajectories trajectories;
+    private final HeapNotes notes;
+    private final TakenMotion taken;
 
     /** Where bodies are when they have their velocities, 2 each. */
     private double[] places = {};
@@ -40,8 +42,10 @@ final class HeapHalt implements Serializable {
     private double vy;
     private double spin;
 
-    HeapHalt(HeapSystem system, Trajectories trajectories) {
+    HeapHalt(HeapSystem system, Trajectories trajectories, HeapNotes notes) {
         s = system;
+        this.notes = notes;
+        taken = new TakenMotion(system);
         this.trajectories = trajectories;
     }
 
@@ -53,7 +57,9 @@ final class HeapHalt implements Serializable {
         place(heap, s.v, 0);
         Arrays.fill(groups, 0, heap.size, 0);
         find(0);
+        taken.keep();
         keep(0, 0);
+        taken.tell(notes, 0);
     }
 
     /**
@@ -68,6 +74,7 @@ final class HeapHalt implements Serializable {
         if (!(HeapEnergy.gained(s, from) > ROUNDING * HeapEnergy.of(s, from))) {
             return;
         }
+        taken.keep();
         place(heap, from, time);
         group();
         count(from);
@@ -78,6 +85,7 @@ final class HeapHalt implements Serializable {
                 keep(group, there > gains[group] ? Math.sqrt(1 - gains[group] / there) : 0);
             }
         }
+        taken.tell(notes, time);
     }
 
     private void place(IntList heap, double[] from, double time) {

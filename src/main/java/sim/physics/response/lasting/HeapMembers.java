@@ -268,10 +268,13 @@ final class HeapMembers implements Serializable {
         return yes;
     }
 
-    /** Ends the lasting of a pair of these that has parted. */
-    void part(int pair) {
-        lasting.end(pair);
-        parted = true;
+    /** A pair of these has parted: it bears nothing from now on, and lasts no more if that ends. */
+    void part(int pair, double tau, boolean ends) {
+        lasting.relax(pair, tau);
+        if (ends) {
+            lasting.end(pair);
+            parted = true;
+        }
     }
 
     /** Lets the heap be looked at again then. If a pair has parted, one of its bodies may not be found from another one any more: so all are. */

@@ -90,26 +90,39 @@ final class HeapNotes implements Serializable {
         }
     }
 
-    /** Notes the forces that the points bear for a time. */
-    void press(double time) {
+    /**
+     * Notes the forces that the points bear for a time.
+     *
+     * @param isEven whether their bodies turn meanwhile: they are pushed along other normals than those at the start
+     */
+    void press(double time, boolean isEven) {
         for (int p = 0; p < system.contacts(); p++) {
             int pair = origin.values[p] / 2;
             double fn = system.normalImpulse(p) / time;
             ledger.press(pair, origin.values[p] % 2, fn, system.tangentImpulse(p) / time);
         }
+        if (isEven) {
+            turn();
+        }
     }
 
     /** Notes along which normals, and where, the forces act that the points bear for a time. */
-    void turn() {
+    private void turn() {
         PointRows rows = system.pressing();
-        for (int p = system.contacts() - 1; p >= 0; p--) { // a pair's normal is that of its first point
+        for (int p = 0; p < system.contacts(); p++) {
+            boolean isFirst = p == 0 || origin.values[p - 1] / 2 != origin.values[p] / 2;
             int side = rows.body(p, 0) < 0 ? 1 : 0;
             double nx = rows.nx(p);
             double ny = rows.ny(p);
             double arm = rows.arm(p, side);
             double lever = rows.lever(p, side);
-            ledger.turn(origin.values[p] / 2, origin.values[p] % 2, nx, ny, arm * nx + lever * ny, arm * ny - lever * nx);
+            ledger.turn(origin.values[p] / 2, origin.values[p] % 2, isFirst, nx, ny, arm * nx + lever * ny, arm * ny - lever * nx);
         }
+    }
+
+    /** Notes what the second body of a point gets by it beside its impulses: evenly over a time, or at once if that is 0. */
+    void lack(int p, double x, double y, double time) {
+        ledger.lack(origin.values[p] / 2, x, y, time);
     }
 
     /** Notes that the impulses of the points have acted at once, that many times. */

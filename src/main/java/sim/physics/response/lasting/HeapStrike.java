@@ -23,6 +23,9 @@ final class HeapStrike implements Serializable {
     /** Least normal velocities, while others are in their place. */
     private double[] kept = {};
 
+    /** Velocities with what forces give, while others are in their place. */
+    private double[] given = {};
+
     private boolean isStuck;
 
     private final HeapSystem system;
@@ -59,7 +62,13 @@ final class HeapStrike implements Serializable {
 
     /** The same where the system's velocities have what forces give them, and points the impulses from which they start: without both. */
     boolean actFirst(IntList heap, IntList deep, double scale, double[] bounces) {
+        given = given.length < 3 * heap.size ? new double[6 * heap.size] : given;
+        System.arraycopy(system.v, 0, given, 0, 3 * heap.size);
         System.arraycopy(courses.before(), 0, system.v, 0, 3 * heap.size);
+        if (!isDue(deep, scales.fastest(heap, system.v), scale)) {
+            System.arraycopy(given, 0, system.v, 0, 3 * heap.size); // or what forces give them would be lost
+            return false;
+        }
         system.startFromNothing();
         return act(heap, deep, scale, bounces, bounces);
     }

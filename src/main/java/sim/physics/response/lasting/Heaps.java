@@ -300,15 +300,24 @@ public final class Heaps implements Serializable {
         if (!has(body)) {
             return;
         }
-        if (by.paidUntil[body] > 0 && !trajectories.isDriven(body)) {
-            heap.pulls.endFor(body); // it has got already what the forces give it
-        }
+        keepPaid(body);
         by.turns[body]++;
         standing.loosen(body, heap.lasting);
         if (isTooOften(body)) {
             giveUp(body);
         } else {
             joining.mark(body);
+        }
+    }
+
+    /**
+     * Lets forces give a body in a heap nothing that it has got already.
+     *
+     * @param body index
+     */
+    public void keepPaid(int body) {
+        if (has(body) && by.paidUntil[body] > 0 && !trajectories.isDriven(body)) {
+            heap.pulls.endFor(body);
         }
     }
 
@@ -390,6 +399,15 @@ public final class Heaps implements Serializable {
         part(body);
     }
 
+    /**
+     * A body leaves: what it has borne in the step is told no more.
+     *
+     * @param body index
+     */
+    public void drop(int body) {
+        heap.lasting.drop(body);
+    }
+
     private void part(int body) {
         for (int k = 0; k < detection.pairs().countOf(body); k++) {
             int pair = detection.pairs().of(body, k);
@@ -449,9 +467,21 @@ public final class Heaps implements Serializable {
         return heap.system.takeCost();
     }
 
-    /** Forgets the heap that was being solved when an author's exception ended the step, or its work was spent. */
-    public void breakOff() {
+    /**
+     * Forgets the heap that was being solved when an author's exception ended the step, or its work was spent. Bodies give back what they have
+     * got for the time that is left.
+     *
+     * @param tau offset in the step at which it has ended
+     */
+    public void breakOff(double tau) {
         Arrays.fill(by.place, 0);
+        for (int k = 0; k < members.size; k++) {
+            int body = members.values[k];
+            if (state.body(body) != null && by.has(body) && !trajectories.isDriven(body)) {
+                by.unpay(body, tau, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX);
+                by.paidUntil[body] = 0;
+            }
+        }
     }
 
     /** Forgets which courses have changed. */

@@ -32,7 +32,7 @@ final class LastingPairs implements Serializable {
         if (!has(pair)) {
             detection.marks().setLasting(pair, true);
             detection.marks().setDepth(pair, depth(pair));
-            ledger.begin(pair);
+            ledger.begin(pair, detection.marks().isHeld(pair));
         }
     }
 
@@ -61,7 +61,18 @@ final class LastingPairs implements Serializable {
         return HeapGaps.depth(trajectories.isDriven(a) || trajectories.isDriven(b), scales.size(a, b));
     }
 
+    /** A pair bears nothing from an instant on, until forces are found anew. */
+    void relax(int pair, double tau) {
+        ledger.relax(pair, tau);
+    }
+
+    /** What a body that leaves has borne in the step is told no more. */
+    void drop(int body) {
+        ledger.drop(body);
+    }
+
     void end(int pair) {
+        ledger.leave(pair, !detection.marks().isLasting(pair) || detection.marks().isHeld(pair));
         detection.marks().setLasting(pair, false);
         detection.marks().setDepth(pair, 0);
     }

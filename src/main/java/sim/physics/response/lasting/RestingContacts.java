@@ -150,7 +150,7 @@ public final class RestingContacts implements Serializable {
      */
     public void add(int pair) {
         detection.hold(pair, true);
-        ledger.begin(pair);
+        ledger.begin(pair, false);
         fresh.add(pair);
         note(detection.pairs().first(pair));
         note(detection.pairs().second(pair));
@@ -211,7 +211,6 @@ public final class RestingContacts implements Serializable {
         for (int k = 0; k < detection.pairs().countOf(body); k++) {
             int pair = detection.pairs().of(body, k);
             if (detection.marks().isHeld(pair) && !fresh.contains(pair)) {
-                ledger.leave(pair, trajectories.offset(body));
                 release(pair);
             }
         }
@@ -235,6 +234,7 @@ public final class RestingContacts implements Serializable {
 
     private void release(int pair) {
         detection.hold(pair, false);
+        ledger.leave(pair, detection.marks().isLasting(pair));
         for (int side = 0; side < 2; side++) {
             int body = side == 0 ? detection.pairs().first(pair) : detection.pairs().second(pair);
             if (rests(body)) {
@@ -433,11 +433,10 @@ public final class RestingContacts implements Serializable {
         worstGap = 0;
         size = Double.POSITIVE_INFINITY;
         ground.begin(cluster.size);
-        double[] w = state.w().values();
         for (int k = 0; k < cluster.size; k++) {
             int body = cluster.values[k];
-            system.w[2 * k] = w[State.BLOCK * body];
-            system.w[2 * k + 1] = w[State.BLOCK * body + State.THETA];
+            system.w[2 * k] = state.w().values()[State.BLOCK * body];
+            system.w[2 * k + 1] = state.w().values()[State.BLOCK * body + State.THETA];
             scale = Math.max(scale, fall(body));
             size = Math.min(size, trajectories.radius(body));
         }
@@ -482,6 +481,7 @@ public final class RestingContacts implements Serializable {
         }
         if (manifold.gap > PARTED * radius) {
             detection.hold(pair, false);
+            ledger.leave(pair, tau);
             return;
         }
         ledger.open(pair, tau, manifold, !state.body(a).isImmobile());
