@@ -35,7 +35,7 @@ final class TimeOfImpact {
     /** The same where it turns that far on its way, rad: it would take more than those. */
     private static final int HOPELESS = 1 << 13;
 
-    private static final double FAR = 0x1p18;
+    private static final double FAR = 0x1p17;
     private static final double LARGE = 0x1p-10;
 
     /** The gap of close steps, and that penetration, relative to the smaller body. */
