@@ -14,8 +14,8 @@ public final class Work implements Serializable {
     /** More than any step may cost. */
     public static final long UNLIMITED = Long.MAX_VALUE;
 
-    /** Work for each body of a group whose work is apart that does not count: that of some hundreds of accelerations. */
-    private static final long USUAL = 1000;
+    /** Work for each body of a group whose work is apart that does not count: that of a step in some hundreds of parts. */
+    private static final long USUAL = 10_000;
 
     private long done;
     private int evaluations;
