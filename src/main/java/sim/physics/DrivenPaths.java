@@ -104,12 +104,16 @@ final class DrivenPaths implements Serializable {
                     work.beginGroup();
                     publish(body, motion.advance(body, detection), Entry.TOGETHER);
                     detection.endPath(body);
+                    work.endGroup(motion.companions(body).size);
                 } else {
                     enter(); // it may depend on where the others before it go
                     follow(body, Entry.BODY);
                 }
                 k += Math.max(1, driven.common(k, motion.companions(body))) - 1; // the others of its group are mostly next
             }
+        } catch (Work.Spent e) {
+            work.endWithGroup();
+            throw e;
         } finally {
             enter(); // also if a group cannot go on
         }
@@ -152,6 +156,7 @@ final class DrivenPaths implements Serializable {
             publish(body, motion.advance(body, null), entry); // on its way it comes near others
         }
         detection.endPath(body);
+        work.endGroup(motion.companions(body).size);
     }
 
     /** Tells of the new paths of a driven body, and of those that move with it. */

@@ -92,6 +92,7 @@ final class EventStep implements Serializable {
         this.admission = admission;
         this.steering = steering;
         breakage = new Breakage(state, trajectories, motion, detection, response.resting(), response.heaps());
+        detection.setWork(work);
         paths = new DrivenPaths(state, trajectories, motion, detection, response.heaps(), admission, work);
     }
 

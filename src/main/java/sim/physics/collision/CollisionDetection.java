@@ -10,6 +10,7 @@ import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.NarrowPhase;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Team;
+import sim.physics.internal.Work;
 import sim.physics.internal.Tolerances;
 import sim.physics.motion.Body;
 import sim.physics.motion.Motion;
@@ -77,31 +78,28 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         pairs.setListener(this);
     }
 
-    /**
-     * The filter that decides which bodies collide.
-     *
-     * @return live
-     */
+    /** {@return the filter that decides which bodies collide, live} */
     public CollisionFilter filter() {
         return filter;
     }
 
-    /**
-     * The pairs whose boxes overlap.
-     *
-     * @return live
-     */
+    /** {@return the pairs whose boxes overlap, live} */
     public Pairs pairs() {
         return pairs;
     }
 
-    /**
-     * The narrow phase.
-     *
-     * @return never null
-     */
+    /** {@return the narrow phase} */
     public NarrowPhase narrowPhase() {
         return search.narrowPhase();
+    }
+
+    /**
+     * Sets who counts what looks at the pairs of a body cost, and may end the step between two of them.
+     *
+     * @param those never null
+     */
+    public void setWork(Work those) {
+        watch.setWork(those);
     }
 
     /**

@@ -7,6 +7,7 @@ import sim.physics.collision.broad.Pairs;
 import sim.physics.internal.Agenda;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Team;
+import sim.physics.internal.Work;
 
 /**
  * The pairs whose boxes overlap: when each is looked at again, and when its impact is, if that is in the present step. That
@@ -37,6 +38,8 @@ final class Watch implements Serializable {
 
     private final IntList fresh = new IntList();
 
+    private Work work = new Work();
+
     /** Null unless threads share the work. */
     private Team team;
 
@@ -52,6 +55,10 @@ final class Watch implements Serializable {
         this.search = search;
         this.queue = queue;
         this.order = order;
+    }
+
+    void setWork(Work those) {
+        work = those;
     }
 
     void setTeam(Team team) {
@@ -161,6 +168,7 @@ final class Watch implements Serializable {
             watched |= pair == except || !marks.isUnseen(pair);
             if (pair != except) {
                 look(pair, tau);
+                spend();
             }
         }
         return watched;
@@ -186,9 +194,15 @@ final class Watch implements Serializable {
                 schedule(pair, start);
             } else {
                 look(pair, tau, start);
+                spend();
             }
         }
         return watched;
+    }
+
+    /** Counts the looks so far: a body that is thrown about takes many at each of its pairs. */
+    private void spend() {
+        work.spend(0, search.narrowPhase().evaluations());
     }
 
     private void look(int pair, double tau, double start) {

@@ -136,6 +136,7 @@ final class ChainStep implements Serializable {
     }
 
     private boolean advance(State state, double[] first, double h) {
+        island.effort.pass((long) STAGES * chain.block.length);
         double place = gather(state);
         chain.settleAngles();
         accelerate(0);

@@ -27,6 +27,9 @@ final class Creep implements Serializable {
 
     private static final int MOST_PARTS = 1024;
 
+    /** The same, times the number of nodes: parts of large islands take long. */
+    private static final int MOST_NODES = 1 << 16;
+
     /** Steps after which it is tried again to move as ever: 2 to the number of times that failed, and no more than this. */
     private static final int MOST_PATIENCE = 10;
 
@@ -215,7 +218,8 @@ final class Creep implements Serializable {
             double one = Math.abs(h * (Math.abs(state.v()[slot(k)]) + Math.abs(h * pull[k])));
             way = Math.max(way, k % State.BLOCK == State.THETA ? one : one / island.leastSize);
         }
-        return Math.max(1, (int) Math.min(MOST_PARTS, Math.ceil(way / PART)));
+        int most = Math.max(1, Math.min(MOST_PARTS, MOST_NODES / Math.max(1, island.c.length / 2)));
+        return Math.max(1, (int) Math.min(most, Math.ceil(way / PART)));
     }
 
     /** Goes on for a part; false if there is no place near, or only one that is higher than the energy is. */

@@ -21,6 +21,9 @@ final class Effort implements Serializable {
     private static final int SOLVED = 30;
     private static final int BLOCK_SOLVED = 10;
 
+    /** Per link that is passed, of a tree or a chain that moves in its angles. */
+    private static final int PASSED = 50;
+
     /** Per node, of a residual with twice the precision. */
     private static final int REFINED = 250;
 
@@ -67,6 +70,10 @@ final class Effort implements Serializable {
         spend(refinement);
     }
 
+    void pass(long links) {
+        spend(PASSED * links);
+    }
+
     private void spend(long time) {
         spent += isFree ? 0 : time;
     }
@@ -80,7 +87,9 @@ final class Effort implements Serializable {
     static long take(List<Island> islands) {
         long units = 0;
         for (int k = 0; k < islands.size(); k++) {
-            units += islands.get(k).effort.take();
+            Island one = islands.get(k);
+            one.effort.pass(one.tree == null ? 0 : one.tree.takePassed());
+            units += one.effort.take();
         }
         return units;
     }

@@ -14,6 +14,9 @@ public final class Work implements Serializable {
     /** More than any step may cost. */
     public static final long UNLIMITED = Long.MAX_VALUE;
 
+    /** Work for each body of a group whose work is apart that does not count: that of a step in some hundreds of parts. */
+    private static final long USUAL = 10_000;
+
     private long done;
     private int evaluations;
 
@@ -91,6 +94,30 @@ public final class Work implements Serializable {
         most = other.most;
         isOn = other.isOn;
         isApart = true;
+    }
+
+    /**
+     * A group's turn is over. What it has spent beyond what is usual counts for the step: all groups together would else have no limit.
+     *
+     * @param bodies how many there are in it
+     * @throws Spent if that is more than is allowed
+     */
+    public void endGroup(int bodies) {
+        long more = isApart ? apart - USUAL * bodies : 0;
+        apart = 0;
+        if (more > 0) {
+            isApart = false;
+            try {
+                spend(more);
+            } finally {
+                isApart = true;
+            }
+        }
+    }
+
+    /** A group has spent all that a step may: so has the step. */
+    public void endWithGroup() {
+        done = limit < UNLIMITED ? Math.max(done, limit) : done;
     }
 
     /** {@return units that the group has spent} */

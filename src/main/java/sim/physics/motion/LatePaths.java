@@ -57,6 +57,9 @@ public final class LatePaths implements Team.Work {
     private int refused = -1;
 
     /** Where groups that have begun the step were at its start, 3n each. */
+    /** What moving a group ahead has cost, by its first body. */
+    private long[] cost = {};
+
     private double[] startX = {};
 
     private double[] startV = {};
@@ -111,6 +114,7 @@ public final class LatePaths implements Team.Work {
             progress = Arrays.copyOf(progress, n / State.BLOCK);
             rows = Arrays.copyOf(rows, n / State.BLOCK);
             sharedRows = Arrays.copyOf(sharedRows, n / State.BLOCK);
+            cost = Arrays.copyOf(cost, n / State.BLOCK);
         }
         candidates.clear();
         others.clear();
@@ -162,8 +166,12 @@ public final class LatePaths implements Team.Work {
      *     is where it was, and not late any more
      */
     public int advance(int first) {
-        if (progress[first] == AHEAD || leaps(motion.companions(first), motion)) {
+        IntList group = motion.companions(first);
+        if (progress[first] == AHEAD || leaps(group, motion)) {
             progress[first] = DONE;
+            motion.work.beginGroup();
+            motion.work.takeOver(cost[first]);
+            motion.work.endGroup(group.size);
             return rows[first];
         }
         refused = first;
@@ -187,7 +195,9 @@ public final class LatePaths implements Team.Work {
         copy(group, state.x(), startX);
         copy(group, state.v(), startV);
         progress[first] = BEGUN;
+        by.work.beginGroup();
         if (by.drivenMotion.leapsBlindly(group)) {
+            cost[first] = by.work.spentApart();
             return true;
         }
         progress[first] = PROMPT;

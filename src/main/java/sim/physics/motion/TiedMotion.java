@@ -16,16 +16,14 @@ final class TiedMotion implements Serializable {
 
     private static final double HALF = 0.5;
     private static final int MOST_HALVINGS = 14;
+    private static final int MOST_PARTS = 1 << MOST_HALVINGS;
 
     /**
      * The same for a step that goes on beyond the engine's, and for one that is short anyway: it may be so by the method's own
      * choice. And how much longer than one that was not too long the next is.
      */
     private static final int FEW_HALVINGS = 6;
-
     private static final double LONGER = 1.25;
-
-    private static final int MOST_PARTS = 1 << MOST_HALVINGS;
 
     /** Parts of a step that are too long and yet gone; with more the pose is one that lets nothing pass. */
     private static final int MOST_FORCED = 8;
@@ -56,16 +54,14 @@ final class TiedMotion implements Serializable {
     private double[] pieceX = {};
     private double[] pieceV = {};
 
-    /** How often the last piece of a stride was too long for the ties. */
+    /** How often the last piece of a stride was too long for the ties; whether the method found no step that was short enough. */
     private int tears;
 
-    /** Whether the method found no step that was short enough. */
     private boolean hasGivenUp;
 
-    /** Whether the accelerations at the start of the path at hand are known, as they will be found there again. */
+    /** Whether the accelerations at the start of the path at hand are known; whether its step was found to have no quick way. */
     private boolean isStartKnown;
 
-    /** Whether the step at hand was found to have no quick way. */
     private boolean isRefused;
 
     TiedMotion(State state, Trajectories trajectories, Ties ties) {
@@ -252,6 +248,7 @@ final class TiedMotion implements Serializable {
         if (tied != null) {
             double done = ((AdaptiveIntegrator) motion.getIntegrator()).advance(tied, motion, state, group, t, length, false, path);
             tied.end();
+            motion.work.spend(ties.takeEffort(group));
             return done;
         }
         double done = 0;
@@ -337,6 +334,7 @@ final class TiedMotion implements Serializable {
         if (tied != null) {
             double done = method.advance(tied, motion, state, group, t, wanted, true, path);
             tied.end();
+            motion.work.spend(ties.takeEffort(group));
             join(group, done, path);
             return done;
         }
@@ -368,6 +366,7 @@ final class TiedMotion implements Serializable {
         path.ensure(state.x().length);
         motion.acceleration(group, t, path.stage);
         ties.creep(group, length);
+        motion.work.spend(ties.takeEffort(group));
         path.forgetSteps(group.values[0]);
         for (int k = 0; k < group.size; k++) {
             if (!ties.isTied(group.values[k])) {
@@ -402,6 +401,7 @@ final class TiedMotion implements Serializable {
                 path.takeFirst(group);
             }
         }
+        motion.work.spend(ties.takeEffort(group));
         return !isRefused;
     }
 

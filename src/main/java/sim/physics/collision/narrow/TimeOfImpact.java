@@ -32,6 +32,10 @@ final class TimeOfImpact {
     /** The same after which a body turns too often for any search to follow it, as none means: progress is forced. */
     private static final int ENDLESS = 1 << 20;
 
+    /** The same where it turns that far on its way, rad: it would take more than those. */
+    private static final int HOPELESS = 1 << 13;
+
+    private static final double FAR = 0x1p17;
     private static final double LARGE = 0x1p-10;
 
     /** The gap of close steps, and that penetration, relative to the smaller body. */
@@ -112,6 +116,7 @@ final class TimeOfImpact {
         double known = pose.until(end);
         int stuck = 0;
         double size = Math.min(pose.a.core + pose.a.rounding(), pose.b.core + pose.b.rounding());
+        int patience = (pose.a.maxOmega + pose.b.maxOmega) * (end - start) > FAR ? HOPELESS : ENDLESS;
         int close = 0; // steps that were far from it were long, and get on by themselves
         for (int k = 0; ; k++) {
             pose.moveTo(tau);
@@ -127,7 +132,7 @@ final class TimeOfImpact {
                 return tau;
             }
             s = k > FAST ? Math.max(s, asCircle()) : s;
-            double forced = k > ENDLESS ? LARGE * (end - start) : close > MOST_CLOSE ? end * Tolerances.FORCED_PROGRESS : 0;
+            double forced = k > patience ? LARGE * (end - start) : close > MOST_CLOSE ? end * Tolerances.FORCED_PROGRESS : 0;
             double next = tau + Math.max(s, forced);
             if (!(next < end)) {
                 return Math.min(next, known);

@@ -86,6 +86,7 @@ final class HubLoads extends TreeLoads {
 
     @Override
     void step(State state, IntList bodies, Loads loads, double[] a, double t, double h, boolean isFirst) {
+        tree.passed += (long) STAGES * tree.links;
         begin();
         double[] l = tree.link;
         double turning = l[PinTree.OMEGA];

@@ -102,6 +102,8 @@ final class HungChain implements Serializable {
     static final int MASS = 6;
     static final int INERTIA = 7;
 
+    private static final long STAGES = 4;
+
     private final PinTree tree;
     private final int links;
 
@@ -148,6 +150,7 @@ final class HungChain implements Serializable {
 
     /** A step, (13), or a part of one that is not its last; returns its roughness, see {@link PinTree#roughness}. */
     double step(double gx, double gy, double h, boolean isLast) {
+        tree.passed += STAGES * links;
         double fx = first * gx;
         double fy = first * gy;
         double nothing = links > FADING ? NOTHING * (Math.abs(fx) + Math.abs(fy)) : 0;

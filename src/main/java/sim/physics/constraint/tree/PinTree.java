@@ -44,7 +44,6 @@ final class PinTree implements Serializable {
 
     /** At a stage: cosine and sine of the angle, e, angular velocity. */
     static final int COS = 0;
-
     static final int SIN = 1;
     static final int RX = 2;
     static final int RY = 3;
@@ -63,7 +62,6 @@ final class PinTree implements Serializable {
 
     /** The state at the start, and at the end of a step. */
     static final int X = 10;
-
     static final int Y = 11;
     static final int ANGLE = 12;
     static final int U = 13;
@@ -85,7 +83,6 @@ final class PinTree implements Serializable {
 
     /** Mass, and its part of the mass of all links; moment of inertia; f. */
     static final int MASS = 24;
-
     static final int SHARE = 25;
     static final int INERTIA = 26;
     static final int FAR = 27;
@@ -97,7 +94,6 @@ final class PinTree implements Serializable {
 
     /** Values of the first link of a run: own e; e, M and p at a stage; A; place and velocity. */
     static final int SIDE = 16;
-
     private static final int SIDE_E = 2;
     private static final int SIDE_M = 4;
     private static final int SIDE_P = 7;
@@ -105,6 +101,9 @@ final class PinTree implements Serializable {
     static final int SIDE_X = 11;
 
     final int links;
+
+    /** How many links were passed to find their accelerations, in all stages. */
+    long passed;
 
     /** Blocks of the links in the state vectors. */
     final int[] block;
@@ -242,6 +241,7 @@ final class PinTree implements Serializable {
     }
 
     private void eliminate() {
+        passed += links;
         for (int r = runCount - 1; r >= 0; r--) {
             eliminate(runs[r], runs[r + 1] - 1);
         }

@@ -181,6 +181,13 @@ public final class TreeStep implements Serializable {
         return true;
     }
 
+    /** {@return how many links were passed since this was asked last, to find their accelerations} */
+    public long takePassed() {
+        long taken = tree.passed;
+        tree.passed = 0;
+        return taken;
+    }
+
     /** Takes the state over; false if it is not one for the tree. */
     boolean begin(State state) {
         weigh(state);

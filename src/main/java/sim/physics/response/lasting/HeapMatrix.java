@@ -61,6 +61,9 @@ final class HeapMatrix extends HeapRows {
     private static final double LESS = 0.25;
     private static final double ALIKE = 4;
 
+    /** Multiplications in the time in which a row's impulse is put between its bounds. */
+    private static final int BOUNDED = 8;
+
     /** Speed that impulses give to bodies alone, relative to what speeds are. */
     private static final double ABSURD = 1e4;
 
@@ -329,6 +332,7 @@ final class HeapMatrix extends HeapRows {
     }
 
     private void sweep() {
+        count((long) BOUNDED * rows);
         for (int i = 0; i < rows; i++) {
             set(i, wanted(i));
             if (against[i] >= 0) {
@@ -357,6 +361,7 @@ final class HeapMatrix extends HeapRows {
 
     /** Keeps the impulses if they are the best so far; returns the least error of velocities so far. */
     private double keep(double before) {
+        count((long) BOUNDED * rows);
         double worst = 0;
         for (int i = 0; i < rows; i++) {
             worst = Math.max(worst, Math.abs(wanted(i) - impulse[i]) * own(i));
@@ -416,6 +421,7 @@ final class HeapMatrix extends HeapRows {
         }
         slide(true);
         assemble(n);
+        count((long) BOUNDED * rows + (long) rows * rows + equations.cost(n));
         if (!equations.solve(n)) {
             return false;
         }

@@ -18,6 +18,9 @@ abstract class HeapRows implements Serializable {
     /** Room for more rows than there are, as a part of them: matrices have its square. */
     private static final double MORE = 0.25;
 
+    /** Multiplications in the time in which a row's reply to a point is found. */
+    private static final int ASSEMBLED = 8;
+
     private boolean isAssembled;
 
     /** Number of rows, and of each point's normal and tangential one, or −1. */
@@ -53,17 +56,38 @@ abstract class HeapRows implements Serializable {
     /** The velocities without impulses. */
     double[] without = {};
 
+    /** What has been done for the rows, in multiplications. */
+    private long done;
+
+    /** Takes note of some multiplications, or what takes as long. */
+    void count(long multiplications) {
+        done += multiplications;
+    }
+
+    /** How many there were since this was asked last. */
+    long takeDone() {
+        long taken = done;
+        done = 0;
+        return taken;
+    }
+
     /** Takes note that what rows do has changed. */
     void forget() {
         isAssembled = false;
     }
 
+    /** Whether a system has no more points than there may be rows. */
+    static boolean fits(HeapSystem s) {
+        return s.size() <= MOST;
+    }
+
     /** Assembles the rows of a system; false if they are too many. */
     boolean assemble(HeapSystem s) {
-        if (isAssembled || s.size() > MOST || number(s) > MOST) {
+        if (isAssembled || !fits(s) || number(s) > MOST) {
             return isAssembled;
         }
         double[] v = s.scratch();
+        done += (long) ASSEMBLED * rows * s.size();
         for (int p = 0; p < s.size(); p++) {
             if (normal[p] >= 0) {
                 Arrays.fill(v, 0);
@@ -175,6 +199,7 @@ abstract class HeapRows implements Serializable {
     void push(int column, double change) {
         double[] v = velocity;
         double[] unit = replies;
+        done += change != 0 ? rows : 1;
         for (int k = 0, o = column * rows; change != 0 && k < rows; k++) {
             v[k] += change * unit[o + k];
         }

@@ -50,6 +50,7 @@ final class HeapSolver implements Serializable {
     private final HeapFace face = new HeapFace();
     private final HeapCorner corner = new HeapCorner();
     private boolean isEasy;
+    private long done;
 
     /** Null until there is work for them; they keep nothing from one heap to the next, and are too large for checkpoints. */
     private transient HeapMatrix matrix;
@@ -63,6 +64,19 @@ final class HeapSolver implements Serializable {
     /** Whether the last solution, of bodies that nothing ties, was found at once. */
     boolean wasEasy() {
         return isEasy;
+    }
+
+    /** What has been done in a matrix since this was asked last, in multiplications. */
+    long takeDone() {
+        long taken = done;
+        done = 0;
+        return taken;
+    }
+
+    /** Takes note of what the matrix has done: checkpoints do not have it. */
+    private boolean count(boolean result) {
+        done += matrix.takeDone();
+        return result;
     }
 
     /** Takes note that the points have changed. */
@@ -89,7 +103,7 @@ final class HeapSolver implements Serializable {
      */
     boolean solve(HeapSystem s, double scale, double lax, double enough) {
         if (hasMatrix(s)) {
-            return matrix.solve(s, RIGHT * scale, lax, enough, scale);
+            return count(matrix.solve(s, RIGHT * scale, lax, enough, scale));
         }
         s.applyAll();
         isEasy = true;
@@ -119,7 +133,7 @@ final class HeapSolver implements Serializable {
             return false;
         }
         matrix = matrix == null ? new HeapMatrix() : matrix;
-        return matrix.assemble(s);
+        return count(matrix.assemble(s));
     }
 
     /** Error of velocities with the impulses that the last solution was started from; infinite if that is not known. */
@@ -140,7 +154,7 @@ final class HeapSolver implements Serializable {
     /** The same of points that are a little soft, where there are no bounded impulses, or none are found, that make them right. */
     boolean solveSoftly(HeapSystem s, double scale, double enough) {
         if (hasMatrix(s)) {
-            return matrix.solveSoftly(s, RIGHT * scale, scale);
+            return count(matrix.solveSoftly(s, RIGHT * scale, scale));
         }
         return solve(s, scale, 0, enough);
     }
@@ -148,7 +162,7 @@ final class HeapSolver implements Serializable {
     /** The same with little work. */
     boolean solveInTurn(HeapSystem s, double scale, double enough) {
         if (hasMatrix(s)) {
-            return matrix.solve(s, RIGHT * scale, 0, enough, scale);
+            return count(matrix.solve(s, RIGHT * scale, 0, enough, scale));
         }
         s.applyAll();
         return relax(s, scale, enough, LITTLE_WORK);

@@ -59,6 +59,9 @@ final class HeapSystem extends HeapPoints {
     /** Points that are looked at or pushed in the time of a unit of work. */
     private static final int AT_ONCE = 4;
 
+    /** The same of multiplications in the time of a point. */
+    private static final int MULTIPLICATIONS = 32;
+
     /** What solutions have cost, in units of {@link sim.physics.internal.Work}, and points that were passed in sweeps beside. */
     private long cost;
 
@@ -448,10 +451,11 @@ final class HeapSystem extends HeapPoints {
         }
     }
 
-    /** Counts what a solution costs: where ties reply the rows make a dense matrix, and else sweeps and sparse eliminations. */
+    /** Counts what a solution costs beside what is counted as it is done, in sweeps and in the matrix of rows to which ties reply. */
     private void count() {
         long rows = 2L * contacts + (points - contacts);
-        cost += tied ? rows * (count / 4 + rows / 32 + rows * rows / 2048) : 16 * rows;
+        long eliminated = HeapRows.fits(this) ? 0 : rows / 32 + rows * rows / 2048;
+        cost += tied ? rows * (count / 4 + eliminated) : 16 * rows;
     }
 
     /** Counts that all points were passed, some times. */
@@ -461,6 +465,7 @@ final class HeapSystem extends HeapPoints {
 
     /** What solutions have cost since this was asked last, in units of {@link sim.physics.internal.Work}. */
     long takeCost() {
+        passed += solver.takeDone() / MULTIPLICATIONS;
         long taken = cost + passed / AT_ONCE;
         cost = 0;
         passed %= AT_ONCE;

@@ -30,6 +30,9 @@ final class MatrixPath implements Serializable {
     /** Lower bounds that are that many times farther than velocities are out of sight. */
     private static final double FAR = 1e3;
 
+    /** Multiplications in the time in which a row is asked for its next bound. */
+    private static final int BOUNDED = 8;
+
     private transient HeapRows at;
     private int n;
 
@@ -105,6 +108,7 @@ final class MatrixPath implements Serializable {
     /** Follows the way on which velocities that the impulses leave wrong are made right. */
     private boolean change(double[] sides, boolean fromBefore) {
         double[] a = tableau;
+        at.count((long) n * n);
         none = 0;
         for (int i = 0; i < n; i++) {
             double before = value[i];
@@ -142,6 +146,7 @@ final class MatrixPath implements Serializable {
     /** Takes the problem over, in units in which a unit at a row does 1 there; false if a row cannot be moved. */
     private boolean begin() {
         n = at.rows;
+        at.count(2L * n * n);
         if (side.length < n) {
             int room = at.bearer.length;
             tableau = new double[room * room];
@@ -216,6 +221,7 @@ final class MatrixPath implements Serializable {
     private double next(double tau, double sense) {
         double step = Double.POSITIVE_INFINITY;
         row = -1;
+        at.count(BOUNDED * (long) n);
         for (int i = 0; i < n; i++) {
             double x = value[i] + tau * rate[i];
             double dx = sense * rate[i];
@@ -327,6 +333,7 @@ final class MatrixPath implements Serializable {
      */
     private boolean pivot(int k, double to, double from) {
         double[] a = tableau;
+        at.count((long) n * n);
         int o = k * n;
         double pivot = a[o + k];
         if (!(Math.abs(pivot) > NOTHING)) {
