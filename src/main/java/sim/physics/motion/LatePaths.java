@@ -56,10 +56,10 @@ public final class LatePaths implements Team.Work {
     /** The first body of the group that was found last to have no quick way; −1 when that has been made use of. */
     private int refused = -1;
 
-    /** Where groups that have begun the step were at its start, 3n each. */
     /** What moving a group ahead has cost, by its first body. */
     private long[] cost = {};
 
+    /** Where groups that have begun the step were at its start, 3n each. */
     private double[] startX = {};
 
     private double[] startV = {};

@@ -5,7 +5,9 @@ package sim.physics.stepping;
 import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -30,6 +32,9 @@ final class EarlierPushes implements Serializable {
     /** Two per contact. */
     private final List<Body> bodies = new ArrayList<>();
 
+    /** By first body and second one: the number of their contact. A part of a pile has thousands. */
+    private final Map<Body, Map<Body, Integer>> numbers = new IdentityHashMap<>();
+
     private double[] data = {};
 
     EarlierPushes(State state) {
@@ -39,6 +44,7 @@ final class EarlierPushes implements Serializable {
     /** A step begins. */
     void clear() {
         bodies.clear();
+        numbers.clear();
     }
 
     boolean isEmpty() {
@@ -68,6 +74,7 @@ final class EarlierPushes implements Serializable {
             k = bodies.size() / 2;
             bodies.add(a);
             bodies.add(b);
+            numbers.computeIfAbsent(a, body -> new IdentityHashMap<>()).put(b, k);
             data = data.length < STRIDE * k + STRIDE ? Arrays.copyOf(data, 2 * STRIDE * (k + 1)) : data;
             Arrays.fill(data, STRIDE * k, STRIDE * k + STRIDE, 0);
         }
@@ -75,11 +82,8 @@ final class EarlierPushes implements Serializable {
     }
 
     private int find(Body a, Body b) {
-        int k = bodies.size() - 2;
-        while (k >= 0 && !(bodies.get(k) == a && bodies.get(k + 1) == b)) {
-            k -= 2;
-        }
-        return k < 0 ? -1 : k / 2;
+        Map<Body, Integer> ofA = numbers.get(a);
+        return ofA == null ? -1 : ofA.getOrDefault(b, -1);
     }
 
     /**

@@ -106,6 +106,21 @@ class ToldImpulsesTest {
         };
     }
 
+    /** One with bodies that fall, and coefficients of friction and restitution, drawn at random. */
+    private static ToldImpulsesTest poured(Random random, boolean isRough, boolean isTray) {
+        ToldImpulsesTest one = new ToldImpulsesTest();
+        one.friction = isRough ? 0.1 + 0.8 * random.nextDouble() : 0;
+        one.restitution = Math.max(0, random.nextDouble() - 0.2);
+        one.pour(random, isTray);
+        return one;
+    }
+
+    private void stepAndSum(boolean isRough, int seed) {
+        for (int k = 0; k < 120; k++) {
+            stepAndSum(isRough, "seed " + seed + " step " + k);
+        }
+    }
+
     /** Bodies that fall into a tray, or on a floor where there is none. */
     private void pour(Random random, boolean isTray) {
         engine.setTimeStep(1 / (60.0 * (1 << random.nextInt(3))));
@@ -168,14 +183,9 @@ class ToldImpulsesTest {
     @CsvSource({"false, false", "false, true", "true, false", "true, true"})
     void thatIsAllThatBodiesGet(boolean isRough, boolean isTray) {
         for (int seed = 0; seed < 16; seed++) {
-            ToldImpulsesTest one = new ToldImpulsesTest();
             Random random = new Random(seed);
-            one.friction = isRough ? 0.1 + 0.8 * random.nextDouble() : 0;
-            one.restitution = Math.max(0, random.nextDouble() - 0.2);
-            one.pour(random, isTray);
-            for (int k = 0; k < 120; k++) {
-                one.stepAndSum(isRough, "seed " + seed + " step " + k);
-            }
+            ToldImpulsesTest one = poured(random, isRough, isTray);
+            one.stepAndSum(isRough, seed);
         }
     }
 
@@ -184,16 +194,11 @@ class ToldImpulsesTest {
     @ValueSource(booleans = {false, true})
     void anotherShapeOfOneBodyGivesOthersNothing(boolean isRough) {
         for (int seed = 0; seed < 24; seed++) {
-            ToldImpulsesTest one = new ToldImpulsesTest();
             Random random = new Random(seed);
-            one.friction = isRough ? 0.1 + 0.8 * random.nextDouble() : 0;
-            one.restitution = Math.max(0, random.nextDouble() - 0.2);
-            one.pour(random, true);
+            ToldImpulsesTest one = poured(random, isRough, true);
             one.told.reshapes = random;
             one.none = 1e-4; // pairs of others may be felt a rounding of an instant too long
-            for (int k = 0; k < 120; k++) {
-                one.stepAndSum(isRough, "seed " + seed + " step " + k);
-            }
+            one.stepAndSum(isRough, seed);
         }
     }
 
@@ -203,16 +208,11 @@ class ToldImpulsesTest {
     void inRelievedStepsToo(boolean isRough) {
         long relieved = 0;
         for (int seed = 0; seed < 16; seed++) {
-            ToldImpulsesTest one = new ToldImpulsesTest();
             Random random = new Random(seed);
-            one.friction = isRough ? 0.1 + 0.8 * random.nextDouble() : 0;
-            one.restitution = Math.max(0, random.nextDouble() - 0.2);
-            one.pour(random, true);
+            ToldImpulsesTest one = poured(random, isRough, true);
             one.engine.setWorkLimit(300 + random.nextInt(2000));
             one.none = 1e-3; // what time stepping has left too deep may be held back by next to nothing where events go on
-            for (int k = 0; k < 120; k++) {
-                one.stepAndSum(isRough, "seed " + seed + " step " + k);
-            }
+            one.stepAndSum(isRough, seed);
             relieved += one.engine.getRelievedSteps();
         }
         assertThat(relieved).isGreaterThan(100);
