@@ -31,6 +31,7 @@ final class Machine {
         ALL.put("mixed", m -> m.pile(40, 0.5));
         ALL.put("discs", m -> m.pile(40, 1));
         ALL.put("hooks", m -> m.hooks(40));
+        ALL.put("ragdolls", m -> m.ragdolls(24));
         ALL.put("heap", m -> m.pile(200, 0.5));
     }
 
@@ -131,17 +132,42 @@ final class Machine {
     /** A trunk with arms and legs that is thrown and lies. */
     private void ragdoll() {
         ground(0.6);
-        main = world.box(0.5, 1, 0, 3, 0.6, false);
+        figure(0, 0);
+        world.launch(2, 0);
+    }
+
+    /** A trunk with arms and legs that stands. */
+    private void figure(double at, double foot) {
+        main = world.box(0.5, 1, at, foot + 3, 0.6, false);
         for (int side = -1; side <= 1; side += 2) {
-            int arm = world.box(0.15, 0.8, side * 0.35, 3, 0.6, false);
-            world.pin(main, arm, side * 0.35, 3.4);
+            double shoulder = at + side * 0.35;
+            int arm = world.box(0.15, 0.8, shoulder, foot + 3, 0.6, false);
+            world.pin(main, arm, shoulder, foot + 3.4);
             world.stops(arm, -1.5, 1.5);
-            int thigh = limb(0.2, 1, side * 0.15, 2, 0.6, main, 2.5);
+            double hip = at + side * 0.15;
+            int thigh = limb(0.2, 1, hip, foot + 2, 0.6, main, foot + 2.5);
             world.stops(thigh, -0.8, 0.8);
-            int shin = limb(0.2, 1, side * 0.15, 1, 0.6, thigh, 1.5);
+            int shin = limb(0.2, 1, hip, foot + 1, 0.6, thigh, foot + 1.5);
             world.stops(shin, -1.2, 1.2);
         }
-        world.launch(2, 0);
+    }
+
+    /** Such figures that fall into a bin. */
+    private void ragdolls(int n) {
+        int columns = (int) StrictMath.ceil(StrictMath.sqrt(2 * n));
+        double width = 1.5 * columns;
+        bin(width, 4 * width);
+        Random random = new Random(7);
+        for (int k = 0; k < n; k++) {
+            figure(1.5 * (k % columns + 0.5) + 0.2 * random.nextDouble(), 0.5 + 3.5 * (k / columns));
+        }
+    }
+
+    /** A floor between two walls. */
+    private void bin(double width, double height) {
+        world.box(Math.max(400, 4 * width), 2, 0, -1, 0.5, true);
+        world.box(1, height, -0.5, height / 2, 0.5, true);
+        world.box(1, height, width + 0.5, height / 2, 0.5, true);
     }
 
     /** Two fingers that press a box between them, one braked, and bear it when its support is taken away after 2 s. */
@@ -191,9 +217,7 @@ final class Machine {
     private void pile(int n, double discs) {
         int columns = (int) StrictMath.ceil(StrictMath.sqrt(n));
         double width = 1.25 * columns;
-        world.box(Math.max(400, 4 * width), 2, 0, -1, 0.5, true);
-        world.box(1, 4 * width, -0.5, 2 * width, 0.5, true);
-        world.box(1, 4 * width, width + 0.5, 2 * width, 0.5, true);
+        bin(width, 4 * width);
         Random random = new Random(7);
         for (int k = 0; k < n; k++) {
             double x = 1.25 * (k % columns + 0.5) + 0.05 * random.nextDouble();

@@ -5,6 +5,7 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.Arrays;
 import java.util.List;
+import sim.physics.internal.Freshness;
 import sim.physics.internal.IntList;
 import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
@@ -58,6 +59,9 @@ final class PinImpulses implements Serializable {
 
     private double[] data = {};
 
+    /** When each was solved last; see {@link Freshness}. */
+    private long[] solved = {};
+
     /** Impulses of which the sums know. */
     private double[] noted = {};
 
@@ -89,6 +93,7 @@ final class PinImpulses implements Serializable {
         blocks = new int[2 * pins.size()];
         data = new double[STRIDE * pins.size()];
         noted = new double[2 * pins.size()];
+        solved = new long[pins.size()];
         turning.clear();
         boolean[] turns = new boolean[state.size()];
         for (int k = 0; k < pins.size(); k++) {
@@ -399,13 +404,17 @@ final class PinImpulses implements Serializable {
     }
 
     /** Solves velocities of groups that have not settled once more; those have not in which some were off that count for something, compared with those of the bodies. */
-    void settle(int[] groups, OpenGroups turns, boolean[] marks) {
+    void settle(int[] groups, OpenGroups turns, Freshness fresh, boolean[] marks) {
+        double[] w = state.w().values();
         for (int k = 0; k < awake; k++) {
             if (TieEquations.isMarked(blocks, k, marks)) {
-                boolean isFirst = state.w().values()[blocks[2 * k]] > 0;
-                int group = groups[blocks[isFirst ? 2 * k : 2 * k + 1] / State.BLOCK];
-                if (turns.isOpen(group)) {
-                    turns.change(group, settle(k, STRIDE * k));
+                int first = TieEquations.end(blocks[2 * k], w);
+                int second = TieEquations.end(blocks[2 * k + 1], w);
+                int group = groups[first >= 0 ? first : second];
+                if (turns.isOpen(group) && fresh.isStale(solved[k], first, second)) {
+                    boolean wasOff = settle(k, STRIDE * k);
+                    solved[k] = fresh.solve(first, second, wasOff, true);
+                    turns.change(group, wasOff);
                 }
             }
         }

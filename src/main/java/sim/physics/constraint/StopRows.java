@@ -3,6 +3,7 @@
 package sim.physics.constraint;
 
 import java.io.Serializable;
+import sim.physics.internal.Freshness;
 import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
 import sim.physics.motion.State;
@@ -67,6 +68,9 @@ public final class StopRows implements Serializable {
     private boolean[] areAlone = {};
     private int metCount;
 
+    /** By bound: when it was solved last; see {@link Freshness}. */
+    private long[] solved = {};
+
     StopRows(State state, TieEquations equations, HeldMotors held, TurningRows turning) {
         this.state = state;
         this.equations = equations;
@@ -94,6 +98,7 @@ public final class StopRows implements Serializable {
         sums = new double[2 * count];
         strikes = new double[2 * count];
         least = new double[2 * count];
+        solved = new long[2 * count];
         coordinate = new double[count];
         speed = new double[count];
         gain = new double[count];
@@ -239,8 +244,9 @@ public final class StopRows implements Serializable {
      * @param step the step
      * @param groups groups of bodies
      * @param counts what was struck, by group; adds these
+     * @param giveBack whether something gives back, by group; adds these
      */
-    public void find(double step, int[] groups, int[] counts) {
+    public void find(double step, int[] groups, int[] counts, boolean[] giveBack) {
         metCount = 0;
         for (int m = 0; m < 2 * count; m++) {
             boolean isStruck = sums[m] > 0 && isFast(m, step);
@@ -248,6 +254,7 @@ public final class StopRows implements Serializable {
             least[m] = 0;
             if (isStruck) {
                 counts[group(m, groups)]++;
+                giveBack[group(m, groups)] |= stop(m / 2).getRestitution() > 0;
             }
         }
         for (int m = 0; m < 2 * count; m++) {
@@ -257,6 +264,22 @@ public final class StopRows implements Serializable {
                 met[metCount++] = m;
             }
         }
+    }
+
+    /**
+     * Forgets the stops that were struck in groups in which nothing has met after all.
+     *
+     * @param groups groups of bodies
+     * @param counts what was struck, by group
+     */
+    public void drop(int[] groups, int[] counts) {
+        int left = 0;
+        for (int n = 0; n < metCount; n++) {
+            if (counts[group(met[n], groups)] > 0) {
+                met[left++] = met[n];
+            }
+        }
+        metCount = left;
     }
 
     /** The speed of a strike: forces have gone along as far as the coordinate has, to where it bounces off; that keeps the energy of the fall. */
@@ -279,13 +302,22 @@ public final class StopRows implements Serializable {
      *
      * @param groups groups of bodies
      * @param turns those that are solved
-     * @param part of what it asks for that is given
+     * @param fresh which bodies have changed
      */
-    public void compress(int[] groups, OpenGroups turns, double part) {
+    public void compress(int[] groups, OpenGroups turns, Freshness fresh) {
+        solve(groups, turns, fresh, false);
+    }
+
+    private void solve(int[] groups, OpenGroups turns, Freshness fresh, boolean parts) {
         for (int n = 0; n < metCount; n++) {
-            int group = group(met[n], groups);
-            if (turns.isOpen(group)) {
-                turns.change(group, solve(met[n], 0, part));
+            int m = met[n];
+            int group = group(m, groups);
+            int first = equations.end(2 * places[m / 2]);
+            int second = equations.end(2 * places[m / 2] + 1);
+            if (turns.isOpen(group) && fresh.isStale(solved[m], first, second)) {
+                boolean changes = parts ? part(m, Softness.EAGER.mass()) : solve(m, 0, Softness.EAGER.mass());
+                solved[m] = fresh.solve(first, second, changes, true);
+                turns.change(group, changes);
             }
         }
     }
@@ -310,15 +342,10 @@ public final class StopRows implements Serializable {
      *
      * @param groups groups of bodies
      * @param turns those that are solved
-     * @param part of what it asks for that is given
+     * @param fresh which bodies have changed
      */
-    public void part(int[] groups, OpenGroups turns, double part) {
-        for (int n = 0; n < metCount; n++) {
-            int group = group(met[n], groups);
-            if (turns.isOpen(group)) {
-                turns.change(group, part(met[n], part));
-            }
-        }
+    public void part(int[] groups, OpenGroups turns, Freshness fresh) {
+        solve(groups, turns, fresh, true);
     }
 
     /** The same of all of them, as what is solved last is right. */

@@ -5,6 +5,7 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.List;
 import sim.physics.internal.DisjointSets;
+import sim.physics.internal.Freshness;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -181,6 +182,16 @@ final class TieEquations implements Serializable {
     int movable(int k) {
         boolean isFirst = state.w().values()[blocks[2 * k]] > 0;
         return blocks[isFirst ? 2 * k : 2 * k + 1] / BLOCK;
+    }
+
+    /** The body of one of two blocks of a constraint; {@link Freshness#FIXED} if it cannot move. */
+    int end(int block) {
+        return end(blocks[block], state.w().values());
+    }
+
+    /** The same of a block. */
+    static int end(int block, double[] w) {
+        return block >= 0 && w[block] > 0 ? block / BLOCK : Freshness.FIXED;
     }
 
     /** Marks the bodies that are tied. */

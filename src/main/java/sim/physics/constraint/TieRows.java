@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import sim.physics.internal.Freshness;
 import sim.physics.internal.IntList;
 import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
@@ -31,6 +32,7 @@ public final class TieRows implements Serializable {
 
     private final PinImpulses pinImpulses;
     private final StopRows stops;
+    private final TieSolver solver;
     private final HeldMotors held;
     private final TurningRows turning;
 
@@ -63,6 +65,7 @@ public final class TieRows implements Serializable {
         pinImpulses = new PinImpulses(state);
         turning = new TurningRows(state, equations, pinImpulses);
         stops = new StopRows(state, equations, held, turning);
+        solver = new TieSolver(state, equations, turning, stops);
     }
 
     /**
@@ -105,6 +108,7 @@ public final class TieRows implements Serializable {
         kept = new double[ROWS * n];
         sum = new double[BLOCK * n];
         limits = new double[n];
+        solver.gather(impulse);
         stops.gather(impulse, jointed());
         held.gather();
         turning.gather(order.pins, order.awakePins);
@@ -289,11 +293,7 @@ public final class TieRows implements Serializable {
      * @param h substep
      */
     public void solve(boolean[] marks, Softness softness, double h) {
-        for (int k = 0; k < equations.count(); k++) {
-            if (equations.isMarked(k, marks) && (softness.rate() == 0 || equations.kinds[k].hasPlace())) {
-                solve(k, softness, h);
-            }
-        }
+        solver.solve(marks, softness.rate() > 0, softness, h);
         pinImpulses.solve(marks, softness);
     }
 
@@ -324,66 +324,8 @@ public final class TieRows implements Serializable {
      * @param h substep
      */
     public void solve(Softness softness, double h) {
-        for (int k = 0; k < equations.count(); k++) {
-            solve(k, softness, h);
-        }
+        solver.solve(softness, h);
         pinImpulses.solve(softness); // last, as what is solved last is right
-    }
-
-    private void solve(int k, Softness softness, double h) {
-        switch (equations.kinds[k]) {
-            case JOINT -> join(k, softness);
-            case WHEEL -> roll(k, softness);
-            case MOTOR -> drive(k, (Motor) equations.ties[k], softness, h);
-            case STOP -> stops.solve(k, softness, h);
-        }
-    }
-
-    private void join(int k, Softness softness) {
-        double[] v = state.v();
-        int o = ROWS * k;
-        int m = ROWS * o;
-        double mass = softness.mass();
-        double back = softness.impulse();
-        double bend = softness.rate() > 0 ? 1 : 0; // only where a way is to be gone
-        double r0 = equations.speed(k, 0, v) + softness.rate() * equations.c[o] + bend * equations.bend[o];
-        if (equations.rows[k] == 1) {
-            take(k, 0, -mass * equations.inverse[m] * r0 - back * impulse[o]);
-            return;
-        }
-        double r1 = equations.speed(k, 1, v) + softness.rate() * equations.c[o + 1] + bend * equations.bend[o + 1];
-        if (equations.rows[k] == 2) {
-            take(k, 0, -mass * (equations.inverse[m] * r0 + equations.inverse[m + 1] * r1) - back * impulse[o]);
-            take(k, 1, -mass * (equations.inverse[m + 3] * r0 + equations.inverse[m + 4] * r1) - back * impulse[o + 1]);
-            return;
-        }
-        double r2 = equations.speed(k, 2, v) + softness.rate() * equations.c[o + 2] + bend * equations.bend[o + 2];
-        for (int r = 0; r < ROWS; r++, m += ROWS) {
-            double by = equations.inverse[m] * r0 + equations.inverse[m + 1] * r1 + equations.inverse[m + 2] * r2;
-            take(k, r, -mass * by - back * impulse[o + r]);
-        }
-    }
-
-    private void take(int k, int row, double by) {
-        impulse[ROWS * k + row] += by;
-        equations.push(k, row, by);
-    }
-
-    /** A wheel takes all that is across it, as it has no place to go back to. */
-    private void roll(int k, Softness softness) {
-        double speed = equations.speed(k, 0, state.v()) + (softness.rate() > 0 ? equations.bend[ROWS * k] : 0);
-        take(k, 0, -equations.inverse[ROWS * ROWS * k] * speed);
-    }
-
-    /** A motor has no place to go back to; but where a way is to be gone, it is that of its speed, along a direction that turns meanwhile. */
-    private void drive(int k, Motor motor, Softness softness, double h) {
-        double most = motor.getLimit() * h;
-        double old = impulse[ROWS * k];
-        double speed = turning.speed(k, softness.rate() > 0) + (softness.rate() > 0 ? equations.bend[ROWS * k] : 0);
-        double asked = old - equations.inverse[ROWS * ROWS * k] * (speed - motor.getSpeed());
-        double now = asked > most ? most : asked < -most ? -most : asked; // a branch waits for nothing, Math.min does
-        impulse[ROWS * k] = now;
-        turning.push(k, now - old);
     }
 
     /** Adds the impulses of a substep to those of the step. */
@@ -444,16 +386,12 @@ public final class TieRows implements Serializable {
      *
      * @param groups group of each movable body
      * @param turns those that are solved
+     * @param fresh which bodies have changed
      * @param marks by body, of those that are of a group
      */
-    public void settle(int[] groups, OpenGroups turns, boolean[] marks) {
-        for (int k = 0; k < equations.count(); k++) {
-            if (equations.kinds[k].ties() && equations.isMarked(k, marks) && turns.isOpen(groups[equations.movable(k)])) {
-                turns.change(groups[equations.movable(k)], equations.areOff(k));
-                join(k, Softness.EAGER);
-            }
-        }
-        pinImpulses.settle(groups, turns, marks);
+    public void settle(int[] groups, OpenGroups turns, Freshness fresh, boolean[] marks) {
+        solver.settle(groups, turns, fresh, marks);
+        pinImpulses.settle(groups, turns, fresh, marks);
     }
 
     /**

@@ -48,6 +48,16 @@ public final class OpenGroups implements Serializable {
     }
 
     /**
+     * A group is not to be solved any more.
+     *
+     * @param group its number
+     */
+    public void close(int group) {
+        open[group] = false;
+        changes[group] = false;
+    }
+
+    /**
      * Whether a group is to be solved in this turn.
      *
      * @param group its number

@@ -3,9 +3,11 @@
 package sim.physics.stepping;
 
 import java.io.Serializable;
+import sim.physics.internal.Freshness;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.OpenGroups;
+import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 
 /**
@@ -20,31 +22,35 @@ final class Compression implements Serializable {
 
     private static final double NEARLY_SETTLED = 1e-4;
 
-    /** What is kept of a point's ends, and a body that cannot move. */
+    /** What is kept of a point's ends. */
     private static final int ENDS = 3;
-
-    private static final int FIXED = -1;
 
     private final State state;
     private final ContactRows rows;
     private final Groups groups;
     private final StruckPoints struck;
+    private final Freshness fresh = new Freshness();
 
-    /** By point: its group and its two bodies, −1 for one that cannot move. */
+    /** By point: its group and its two bodies, {@link Freshness#FIXED} for one that cannot move; and when it was solved last. */
     private int[] ends = {};
 
-    /** By point: when it was solved last; by body: when that changed its velocity last; counted in points that were solved. */
-    private int[] solved = {};
+    private long[] solved = {};
 
-    private int[] changed = {};
+    /** The points that part, of those that have met, and the speeds at which they do. */
+    private final IntList parting = new IntList();
 
-    private int clock;
+    private double[] openings = {};
 
     Compression(State state, ContactRows rows, Groups groups, StruckPoints struck) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
         this.struck = struck;
+    }
+
+    /** Which bodies have changed. */
+    Freshness fresh() {
+        return fresh;
     }
 
     /** The change of an impulse of a group with so many points, relative to it, that is none. */
@@ -60,60 +66,65 @@ final class Compression implements Serializable {
     void begin(IntList met) {
         int points = met.size / 2;
         if (solved.length < points) {
-            solved = new int[Growth.length(solved.length, points)];
+            solved = new long[Growth.length(solved.length, points)];
+            openings = new double[solved.length];
             ends = new int[ENDS * solved.length];
         }
-        if (changed.length < state.size()) {
-            changed = new int[Growth.length(changed.length, state.size())];
-        }
-        clock = 0;
+        fresh.begin(state.size());
         for (int m = 0; m < points; m++) {
             int k = met.values[2 * m];
-            solved[m] = -1;
+            solved[m] = 0;
             ends[ENDS * m] = groups.of(k, rows);
-            ends[ENDS * m + 1] = begin(rows.first(k));
-            ends[ENDS * m + 2] = begin(rows.second(k));
+            ends[ENDS * m + 1] = end(rows.first(k));
+            ends[ENDS * m + 2] = end(rows.second(k));
         }
     }
 
-    private int begin(int body) {
-        changed[body] = 0;
-        return groups.isMovable(body) ? body : FIXED;
+    private int end(int body) {
+        return groups.isMovable(body) ? body : Freshness.FIXED;
     }
 
     /**
      * Compresses the points once more in turn.
      *
-     * @param part of what they ask for that they get
      * @param counts by group: its points
-     * @param areTied by group: whether joints change the velocities of its bodies, too
+     * @param areJoined by group: whether joints change the velocities of its bodies, too
      */
-    void compress(IntList met, OpenGroups turns, double part, int[] counts, boolean[] areTied) {
+    void compress(IntList met, OpenGroups turns, int[] counts, boolean[] areJoined) {
         for (int m = 0; m < met.size / 2; m++) {
-            int group = ends[ENDS * m];
-            if (turns.isOpen(group) && (areTied[group] || isStale(m))) {
-                boolean changes = struck.solve(met.values[2 * m], met.values[2 * m + 1], 0, 0, part, false) > settled(counts[group]);
-                note(m, changes);
-                turns.change(group, changes);
-            }
+            solve(met, m, 0, false, turns, counts, areJoined);
         }
     }
 
-    /** Whether one of the bodies of a point has another velocity than when it was solved last. */
-    private boolean isStale(int m) {
-        return solved[m] < changed(ends[ENDS * m + 1]) || solved[m] < changed(ends[ENDS * m + 2]);
+    /** Begins to let points part. */
+    void beginParting() {
+        fresh.begin(state.size());
+        parting.clear();
     }
 
-    private int changed(int body) {
-        return body == FIXED ? 0 : changed[body];
+    /** Lets a point part at a speed. */
+    void add(int m, double opening) {
+        openings[parting.size] = opening;
+        parting.add(m);
     }
 
-    private void note(int m, boolean changes) {
-        solved[m] = ++clock;
-        for (int end = ENDS * m + 1; changes && end < ENDS * m + ENDS; end++) {
-            if (ends[end] != FIXED) {
-                changed[ends[end]] = clock;
-            }
+    /** Lets them part once more in turn. */
+    void part(IntList met, OpenGroups turns, int[] counts, boolean[] areJoined, boolean[] areTied) {
+        for (int n = 0; n < parting.size; n++) {
+            int m = parting.values[n];
+            solve(met, m, openings[n], !areTied[ends[ENDS * m]], turns, counts, areJoined);
+        }
+    }
+
+    private void solve(IntList met, int m, double opening, boolean isLimited, OpenGroups turns, int[] counts, boolean[] areJoined) {
+        int group = ends[ENDS * m];
+        int first = ends[ENDS * m + 1];
+        int second = ends[ENDS * m + 2];
+        if (turns.isOpen(group) && fresh.isStale(solved[m], first, second)) {
+            double part = areJoined[group] ? Softness.EAGER.mass() : 1;
+            boolean changes = struck.solve(met.values[2 * m], met.values[2 * m + 1], 0, opening, part, isLimited) > settled(counts[group]);
+            solved[m] = fresh.solve(first, second, changes, areJoined[group] || opening > 0); // what parts is found in more than one turn
+            turns.change(group, changes);
         }
     }
 }

@@ -68,6 +68,9 @@ final class Groups implements Serializable {
     /** The movable bodies with joints and springs, in ascending order. */
     private final IntList tied = new IntList();
 
+    /** By body: whether it has joints. */
+    private boolean[] joined = {};
+
     /** By body: whether it is tied to what cannot move. */
     private boolean[] areFastened = {};
 
@@ -257,10 +260,11 @@ final class Groups implements Serializable {
         }
     }
 
-    /** Marks the groups with joints and springs. */
-    void markTied(boolean[] those) {
+    /** Marks the groups with joints and springs, and those with joints. */
+    void markTied(boolean[] those, boolean[] areJoined) {
         for (int k = 0; k < tied.size; k++) {
             those[slots[tied.values[k]]] = true;
+            areJoined[slots[tied.values[k]]] |= joined[tied.values[k]];
         }
     }
 
@@ -338,7 +342,9 @@ final class Groups implements Serializable {
         allocate(state.x().length / BLOCK);
         Arrays.fill(marks, false);
         Arrays.setAll(tiedParents, k -> k);
-        ties.mark(marks);
+        joined = new boolean[marks.length];
+        ties.mark(joined);
+        System.arraycopy(joined, 0, marks, 0, marks.length);
         springs.mark(marks);
         fasten(ties, springs);
         ties.join(tiedParents);

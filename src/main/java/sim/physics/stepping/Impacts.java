@@ -30,6 +30,7 @@ import static sim.physics.stepping.ContactRows.WEIGHT;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.constraint.StopRows;
+import sim.physics.internal.Freshness;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.OpenGroups;
@@ -49,12 +50,6 @@ final class Impacts implements Serializable {
     /** Gap that is none, of the depth that may be regained in a step. */
     private static final double CLOSED = 1e-3;
 
-    /** Times as fast as forces make it in a step is what bounces in spite of them. */
-    private static final double SLOW = 4;
-
-    /** Part of the speed that forces make in a step which is no bounce: it would be over within a part of the step. */
-    private static final double BRIEF = 0.1;
-
     /** Turns in which what is given back rubs. */
     private static final int RUBS = 32;
 
@@ -64,6 +59,7 @@ final class Impacts implements Serializable {
     private final State state;
     private final ContactRows rows;
     private final Groups groups;
+    private final MetGroups facts;
     private final StruckPoints struck;
     private final Compression compression;
     private final FreeImpacts free;
@@ -81,19 +77,6 @@ final class Impacts implements Serializable {
     /** By point that has met: how much what it gives back may rub, and how much it has. */
     private double[] limits = {};
 
-    /** By group: the number of points that have met, and whether joints tie bodies of it. */
-    private int[] counts = {};
-
-    private boolean[] areTied = {};
-
-    /** By group: the number of its points, and {@link #FEW} more if something in it may bounce or has turned. */
-    private int[] sizes = {};
-
-    /** By group: the largest speed at which something strikes, and the largest one that forces make in the step. */
-    private double[] fastest = {};
-
-    private double[] loads = {};
-
     private double substep;
 
     /** By body: the number of pairs in which it presses. */
@@ -103,6 +86,7 @@ final class Impacts implements Serializable {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
+        facts = new MetGroups(rows, groups);
         struck = new StruckPoints(state, rows);
         compression = new Compression(state, rows, groups, struck);
         this.free = free;
@@ -111,17 +95,8 @@ final class Impacts implements Serializable {
 
     /** Begins a step in which something may strike, and of which the groups are known: of most rows of a pile there is nothing to be asked in it. */
     void begin() {
-        if (counts.length < groups.count) {
-            counts = new int[groups.slots.length];
-            areTied = new boolean[groups.slots.length];
-            sizes = new int[groups.slots.length];
-            fastest = new double[groups.slots.length];
-            loads = new double[groups.slots.length];
-        }
-        Arrays.fill(areTied, 0, groups.count, false);
-        groups.markTied(areTied);
-        flights.begin(areTied);
-        measure();
+        facts.begin();
+        flights.begin(facts.areTied);
         met.clear();
         watched.clear();
         meeting.clear();
@@ -159,12 +134,12 @@ final class Impacts implements Serializable {
 
     /** Notes the groups of tied bodies that something presses which comes to strike; false if none. */
     boolean findStruck() {
-        Arrays.fill(counts, 0, groups.count, 0);
+        facts.open();
         boolean any = false;
         for (int n = 0; n < striking.size; n++) {
             int k = striking.values[n];
             if (rows.sum(k, NORMAL) > 0) {
-                counts[groups.of(k, rows)]++;
+                facts.counts[groups.of(k, rows)]++;
                 any = true;
             }
         }
@@ -180,16 +155,16 @@ final class Impacts implements Serializable {
      */
     boolean find(double h, double d, double[] before, StopRows stops) {
         substep = d;
-        Arrays.fill(counts, 0, groups.count, 0);
-        Arrays.fill(fastest, 0, groups.count, 0);
-        Arrays.fill(loads, 0, groups.count, 0);
+        facts.open();
         if (presses()) {
             count();
             strike(h, d, before);
         }
-        stops.find(h, groups.slots, counts);
+        stops.find(h, groups.slots, facts.counts, facts.giveBack);
+        facts.dropLarge();
+        stops.drop(groups.slots, facts.counts);
         forget();
-        if (hasSomeMet()) {
+        if (facts.areSome()) {
             collect(h);
         }
         return met.size > 0 || stops.haveMet();
@@ -216,18 +191,15 @@ final class Impacts implements Serializable {
                 boolean presses = rows.points[p + NORMAL] > 0;
                 boolean meets = presses ? isImpact(k, p, h) || flights.isHop(k, p, h, d) : flights.isUndone(k, p);
                 rows.points[p + RESTORED] = meets ? Math.max(PLASTIC, rows.normals[PAIR * k + BOUNCE]) : 0;
-                int group = groups.of(k, rows);
-                counts[group] += meets ? 1 : 0;
-                fastest[group] = meets ? Math.max(fastest[group], -rows.points[p + OPENING]) : fastest[group];
-                loads[group] = meets ? Math.max(loads[group], h * rows.normals[PAIR * k + WEIGHT]) : loads[group];
+                if (meets) {
+                    facts.strike(groups.of(k, rows), -rows.points[p + OPENING], h * rows.normals[PAIR * k + WEIGHT], rows.mayBounce(k));
+                }
             }
         }
-        for (int g = 0; g < groups.count; g++) {
-            counts[g] = fastest[g] < BRIEF * loads[g] ? 0 : counts[g];
-        }
+        facts.dropSlow();
     }
 
-    /** Forgets what strikes too slowly, and, where nothing has met in this substep, what had part in what met in the one before. */
+    /** Forgets, where nothing has met in this substep, what had part in what met in the one before. */
     private void forget() {
         for (int n = 0; n < meeting.size; n++) {
             int k = meeting.values[n];
@@ -240,14 +212,6 @@ final class Impacts implements Serializable {
         }
         met.clear();
         groups.struck.clear();
-    }
-
-    private boolean hasSomeMet() {
-        boolean yes = false;
-        for (int g = 0; !yes && g < groups.count; g++) {
-            yes = counts[g] > 0;
-        }
-        return yes;
     }
 
     /** Lists the points that have met; what else is closed there has part in that. */
@@ -293,7 +257,7 @@ final class Impacts implements Serializable {
 
     /** Whether a pair is of a small group in which nothing bounces. */
     private boolean isPlastic(int k) {
-        return sizes[groups.of(k, rows)] <= FEW;
+        return facts.isPlastic(groups.of(k, rows));
     }
 
     private boolean isClosed(int k, int p, double h) {
@@ -301,19 +265,19 @@ final class Impacts implements Serializable {
     }
 
     private boolean isTied(int k) {
-        return areTied[groups.of(k, rows)];
+        return facts.areTied[groups.of(k, rows)];
     }
 
     /** Whether a pair is of a group in which something has met. */
     private boolean hasMet(int k) {
-        return groups.has(k, rows) && counts[groups.of(k, rows)] > 0;
+        return groups.has(k, rows) && facts.counts[groups.of(k, rows)] > 0;
     }
 
     /** Marks the bodies of groups in which something has met, or takes the marks back. */
     void mark(boolean[] marks, boolean as) {
         for (int k = 0; k < groups.bodies; k++) {
             int body = groups.blocks[k] / State.BLOCK;
-            marks[body] = as && counts[groups.slots[body]] > 0;
+            marks[body] = as && facts.counts[groups.slots[body]] > 0;
         }
     }
 
@@ -325,16 +289,6 @@ final class Impacts implements Serializable {
         double pull = h * (hasPressed ? rows.normals[PAIR * k + WEIGHT] : apart);
         boolean isDriven = rows.mayBounce(k) || rows.points[p + OPENING] <= CLOSED * rows.normals[PAIR * k + REGAIN]; // by others that strike, if it does not come nearer itself
         return rows.points[p + OPENING] < -2 * pull || !hasPressed && pull == 0 && isDriven;
-    }
-
-    /** Counts the points of each group. */
-    private void measure() {
-        Arrays.fill(sizes, 0, groups.count, 0);
-        for (int k = 0; k < rows.count; k++) {
-            if (groups.has(k, rows)) {
-                sizes[groups.of(k, rows)] += rows.mayBounce(k) ? FEW + 1 : rows.pointCount(k);
-            }
-        }
     }
 
     /** Counts the pairs in which each body presses. */
@@ -355,12 +309,7 @@ final class Impacts implements Serializable {
     /** Without friction the two laws say the same, and Poisson's keeps the energy also where turns among joints do not reach their end. */
     private boolean isAlone(int k) {
         int group = groups.of(k, rows);
-        return isLoaded(group) || counts[group] == 1 && (rows.normals[PAIR * k + FRICTION] > 0 || !isTied(k));
-    }
-
-    /** Whether nothing in a group strikes faster than forces could make it: most of what it takes is a load, which Poisson's law would give back. */
-    private boolean isLoaded(int group) {
-        return fastest[group] < SLOW * loads[group];
+        return facts.isLoaded(group) || facts.counts[group] == 1 && (rows.normals[PAIR * k + FRICTION] > 0 || !isTied(k));
     }
 
     /** Ends a substep: what an impact gave is no guess for the next one; what bears something may bear as much as before. */
@@ -387,7 +336,7 @@ final class Impacts implements Serializable {
     void open(OpenGroups turns) {
         turns.begin(groups.count);
         for (int g = 0; g < groups.count; g++) {
-            if (counts[g] > 0) {
+            if (facts.counts[g] > 0) {
                 turns.open(g);
             }
         }
@@ -399,23 +348,44 @@ final class Impacts implements Serializable {
         compression.begin(met);
     }
 
-    /** Compresses what has met once more in turn. */
-    void compress(OpenGroups turns, double part) {
-        compression.compress(met, turns, part, counts, areTied);
+    /** Which bodies have changed since points, joints and stops were solved. */
+    Freshness fresh() {
+        return compression.fresh();
     }
 
-    /** Lets what bounces alone part. */
-    void part(OpenGroups turns, double part) {
+    /** Ends the turns of large groups in which nothing gives anything back. */
+    void closeLarge(OpenGroups turns) {
+        facts.closeLarge(turns);
+    }
+
+    /** Compresses what has met once more in turn. */
+    void compress(OpenGroups turns) {
+        compression.compress(met, turns, facts.counts, facts.areJoined);
+    }
+
+    /** Begins to let what bounces alone part, of the groups in which something gives back: all others have been compressed, and that is all. */
+    void beginParting(OpenGroups turns) {
+        turns.begin(groups.count);
+        for (int g = 0; g < groups.count; g++) {
+            if (facts.counts[g] > 0 && facts.giveBack[g]) {
+                turns.open(g);
+            }
+        }
+        compression.beginParting();
         for (int m = 0; m < met.size; m += 2) {
             int k = met.values[m];
             int p = met.values[m + 1];
-            int group = groups.of(k, rows);
-            if (turns.isOpen(group) && isAlone(k) && !isReflected(p)) {
+            if (turns.isOpen(groups.of(k, rows)) && isAlone(k) && !isReflected(p)) {
                 double forced = free.has(k) ? 0 : time(p) * rows.points[p + FORCED];
                 double speed = Math.max(0, -rows.points[p + OPENING] - forced);
-                turns.change(group, struck.solve(k, p, 0, rows.points[p + RESTORED] * speed, part, !isTied(k)) > Compression.settled(counts[group]));
+                compression.add(m / 2, rows.points[p + RESTORED] * speed);
             }
         }
+    }
+
+    /** Lets it part once more in turn. */
+    void part(OpenGroups turns) {
+        compression.part(met, turns, facts.counts, facts.areJoined, facts.areTied);
     }
 
     /** How long a point took to use its gap up. */
@@ -486,6 +456,6 @@ final class Impacts implements Serializable {
         double by = limits[m + 1] - old;
         rows.points[p + TANGENT] += by;
         rows.give(k, p, state.v(), 0, by);
-        return Math.abs(by) > Compression.settled(counts[groups.of(k, rows)]) * limits[m];
+        return Math.abs(by) > Compression.settled(facts.counts[groups.of(k, rows)]) * limits[m];
     }
 }

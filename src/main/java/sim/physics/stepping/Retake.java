@@ -5,6 +5,7 @@ package sim.physics.stepping;
 import java.io.Serializable;
 import sim.physics.constraint.StopRows;
 import sim.physics.constraint.TieRows;
+import sim.physics.internal.Freshness;
 import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
 import sim.physics.motion.SpringRows;
@@ -25,6 +26,9 @@ final class Retake implements Serializable {
 
     /** How often what bounces is solved in turn at most. */
     private static final int BOUNCES = 128;
+
+    /** The same of large groups in which nothing gives anything back. */
+    private static final int FEW_BOUNCES = 32;
 
     private final ContactRows rows;
     private final SurfaceRows surface;
@@ -188,7 +192,7 @@ final class Retake implements Serializable {
      * @param step the step, in which forces make what is no bounce
      * @param h substep
      */
-    void bounce(boolean isTied, double[] a, double step, double h) {
+    void bounce(double[] a, double step, double h) {
         StopRows stops = ties.stops();
         if (!impacts.find(step, h, balance.speeds(), stops)) {
             return;
@@ -197,7 +201,6 @@ final class Retake implements Serializable {
         free.begin(balance, a, step, h);
         impacts.dropMissed();
         boolean[] marks = balance.marks();
-        double part = isTied ? Softness.EAGER.mass() : 1;
         impacts.mark(marks, true);
         ties.keep();
         boolean isDriven = rows.driven > 0;
@@ -205,13 +208,17 @@ final class Retake implements Serializable {
             belts.strike(rows, groups, balance.speeds());
         }
         boolean goesOn = true;
+        Freshness fresh = impacts.fresh();
         impacts.beginCompression(turns);
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            ties.settle(groups.slots, turns, marks);
-            stops.compress(groups.slots, turns, part);
-            impacts.compress(turns, part);
+            ties.settle(groups.slots, turns, fresh, marks);
+            stops.compress(groups.slots, turns, fresh);
+            impacts.compress(turns);
             if (isDriven) {
                 belts.boundDriven(rows, groups);
+            }
+            if (turn == FEW_BOUNCES - 1) {
+                impacts.closeLarge(turns);
             }
             goesOn = turns.goOn();
         }
@@ -223,11 +230,11 @@ final class Retake implements Serializable {
         impacts.restore(turns);
         stops.restore();
         goesOn = true;
-        impacts.open(turns);
+        impacts.beginParting(turns);
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            impacts.part(turns, part);
-            stops.part(groups.slots, turns, part);
-            ties.settle(groups.slots, turns, marks);
+            impacts.part(turns);
+            stops.part(groups.slots, turns, fresh);
+            ties.settle(groups.slots, turns, fresh, marks);
             goesOn = turns.goOn();
         }
         stops.part();

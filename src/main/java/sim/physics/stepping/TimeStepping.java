@@ -426,7 +426,7 @@ public final class TimeStepping implements Serializable {
             ties.add();
         }
         if (bounces) {
-            retake.bounce(isTied, a, h, d);
+            retake.bounce(a, h, d);
         }
         contacts.add();
         if (isTied) {
