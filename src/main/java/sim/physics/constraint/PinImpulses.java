@@ -124,6 +124,11 @@ final class PinImpulses implements Serializable {
         }
     }
 
+    /** The block of one of the two bodies of a pin, −1 for the world. */
+    int block(int k, int end) {
+        return blocks[2 * k + end];
+    }
+
     /** Marks the bodies that are pinned. */
     void mark(boolean[] marks) {
         TieEquations.mark(marks, blocks, 0, awake);

@@ -68,40 +68,54 @@ public final class TieRows implements Serializable {
         solver = new TieSolver(state, equations, turning, stops);
     }
 
+    /** What is known of a constraint from earlier steps: impulses and what else is kept, and the blocks of its bodies. */
+    private record Before(double[] values, int first, int second) {}
+
     /**
      * Takes the constraints of an engine; impulses of those that stay are kept, and of sleeping bodies all that was done.
      *
      * @param constraints all of them, regrouped
      * @param asleep by body
      * @param areOthersAsleep whether these are others than before
+     * @param changed takes the bodies of constraints that are new, or gone
      * @return whether there are other constraints than before
      */
-    public boolean gather(Constraints constraints, boolean[] asleep, boolean areOthersAsleep) {
+    public boolean gather(Constraints constraints, boolean[] asleep, boolean areOthersAsleep, IntList changed) {
         boolean isNew = version != constraints.grouping();
         if (!isNew && !areOthersAsleep) {
             return false;
         }
         version = constraints.grouping();
-        Map<Constraint, double[]> before = new IdentityHashMap<>();
+        Map<Constraint, Before> before = new IdentityHashMap<>();
         for (int k = 0; k < equations.ties.length; k++) {
-            before.put(equations.ties[k], record(k));
+            before.put(equations.ties[k], new Before(record(k), equations.blocks[2 * k], equations.blocks[2 * k + 1]));
         }
         for (int k = 0; k < order.pins.size(); k++) {
-            before.put(order.pins.get(k), pinImpulses.record(k));
+            before.put(order.pins.get(k), new Before(pinImpulses.record(k), pinImpulses.block(k, 0), pinImpulses.block(k, 1)));
         }
         order.sort(constraints.all(), asleep);
         pinImpulses.gather(order.pins, order.awakePins);
         for (int k = 0; k < order.pins.size(); k++) {
-            double[] old = before.get(order.pins.get(k));
+            Before old = before.remove(order.pins.get(k));
             if (old != null) {
-                pinImpulses.setRecord(k, old);
+                pinImpulses.setRecord(k, old.values);
+            } else {
+                change(changed, pinImpulses.block(k, 0), pinImpulses.block(k, 1));
             }
         }
-        gather(order.others, before);
+        gather(order.others, before, changed);
+        for (Before gone : before.values()) {
+            change(changed, gone.first, gone.second);
+        }
         return isNew;
     }
 
-    private void gather(List<Constraint> others, Map<Constraint, double[]> before) {
+    private static void change(IntList changed, int first, int second) {
+        changed.add(first / BLOCK);
+        changed.add(Math.max(first, second) / BLOCK); // there may be no second one
+    }
+
+    private void gather(List<Constraint> others, Map<Constraint, Before> before, IntList changed) {
         equations.gather(others, order.awakeOthers);
         int n = others.size();
         impulse = new double[ROWS * n];
@@ -113,11 +127,13 @@ public final class TieRows implements Serializable {
         held.gather();
         turning.gather(order.pins, order.awakePins);
         for (int k = 0; k < n; k++) {
-            double[] old = before.get(others.get(k));
+            Before old = before.remove(others.get(k));
             if (old != null) {
-                System.arraycopy(old, 0, impulse, ROWS * k, ROWS);
-                System.arraycopy(old, ROWS, sum, BLOCK * k, BLOCK);
-                limits[k] = old[ROWS + BLOCK];
+                System.arraycopy(old.values, 0, impulse, ROWS * k, ROWS);
+                System.arraycopy(old.values, ROWS, sum, BLOCK * k, BLOCK);
+                limits[k] = old.values[ROWS + BLOCK];
+            } else {
+                change(changed, equations.blocks[2 * k], equations.blocks[2 * k + 1]);
             }
         }
     }
@@ -315,6 +331,18 @@ public final class TieRows implements Serializable {
      */
     public void press(int[] group, double[] pressed) {
         equations.press(impulse, group, pressed);
+    }
+
+    /**
+     * Solves the constraints of some bodies once, as {@link #solve(Softness, double)} does.
+     *
+     * @param marks by body
+     * @param softness how places are regained; {@link Softness#RIGID} if they are not
+     * @param h substep
+     */
+    public void solveAll(boolean[] marks, Softness softness, double h) {
+        solver.solve(marks, false, softness, h);
+        pinImpulses.solve(marks, softness);
     }
 
     /**

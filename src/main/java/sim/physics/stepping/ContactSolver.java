@@ -27,6 +27,7 @@ import static sim.physics.stepping.ContactRows.TANGENT_SUM;
 
 import java.io.Serializable;
 import sim.physics.internal.Growth;
+import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 
@@ -133,6 +134,19 @@ final class ContactSolver implements Serializable {
         }
         if (areSome) {
             unlike.solve(softness.rate(), regains);
+        }
+    }
+
+    /** Solves the points of some pairs, which are all of marked bodies, once. */
+    void solve(IntList some, boolean[] marks, Softness softness, boolean regains, double h) {
+        boolean areSome = unlike.any();
+        for (int n = 0; n < some.size; n++) {
+            if (!areSome || !unlike.has(some.values[n])) {
+                solve(state.v(), state.w().values(), some.values[n], softness, regains, h);
+            }
+        }
+        if (areSome) {
+            unlike.solve(marks, softness.rate(), regains);
         }
     }
 

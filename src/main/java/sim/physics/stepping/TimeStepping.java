@@ -39,9 +39,6 @@ public final class TimeStepping implements Serializable {
     /** Depth that is regained in a step at most, relative to the smaller body. */
     private static final double REGAIN = 0.1;
 
-    /** Solutions of a substep where something is new, of whose impulses nothing is known. */
-    private static final int COLD = 8;
-
     /** How many times larger impulses are begun with in a longer substep at most: what a short one has not settled would grow as much. */
     private static final double MOST_GROWTH = 2;
 
@@ -67,14 +64,15 @@ public final class TimeStepping implements Serializable {
     private final Sleep sleep;
     private final Retake retake;
     private final Halves halves;
+    private final Newcomers newcomers;
+    private final Turn turn;
 
     /** Null until the first constraint is added. */
     private Constraints constraints;
 
     private int substeps;
 
-    /** Whether bodies or constraints are new; and whether others sleep than before. */
-    private boolean isCold;
+    /** Whether others sleep than before. */
     private boolean areOthersAsleep;
 
     private double h;
@@ -119,6 +117,8 @@ public final class TimeStepping implements Serializable {
         spinners = new Spinners(state, poses, near, touch, rows);
         halves = new Halves(state, poses, forces);
         retake = new Retake(state, poses, forces, ties, rows, contacts);
+        newcomers = new Newcomers(state);
+        turn = new Turn(forces, ties, rows, contacts, newcomers);
     }
 
     /** {@return number of substeps of a step} */
@@ -172,7 +172,7 @@ public final class TimeStepping implements Serializable {
             poses.turn(body);
             near.add(body, h);
             sleep.admit(body, true);
-            isCold = true;
+            newcomers.bodies.add(body);
         } else {
             sleep.admit(body, false);
             if (!state.isOnlyPushed(body)) {
@@ -334,7 +334,7 @@ public final class TimeStepping implements Serializable {
         sleep.watch(h, outset.a);
         keptOf = h / substeps;
         outset.end();
-        isCold = false;
+        newcomers.end();
         forces.end(isLast);
     }
 
@@ -353,7 +353,7 @@ public final class TimeStepping implements Serializable {
         ties.forget();
         forces.leave();
         retake.forget();
-        isCold = true;
+        newcomers.addAll();
         throw new IllegalStateException(text + ": it may be too long, or a mass too small, for what acts", cause);
     }
 
@@ -361,9 +361,9 @@ public final class TimeStepping implements Serializable {
         double d = h / substeps;
         contacts.begin(h, d);
         boolean isTied = constraints != null;
-        boolean areOthers = areOthersAsleep || forces.springs().areNew();
+        boolean areOthers = areOthersAsleep || forces.springs().areNew() || newcomers.any();
         if (isTied) {
-            isCold |= ties.gather(constraints, sleep.asleep(), areOthersAsleep);
+            areOthers |= ties.gather(constraints, sleep.asleep(), areOthersAsleep, newcomers.bodies);
             ties.begin(growth, d);
             isJudged = false; // also if a force of an author throws in one of the substeps: that far is what is reported
         }
@@ -371,20 +371,20 @@ public final class TimeStepping implements Serializable {
         surface.begin(poses.awake);
         boolean bounces = rows.bounces > 0 || rows.fast > 0 || isTied && ties.stops().mayStrike(h);
         boolean isBalanced = bounces || isTied || rows.unlike > 0;
-        retake.begin(rows, isCold || areOthers, isBalanced || rows.driven > 0);
+        retake.begin(rows, areOthers, isBalanced || rows.driven > 0);
         if (bounces) {
             retake.expect();
         }
         pace.begin(h, d);
+        turn.begin(isTied);
         for (int k = 0; k < substeps; k++) {
             spinners.find(k, outset.a);
-            substep(time + (k + 1) * d, d, isTied, !surface.isEmpty(), isBalanced, bounces);
+            substep(time + (k + 1) * d, d, isTied, isBalanced, bounces);
         }
     }
 
-    private void substep(double end, double d, boolean isTied, boolean isRubbed, boolean isBalanced, boolean bounces) {
+    private void substep(double end, double d, boolean isTied, boolean isBalanced, boolean bounces) {
         double[] a = outset.a;
-        int turns = isCold ? COLD : 1;
         if (bounces) {
             retake.approach();
         }
@@ -396,11 +396,9 @@ public final class TimeStepping implements Serializable {
         if (rows.driven > 0) {
             retake.boundBelts(a, d);
         }
-        start(isTied, isRubbed, d);
+        turn.start(halves.before(), d);
         halves.halve();
-        for (int m = 0; m < turns; m++) {
-            solve(isTied, isRubbed, true, d);
-        }
+        turn.solve(pace.joint, pace.contact, true, d);
         if (bounces && isTied) {
             retake.bear(pace.contact, pace.joint, d);
         }
@@ -415,9 +413,7 @@ public final class TimeStepping implements Serializable {
         if (isTied) {
             ties.follow();
         }
-        for (int m = 0; m < turns; m++) {
-            solve(isTied, isRubbed, false, d);
-        }
+        turn.solve(Softness.RIGID, Softness.RIGID, false, d);
         contacts.straighten();
         if (isBalanced) {
             retake.close(a, pace.contact, pace.joint, d);
@@ -432,28 +428,6 @@ public final class TimeStepping implements Serializable {
         if (isTied) {
             ties.stops().note();
         }
-    }
-
-    private void start(boolean isTied, boolean isRubbed, double d) {
-        if (isRubbed) {
-            surface.start(d);
-        }
-        forces.springs().start();
-        if (isTied) {
-            ties.start();
-        }
-        contacts.start(halves.before());
-    }
-
-    private void solve(boolean isTied, boolean isRubbed, boolean regains, double d) {
-        if (isRubbed) {
-            surface.solve(d);
-        }
-        forces.springs().solve();
-        if (isTied) {
-            ties.solve(regains ? pace.joint : Softness.RIGID, d);
-        }
-        contacts.solve(regains ? pace.contact : Softness.RIGID, regains, d);
     }
 
     /** {@return how deep two bodies of joints were in one another when the last step began, at most, relative to the smaller one} */

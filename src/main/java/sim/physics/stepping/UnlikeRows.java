@@ -180,4 +180,15 @@ final class UnlikeRows implements Serializable {
             set.solve(order.values, m == 0 ? 0 : ends.values[m - 1], ends.values[m], rate, regains);
         }
     }
+
+    /** Solves those of marked bodies once. */
+    void solve(boolean[] marks, double rate, boolean regains) {
+        for (int m = 0; m < ends.size; m++) {
+            int begin = m == 0 ? 0 : ends.values[m - 1];
+            int row = order.values[begin];
+            if (marks[rows.first(row)] || marks[rows.second(row)]) {
+                set.solve(order.values, begin, ends.values[m], rate, regains);
+            }
+        }
+    }
 }

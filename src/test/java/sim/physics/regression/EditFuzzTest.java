@@ -67,7 +67,6 @@ class EditFuzzTest {
     private static final Map<Long, String> KNOWN_OF_MORE = Map.of(
             85L, "other units: a rounding error in a relieved step; why is not known",
             263L, "RadauIIA meets no tolerance where a motor rolls a disc; why is not known",
-            819L, "time stepping solves bounces otherwise where there has been a joint",
             877L, "a motor on a gear with a kinematic body, which a slider holds, too");
 
     @Test
