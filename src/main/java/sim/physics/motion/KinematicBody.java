@@ -157,7 +157,7 @@ public class KinematicBody extends Body {
     /**
      * Begins a step: finds the accelerations by which it gets its target velocity in it, and where its velocities bring it.
      *
-     * @param still way in a step, relative to its size, of a body that stands; negative if it may not be immobile
+     * @param still way in a step, relative to its size, of a body that stands
      * @param isAgain whether it is the step that had begun last, which has failed
      */
     final void begin(double h, double still, boolean isAgain) {

@@ -89,9 +89,13 @@ final class Kinematics implements Serializable {
             weigh(state);
         }
         for (int k = 0; k < bodies.size(); k++) {
-            boolean isFelt = generators.acting(bodies.get(k)).length > 0; // by what is then integrated together with it
-            bodies.get(k).begin(h, isFelt ? -1 : STILL * HEAVY / wanted, number == last);
-            push(bodies.get(k), generators.gravityX, generators.gravityY);
+            KinematicBody body = bodies.get(k);
+            boolean stood = body.isImmobile();
+            body.begin(h, STILL * HEAVY / wanted, number == last);
+            if (body.isImmobile() != stood && generators.acting(body).length > 0) {
+                generators.isCouplingNew |= generators.coupled; // what feels it is integrated together with it only while it moves
+            }
+            push(body, generators.gravityX, generators.gravityY);
         }
         last = number;
         count = state.bodyCount();

@@ -75,10 +75,11 @@ final class Retake implements Serializable {
         groups.forget();
     }
 
-    /** A body is new. */
+    /** A body is new, or can be moved by others now, or not any more. */
     void add(int body) {
         balance.add(body);
         bounced.add(body);
+        isStale = true;
     }
 
     /** Nothing is known any more. */

@@ -49,7 +49,7 @@ class StandingBodyTest {
         return isKinematic ? new KinematicBody(shape) : Body.fixed(shape);
     }
 
-    /** A box with a peg, in which bodies bounce, roll and pile up, and swing on pins. */
+    /** A box with a peg, in which bodies bounce, roll and pile up, and swing on pins and on springs, of which one is too stiff for substeps. */
     private static PhysicsEngine scene(long seed, int substeps, boolean isKinematic) {
         Random random = new Random(seed);
         double restitution = random.nextInt(3) / 2.0;
@@ -64,6 +64,8 @@ class StandingBodyTest {
             engine.add(rough(body, restitution));
             if (k % 3 == 0) {
                 engine.add(new PinJoint(peg, body, body.getX(), body.getY() + 1));
+            } else if (k % 3 == 1 && k < 6) {
+                engine.add(new Spring(peg, 0, 0.1, body, 0.1, 0, 2, substeps > 0 && k == 1 ? 2e4 : 20, 0.5));
             }
         }
         return engine;

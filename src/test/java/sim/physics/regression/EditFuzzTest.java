@@ -65,7 +65,6 @@ class EditFuzzTest {
 
     /** The same where there are kinematic bodies, and shapes change. */
     private static final Map<Long, String> KNOWN_OF_MORE = Map.of(
-            85L, "other units: a rounding error in a relieved step; why is not known",
             263L, "RadauIIA meets no tolerance where a motor rolls a disc; why is not known",
             877L, "a motor on a gear with a kinematic body, which a slider holds, too");
 
