@@ -53,12 +53,17 @@ final class FreeHeap implements Serializable {
     /** Times that a heap may not be solved in a step, before little work is spent on it. */
     private static final int FAILURES = 3;
 
+    /** Part of the squares of impulses that those of others are which are much less. */
+    private static final double LESS = 1 / 16.0;
+
     private final CollisionDetection detection;
     private final HeapBodies by;
     private final HeapSystem system;
     private final HeapNotes notes;
     private final BodyScale scales;
     private final StraightGaps straight;
+    private final HeapShare share = new HeapShare();
+    private double[] kept = {};
 
     FreeHeap(
             CollisionDetection detection,
@@ -220,6 +225,28 @@ final class FreeHeap implements Serializable {
     /** Solves without regaining gaps, which is to add no energy. */
     boolean regainNothing(double scale, double time) {
         boolean done = system.solve(scale, false);
+        soften(time);
+        return done;
+    }
+
+    /**
+     * Solves a heap again in which friction locks what would have to part: no gap is regained, and points bear the least that holds them. If that is not much
+     * less, all is as it was.
+     *
+     * @return whether impulses are right or nearly so
+     */
+    boolean yield(double scale, double time, boolean wasDone) {
+        kept = system.impulses(kept);
+        double most = HeapEnergy.squares(system);
+        system.startFromNothing();
+        system.again();
+        system.regainNothing();
+        boolean done = share.solve(system) || system.solve(scale, false);
+        if (HeapEnergy.squares(system) > LESS * most) {
+            system.put(kept);
+            return wasDone;
+        }
+        notes.deepen(detection, scales);
         soften(time);
         return done;
     }

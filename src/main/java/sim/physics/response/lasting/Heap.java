@@ -425,8 +425,10 @@ final class Heap implements Serializable {
     /** Solves for the impulses of the points that have been taken in; false if they are not right. */
     private boolean findImpulses(double tau) {
         scale = isDriven ? scale : Math.max(scale, scales.fastest(heap, system.v));
-        return isDriven ? driving.search().isRight()
+        boolean done = isDriven ? driving.search().isRight()
                 : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time(), isHalf);
+        return isDriven || !HeapEnergy.locks(system, isRubbed ? HeapEnergy.HELD : HeapEnergy.LOCKED) ? done
+                : isRubbed ? rubbing.yield(heap, scale, detection) : free.yield(scale, regain.time(), done);
     }
 
     /** The velocities from which on energy is counted. */

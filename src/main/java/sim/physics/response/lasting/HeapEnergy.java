@@ -7,6 +7,11 @@ final class HeapEnergy {
     /** What surfaces give and take, relative to what makes bodies as fast as they are: more than their weight rubs off. */
     private static final double RUBBED = 10;
 
+    /** Part of the squares of impulses that those are of what they give together, where they press against one another; and where a plane may hold bodies. */
+    static final double LOCKED = 1e-4;
+
+    static final double HELD = 1e-2;
+
     private HeapEnergy() {}
 
     /**
@@ -88,6 +93,31 @@ final class HeapEnergy {
             sum += jt == 0 ? 0 : jt * (rows.tangent(p, s.v) + rows.tangent(p, from));
         }
         return 0.5 * sum;
+    }
+
+    /**
+     * Whether impulses press against one another, and give bodies next to nothing together, also such as can move: they grow without end where friction locks
+     * what would have to part.
+     *
+     * @param part of the squares of impulses that those are at most of what they give together
+     */
+    static boolean locks(HeapSystem s, double part) {
+        double[] sum = s.scratch();
+        s.momenta(sum);
+        double together = 0;
+        for (int k = 0; k < 3 * s.bodyCount(); k += 3) {
+            together += sum[k] * sum[k] + sum[k + 1] * sum[k + 1];
+        }
+        return together < part * squares(s);
+    }
+
+    /** The squares of the impulses of contacts. */
+    static double squares(HeapSystem s) {
+        double sum = 0;
+        for (int p = 0; p < s.contacts(); p++) {
+            sum += s.normalImpulse(p) * s.normalImpulse(p) + s.tangentImpulse(p) * s.tangentImpulse(p);
+        }
+        return sum;
     }
 
     /** Twice the kinetic energy of the bodies that can move, with some velocities. */

@@ -116,7 +116,7 @@ final class HeapStrike implements Serializable {
             system.again();
             right = system.solve(scale, true);
         }
-        if (!right || !(HeapEnergy.gained(system, system.free()) <= GAIN * HeapEnergy.of(system, system.free()))) {
+        if (!right || HeapEnergy.locks(system, HeapEnergy.LOCKED) || !(HeapEnergy.gained(system, system.free()) <= GAIN * HeapEnergy.of(system, system.free()))) {
             system.solveSoftly(scale);
         }
         for (int p = 0; p < system.size(); p++) {

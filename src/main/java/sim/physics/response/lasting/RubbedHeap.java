@@ -4,6 +4,7 @@ package sim.physics.response.lasting;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.collision.CollisionDetection;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
@@ -62,6 +63,7 @@ final class RubbedHeap implements Serializable {
     private double[] free = {};
     private double[] alone = {};
     private double[] there = {};
+    private final HeapShare share = new HeapShare();
     private double[] momenta = {};
 
     /** The largest speed without contacts, or that the plane takes in the time. */
@@ -210,6 +212,25 @@ final class RubbedHeap implements Serializable {
             missed = missed(heap);
         }
         settle(heap);
+        return right;
+    }
+
+    /** Solves a heap again in which friction locks what would have to part: no gap is regained, and points bear the least that holds them. */
+    boolean yield(IntList heap, double scale, CollisionDetection detection) {
+        straighten();
+        boolean right = false;
+        double change = Double.POSITIVE_INFINITY;
+        for (int turn = 0; turn < TURNS && change > SAME; turn++) {
+            change = turn == 0 ? change : rub();
+            ground.apply(system, free);
+            System.arraycopy(system.v, 0, alone, 0, 3 * heap.size);
+            system.renew();
+            system.startFromNothing();
+            system.regainNothing();
+            right = share.solve(system) || system.solve(scale, false);
+        }
+        settle(heap);
+        notes.deepen(detection, scales);
         return right;
     }
 
