@@ -235,7 +235,7 @@ final class FreeHeap implements Serializable {
      *
      * @return whether impulses are right or nearly so
      */
-    boolean yield(double scale, double time, boolean wasDone) {
+    boolean giveWay(double scale, double time, boolean wasDone) {
         kept = system.impulses(kept);
         double most = HeapEnergy.squares(system);
         system.startFromNothing();

@@ -428,7 +428,7 @@ final class Heap implements Serializable {
         boolean done = isDriven ? driving.search().isRight()
                 : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time(), isHalf);
         return isDriven || !HeapEnergy.locks(system, isRubbed ? HeapEnergy.HELD : HeapEnergy.LOCKED) ? done
-                : isRubbed ? rubbing.yield(heap, scale, detection) : free.yield(scale, regain.time(), done);
+                : isRubbed ? rubbing.giveWay(heap, scale, detection) : free.giveWay(scale, regain.time(), done);
     }
 
     /** The velocities from which on energy is counted. */

@@ -216,7 +216,7 @@ final class RubbedHeap implements Serializable {
     }
 
     /** Solves a heap again in which friction locks what would have to part: no gap is regained, and points bear the least that holds them. */
-    boolean yield(IntList heap, double scale, CollisionDetection detection) {
+    boolean giveWay(IntList heap, double scale, CollisionDetection detection) {
         straighten();
         boolean right = false;
         double change = Double.POSITIVE_INFINITY;
