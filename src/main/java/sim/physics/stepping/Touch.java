@@ -25,6 +25,7 @@ final class Touch implements Serializable {
     private final Poses poses;
     private final State state;
     private final Seams seams;
+    private final Passing passing;
 
     /** Whether the first or the second hull is fixed and joins others; whether the one does whose edges are asked for, or the one over them. */
     private boolean joinsFirst;
@@ -74,10 +75,16 @@ final class Touch implements Serializable {
 
     private int corner;
 
+    /** The size of the smaller one of two polygons, and whether they face one another along a slight part of their edges only. */
+    private double size;
+
+    private boolean isSlight;
+
     Touch(State state, Poses poses, NearPairs near) {
         this.state = state;
         this.poses = poses;
         seams = new Seams(state, poses, near);
+        passing = new Passing(state, poses, near);
     }
 
     /** Finds the points of two bodies' parts whose gaps are at most a margin. */
@@ -91,6 +98,7 @@ final class Touch implements Serializable {
         Hull second = poses.hull(b).part(partB);
         isDiscA = first == poses.hull(a) && first.count == 1;
         isDiscB = second == poses.hull(b) && second.count == 1;
+        isSlight = false;
         meet(a, first, b, second, margin);
         if (count > 0 && (poses.isGround(a) || poses.isGround(b))) {
             boolean isFirstFixed = poses.isGround(a);
@@ -102,6 +110,9 @@ final class Touch implements Serializable {
                 joinsFirst = false;
                 joinsSecond = false;
             }
+        }
+        if (count > 0 && isSlight && passing.passes(a, partA, b, partB, this, size)) {
+            count = 0;
         }
     }
 
@@ -286,7 +297,7 @@ final class Touch implements Serializable {
         joinsOn = joinsSecond;
         joinsOther = joinsFirst;
         double bySecond = separation(second, first, cos, -sin, bx, by);
-        double size = Math.min(first.bounding, second.bounding);
+        size = Math.min(first.bounding, second.bounding);
         if (bySecond > margin) {
             return;
         }
@@ -381,6 +392,7 @@ final class Touch implements Serializable {
         nx = n0;
         ny = n1;
         turnsBy = left > length || right < 0 ? ContactTurns.STILL : ContactTurns.FIRST;
+        isSlight = Passing.isSlight(Math.min(right, length) - Math.max(left, 0), Math.min(right - left, length), size);
         if (left > length || right < 0) {
             corners(on, edge, left > length, fromX, fromY, toX, toY, length, margin, id(edge, from, left > length ? 1 : 0));
             return;
