@@ -7,8 +7,8 @@ import sim.physics.collision.broad.Pairs;
 import sim.physics.motion.State;
 
 /**
- * What lies is a little deep. So what slides over a gap in a fixed floor comes to the edge beyond with a corner that is a little too low, or next to nothing
- * above it, which would stop it. It passes: as soon as it is over that edge, it lies there.
+ * What lies is a little deep. So what slides over a gap in a floor, or from one body to the next, comes to the edge beyond with a corner that is a little
+ * too low, or next to nothing above it, which would stop it. It passes: as soon as it is over that edge, it lies there.
  */
 final class Passing implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -37,13 +37,9 @@ final class Passing implements Serializable {
         return Math.abs(overlap) < Math.min(SLIGHT * size, PART * shorter);
     }
 
-    /** Whether a body passes something fixed that it touches so slightly. */
+    /** Whether two bodies pass one another that touch so slightly. */
     boolean passes(int a, int partA, int b, int partB, Touch touch, double size) {
-        boolean isFirstFixed = poses.isGround(a);
-        if (isFirstFixed == poses.isGround(b) || touch.gap[0] < -SLIGHT * size) {
-            return false;
-        }
-        return comes(a, b, touch) && (isFirstFixed ? liesElsewhere(b, a, partA) : liesElsewhere(a, b, partB));
+        return touch.gap[0] >= -SLIGHT * size && comes(a, b, touch) && (lies(a, b, partB) || lies(b, a, partA));
     }
 
     /** Whether the point of the one comes at the other, and not across. */
@@ -59,17 +55,38 @@ final class Passing implements Serializable {
         return -(touch.nx * ux + touch.ny * uy) > STEEP * Math.abs(touch.nx * uy - touch.ny * ux);
     }
 
-    /** Whether a body has pressed on something else in the step before. */
-    private boolean liesElsewhere(int body, int fixed, int part) {
+    /** Whether a body has pressed in the step before on something that is near another one, but not on that, which it passes. */
+    private boolean lies(int body, int other, int part) {
         boolean does = false;
         Pairs pairs = near.pairs();
-        for (int k = 0; k < pairs.countOf(body); k++) {
+        for (int k = 0; !poses.isGround(body) && k < pairs.countOf(body); k++) {
             int pair = pairs.of(body, k);
-            boolean isFirst = pairs.first(pair) == body;
-            int by = isFirst ? pairs.second(pair) : pairs.first(pair);
-            int byPart = isFirst ? pairs.secondPart(pair) : pairs.firstPart(pair);
-            does |= (by != fixed || byPart != part) && near.is(pair, NearPairs.TOUCHED);
+            if (near.is(pair, NearPairs.TOUCHED)) {
+                boolean isFirst = pairs.first(pair) == body;
+                int by = isFirst ? pairs.second(pair) : pairs.first(pair);
+                int byPart = isFirst ? pairs.secondPart(pair) : pairs.firstPart(pair);
+                if (by == other && (byPart == part || !poses.isGround(other))) {
+                    return false;
+                }
+                does |= areNear(by, other);
+            }
         }
         return does;
+    }
+
+    /** Whether two bodies may be side by side: a wheel with teeth is not to pass another one because something lies in it. */
+    private boolean areNear(int by, int other) {
+        if (poses.isGround(by) && poses.isGround(other)) {
+            return true;
+        }
+        int body = poses.isGround(other) ? by : other;
+        int mate = body == by ? other : by;
+        Pairs pairs = near.pairs();
+        boolean are = false;
+        for (int k = 0; !are && k < pairs.countOf(body); k++) {
+            int pair = pairs.of(body, k);
+            are = pairs.first(pair) == mate || pairs.second(pair) == mate;
+        }
+        return are;
     }
 }

@@ -45,6 +45,27 @@ class SteppedGapsTest {
         }
     }
 
+    /** The same over bodies that lie side by side, with gaps or without. */
+    @ParameterizedTest
+    @CsvSource({"0, 4", "0.02, 4", "0.1, 4", "0.1, 16"})
+    void whatSlidesGoesOnOverBodies(double gap, int substeps) {
+        for (int phase = 0; phase < 10; phase++) {
+            PhysicsEngine engine = Stepped.engine(1.0 / 60, substeps);
+            engine.add(new Gravity(0, -Stepped.G));
+            Stepped.ground(engine).at(0, -1.5);
+            for (int k = 0; k < 8; k++) {
+                Stepped.rough(engine.add(new Body(new Rectangle(2, 0.5)).at(k * (2 + gap), -0.25))).setMass(50);
+            }
+            Body box = engine.add(new Body(new Rectangle(0.8, 0.6)).at(0.02 * phase, 0.3));
+            box.setRestitution(0);
+            box.setMass(0.5);
+            Stepped.run(engine, 60);
+            box.setVelocity(4, 0);
+            Stepped.run(engine, 180);
+            assertThat(box.getVelocityX()).as("phase %s", phase).isCloseTo(4, within(5e-3));
+        }
+    }
+
     /** A box that one belt hands to the next is as fast as the one that bears more than half of it. It stopped at the second one, and went on only when it had jumped. */
     @ParameterizedTest
     @CsvSource({"1", "4", "16"})
