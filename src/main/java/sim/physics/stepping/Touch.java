@@ -19,9 +19,13 @@ final class Touch implements Serializable {
     /** Depth, relative to the size, from which on a way out that others do not cover is none: the other side of a tile below tiles. */
     private static final double COVERED = 0.5;
 
+    /** Cosine of the angle to a side that others cover from which on a way out leads through to the other side. */
+    private static final double THROUGH = -0.5;
+
     private final Poses poses;
     private final State state;
     private final Seams seams;
+    private final Passing passing;
 
     /** Whether the first or the second hull is fixed and joins others; whether the one does whose edges are asked for, or the one over them. */
     private boolean joinsFirst;
@@ -29,9 +33,6 @@ final class Touch implements Serializable {
     private boolean joinsSecond;
     private boolean joinsOn;
     private boolean joinsOther;
-
-    /** Whether there are edges of the two that nothing can meet. */
-    private boolean isRestricted;
 
     int count;
     double nx;
@@ -74,10 +75,16 @@ final class Touch implements Serializable {
 
     private int corner;
 
+    /** The size of the smaller one of two polygons, and whether they face one another along a slight part of their edges only. */
+    private double size;
+
+    private boolean isSlight;
+
     Touch(State state, Poses poses, NearPairs near) {
         this.state = state;
         this.poses = poses;
         seams = new Seams(state, poses, near);
+        passing = new Passing(state, poses, near);
     }
 
     /** Finds the points of two bodies' parts whose gaps are at most a margin. */
@@ -91,6 +98,7 @@ final class Touch implements Serializable {
         Hull second = poses.hull(b).part(partB);
         isDiscA = first == poses.hull(a) && first.count == 1;
         isDiscB = second == poses.hull(b) && second.count == 1;
+        isSlight = false;
         meet(a, first, b, second, margin);
         if (count > 0 && (poses.isGround(a) || poses.isGround(b))) {
             boolean isFirstFixed = poses.isGround(a);
@@ -102,6 +110,9 @@ final class Touch implements Serializable {
                 joinsFirst = false;
                 joinsSecond = false;
             }
+        }
+        if (count > 0 && isSlight && passing.passes(a, partA, b, partB, this, size)) {
+            count = 0;
         }
     }
 
@@ -186,7 +197,7 @@ final class Touch implements Serializable {
         double most = height(hull, best, x, y);
         if (joinsOn && seams.isCovered(best)) {
             int open = facing(hull, x, y, true);
-            if (most > 0 || open < 0 || height(hull, open, x, y) < -COVERED * radius) {
+            if (most > 0 || open < 0 || height(hull, open, x, y) < -COVERED * radius && leadsThrough(hull, open, x, y)) {
                 return;
             }
             best = open;
@@ -250,6 +261,16 @@ final class Touch implements Serializable {
         return best;
     }
 
+    /** Whether the way out by an edge leads through to the other side of one that others cover and that is nearer. */
+    private boolean leadsThrough(Hull hull, int edge, double x, double y) {
+        boolean does = false;
+        for (int k = 0; k < hull.count; k++) {
+            boolean isOpposite = hull.nx[k] * hull.nx[edge] + hull.ny[k] * hull.ny[edge] < THROUGH;
+            does |= isOpposite && seams.isCovered(k) && height(hull, k, x, y) > height(hull, edge, x, y);
+        }
+        return does;
+    }
+
     private static double height(Hull hull, int edge, double x, double y) {
         return hull.nx[edge] * (x - hull.x[edge]) + hull.ny[edge] * (y - hull.y[edge]);
     }
@@ -263,7 +284,6 @@ final class Touch implements Serializable {
         double sin = cosA * sinB - sinA * cosB;
         double x = cosA * dx + sinA * dy;
         double y = cosA * dy - sinA * dx;
-        isRestricted = false;
         joinsOn = joinsFirst;
         joinsOther = joinsSecond;
         double byFirst = separation(first, second, cos, sin, x, y);
@@ -277,12 +297,18 @@ final class Touch implements Serializable {
         joinsOn = joinsSecond;
         joinsOther = joinsFirst;
         double bySecond = separation(second, first, cos, -sin, bx, by);
-        double size = Math.min(first.bounding, second.bounding);
-        boolean isCovered = isRestricted && Math.max(byFirst, bySecond) < -COVERED * size;
-        if (bySecond > margin || isCovered) {
+        size = Math.min(first.bounding, second.bounding);
+        if (bySecond > margin) {
             return;
         }
         boolean isSecond = bySecond > byFirst + PREFERENCE * size;
+        double most = Math.max(byFirst, bySecond);
+        boolean isDeep = (joinsFirst || joinsSecond) && most < -COVERED * size;
+        if (isDeep && (joinsFirst
+                ? leadsThrough(first, second, cos, sin, x, y, most, !isSecond, isSecond ? edge : edgeA)
+                : leadsThrough(second, first, cos, -sin, bx, by, most, isSecond, isSecond ? edge : edgeA))) {
+            return;
+        }
         if (isSecond) {
             clip(second, first, edge, corner, cos, -sin, bx, by, margin);
             turnsBy = turnsBy == ContactTurns.STILL ? turnsBy : ContactTurns.SECOND;
@@ -307,7 +333,6 @@ final class Touch implements Serializable {
             double least = turnedX * other.x[nearest] + turnedY * other.y[nearest];
             least += n0 * (x - on.x[k]) + n1 * (y - on.y[k]);
             boolean isNone = joinsOn && seams.isCovered(k) || joinsOther && !seams.sticksOut(nearest, -turnedX, -turnedY);
-            isRestricted |= isNone;
             if (least > most && !isNone) {
                 most = least;
                 edge = k;
@@ -315,6 +340,32 @@ final class Touch implements Serializable {
             }
         }
         return most;
+    }
+
+    /**
+     * Whether the way out of a fixed hull, by an edge of its own or of the other one, leads through to the other side of an edge that others cover and that is
+     * nearer.
+     */
+    private boolean leadsThrough(
+            Hull fixed, Hull other, double cos, double sin, double x, double y, double most, boolean isOwn, int edge) {
+        double wayX = isOwn ? fixed.nx[edge] : sin * other.ny[edge] - cos * other.nx[edge];
+        double wayY = isOwn ? fixed.ny[edge] : -(sin * other.nx[edge] + cos * other.ny[edge]);
+        boolean does = false;
+        for (int k = 0; k < fixed.count; k++) {
+            boolean isOpposite = fixed.nx[k] * wayX + fixed.ny[k] * wayY < THROUGH;
+            does |= isOpposite && seams.isCovered(k) && separation(fixed, k, other, cos, sin, x, y) > most;
+        }
+        return does;
+    }
+
+    /** The distance of an edge's line from all of another hull. */
+    private static double separation(Hull on, int edge, Hull other, double cos, double sin, double x, double y) {
+        double n0 = on.nx[edge];
+        double n1 = on.ny[edge];
+        double turnedX = cos * n0 + sin * n1;
+        double turnedY = cos * n1 - sin * n0;
+        int nearest = other.lowest(turnedX, turnedY);
+        return turnedX * other.x[nearest] + turnedY * other.y[nearest] + n0 * (x - on.x[edge]) + n1 * (y - on.y[edge]);
     }
 
     /** The points of the other hull's edge over an edge, in the frame of the hull that the edge is of. */
@@ -341,6 +392,7 @@ final class Touch implements Serializable {
         nx = n0;
         ny = n1;
         turnsBy = left > length || right < 0 ? ContactTurns.STILL : ContactTurns.FIRST;
+        isSlight = Passing.isSlight(Math.min(right, length) - Math.max(left, 0), Math.min(right - left, length), size);
         if (left > length || right < 0) {
             corners(on, edge, left > length, fromX, fromY, toX, toY, length, margin, id(edge, from, left > length ? 1 : 0));
             return;
