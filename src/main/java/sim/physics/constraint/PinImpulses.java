@@ -9,7 +9,6 @@ import sim.physics.internal.Freshness;
 import sim.physics.internal.IntList;
 import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
-import sim.physics.internal.Trig;
 import sim.physics.motion.State;
 
 /** The pins of a scene, (42)–(46), as time stepping solves them, all in one loop: two rows each, with equations as in {@link PinJoint}. */
@@ -17,21 +16,6 @@ final class PinImpulses implements Serializable {
     private static final long serialVersionUID = 1L;
 
     private static final int BLOCK = State.BLOCK;
-
-    /** Turn in a substep from which on cosines are found anew. */
-    private static final double LARGE = 0.25;
-
-    /** Terms of the series of sine and cosine: 1/n!. */
-    private static final double S3 = 1.0 / 6;
-
-    private static final double C4 = 1.0 / 24;
-    private static final double S5 = 1.0 / 120;
-    private static final double C6 = 1.0 / 720;
-    private static final double S7 = 1.0 / 5_040;
-    private static final double C8 = 1.0 / 40_320;
-    private static final double S9 = 1.0 / 362_880;
-    private static final double C10 = 1.0 / 3_628_800;
-    private static final double S11 = 1.0 / 39_916_800;
 
     /** What is less of a determinant than this, relative to the diagonal, says that the rows are one. */
     private static final double SINGULAR = 1e-14;
@@ -52,12 +36,19 @@ final class PinImpulses implements Serializable {
     /** The impulse with which the substep began. */
     private static final int STARTED = 21;
 
+    /** What is kept of one whose velocity is settled: its place, its two bodies, {@link Freshness#FIXED} for what cannot move, and its group. */
+    private static final int ENDS = 4;
+
     private final State state;
+    private final ArmTurns turns;
 
     /** Per pin the blocks of its bodies; the second one is −1 for the world. */
     private int[] blocks = {};
 
     private double[] data = {};
+
+    /** The pins whose velocities are settled. */
+    private final IntList settling = new IntList();
 
     /** When each was solved last; see {@link Freshness}. */
     private long[] solved = {};
@@ -71,16 +62,9 @@ final class PinImpulses implements Serializable {
     /** How many of them, from the first one on, are of bodies that are awake. */
     private int awake;
 
-    /** Bodies with a pin beside their centre; the angles at which their cosines and sines hold. */
-    private final IntList turning = new IntList();
-
-    private double[] angles = {};
-
-    /** [cos θ, sin θ] by body. */
-    private double[] turns = {};
-
     PinImpulses(State state) {
         this.state = state;
+        turns = new ArmTurns(state);
     }
 
     /**
@@ -94,8 +78,7 @@ final class PinImpulses implements Serializable {
         data = new double[STRIDE * pins.size()];
         noted = new double[2 * pins.size()];
         solved = new long[pins.size()];
-        turning.clear();
-        boolean[] turns = new boolean[state.size()];
+        turns.clear();
         for (int k = 0; k < pins.size(); k++) {
             PinJoint pin = pins.get(k);
             int o = STRIDE * k;
@@ -108,20 +91,11 @@ final class PinImpulses implements Serializable {
             data[o + MOST] = TieEquations.size(pin);
             System.arraycopy(data, o, data, o + ARM, ARM); // as they are where the body does not turn
             if (k < awake) {
-                need(blocks[2 * k], data[o], data[o + 1], turns);
-                need(blocks[2 * k + 1], data[o + 2], data[o + 3], turns);
+                turns.need(blocks[2 * k], data[o], data[o + 1]);
+                turns.need(blocks[2 * k + 1], data[o + 2], data[o + 3]);
             }
         }
-        this.turns = new double[2 * state.size()];
-        angles = new double[turning.size];
-        Arrays.fill(angles, Double.NaN);
-    }
-
-    private void need(int block, double x, double y, boolean[] turns) {
-        if (block >= 0 && (x != 0 || y != 0) && !turns[block / BLOCK]) {
-            turns[block / BLOCK] = true;
-            turning.add(block / BLOCK);
-        }
+        turns.forget();
     }
 
     /** The block of one of the two bodies of a pin, −1 for the world. */
@@ -172,7 +146,7 @@ final class PinImpulses implements Serializable {
     /** Begins a step, with substeps so many times longer than those of the last one: impulses grow with them. */
     void begin(double growth, double substep) {
         h = substep;
-        Arrays.fill(angles, Double.NaN);
+        turns.forget();
         for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
             data[o + IMPULSE] *= growth;
             data[o + IMPULSE + 1] *= growth;
@@ -210,7 +184,7 @@ final class PinImpulses implements Serializable {
      * @param marks by body, of those whose pins are meant; null for all
      */
     void evaluate(double follow, boolean[] marks) {
-        turn();
+        turns.follow();
         double[] d = data;
         double[] x = state.x();
         double[] v = state.v();
@@ -272,8 +246,8 @@ final class PinImpulses implements Serializable {
         if (px == 0 && py == 0) {
             return 0;
         }
-        double cos = turns[2 * (block / BLOCK)];
-        double sin = turns[2 * (block / BLOCK) + 1];
+        double cos = turns.values[2 * (block / BLOCK)];
+        double sin = turns.values[2 * (block / BLOCK) + 1];
         double x = cos * px - sin * py;
         double y = sin * px + cos * py;
         double more = (x - data[to]) * jy - (y - data[to + 1]) * jx;
@@ -282,32 +256,25 @@ final class PinImpulses implements Serializable {
         return more;
     }
 
-    /** Cosines and sines: turned on by what the angles have changed since the last substep, with series for small turns. */
-    private void turn() {
-        double[] x = state.x();
-        for (int k = 0; k < turning.size; k++) {
-            int body = turning.values[k];
-            double theta = x[BLOCK * body + State.THETA];
-            double by = theta - angles[k];
-            angles[k] = theta;
-            if (!(Math.abs(by) < LARGE)) {
-                Trig.sinCos(theta, turns, 2 * body);
-            } else if (by != 0) {
-                double s = by * by;
-                double sin = by * (1 - s * (S3 - s * (S5 - s * (S7 - s * (S9 - s * S11)))));
-                double cos = 1 - s * (0.5 - s * (C4 - s * (C6 - s * (C8 - s * C10))));
-                double c = turns[2 * body];
-                double t = turns[2 * body + 1];
-                turns[2 * body] = c * cos - t * sin;
-                turns[2 * body + 1] = t * cos + c * sin;
-            }
-        }
-    }
-
-    /** Notes the impulses of now, which are in the sums. */
-    void keep() {
+    /**
+     * Notes the impulses of now, which are in the sums; velocities are to be settled.
+     *
+     * @param groups group of each movable body
+     * @param marks by body, of those whose pins will be
+     */
+    void keep(int[] groups, boolean[] marks) {
+        double[] w = state.w().values();
+        settling.clear();
         for (int k = 0; k < awake; k++) {
             System.arraycopy(data, STRIDE * k + IMPULSE, noted, 2 * k, 2);
+            if (TieEquations.isMarked(blocks, k, marks)) {
+                int first = TieEquations.end(blocks[2 * k], w);
+                int second = TieEquations.end(blocks[2 * k + 1], w);
+                settling.add(k);
+                settling.add(first);
+                settling.add(second);
+                settling.add(groups[Math.max(first, second)]);
+            }
         }
     }
 
@@ -385,10 +352,17 @@ final class PinImpulses implements Serializable {
     /** A pin's velocity along a lever, in the mean of a substep or as it is now. */
     double speed(int k, double x, double y, boolean bends) {
         int o = STRIDE * k;
+        double[] d = data;
         double[] v = state.v();
-        double ux = part(v, blocks[2 * k], o + ARM, 0) - part(v, blocks[2 * k + 1], o + ARM + 2, 0);
-        double uy = part(v, blocks[2 * k], o + ARM, 1) - part(v, blocks[2 * k + 1], o + ARM + 2, 1);
-        return x * (ux + (bends ? data[o + BEND] : 0)) + y * (uy + (bends ? data[o + BEND + 1] : 0));
+        int a = blocks[2 * k];
+        int b = blocks[2 * k + 1];
+        double ux = v[a] - d[o + ARM + 1] * v[a + 2];
+        double uy = v[a + 1] + d[o + ARM] * v[a + 2];
+        if (b >= 0) {
+            ux -= v[b] - d[o + ARM + 3] * v[b + 2];
+            uy -= v[b + 1] + d[o + ARM + 2] * v[b + 2];
+        }
+        return bends ? x * (ux + d[o + BEND]) + y * (uy + d[o + BEND + 1]) : x * ux + y * uy;
     }
 
     /** Gives the bodies of a pin an impulse. */
@@ -409,40 +383,26 @@ final class PinImpulses implements Serializable {
     }
 
     /** Solves velocities of groups that have not settled once more; those have not in which some were off that count for something, compared with those of the bodies. */
-    void settle(int[] groups, OpenGroups turns, Freshness fresh, boolean[] marks) {
-        double[] w = state.w().values();
-        for (int k = 0; k < awake; k++) {
-            if (TieEquations.isMarked(blocks, k, marks)) {
-                int first = TieEquations.end(blocks[2 * k], w);
-                int second = TieEquations.end(blocks[2 * k + 1], w);
-                int group = groups[first >= 0 ? first : second];
-                if (turns.isOpen(group) && fresh.isStale(solved[k], first, second)) {
-                    boolean wasOff = settle(k, STRIDE * k);
-                    solved[k] = fresh.solve(first, second, wasOff, true);
-                    turns.change(group, wasOff);
-                }
+    void settle(OpenGroups turns, Freshness fresh) {
+        for (int n = 0; n < settling.size; n += ENDS) {
+            int[] pin = settling.values;
+            int k = pin[n];
+            if (turns.isOpen(pin[n + 3]) && fresh.isStale(solved[k], pin[n + 1], pin[n + 2])) {
+                boolean wasOff = settle(k, STRIDE * k);
+                solved[k] = fresh.solve(pin[n + 1], pin[n + 2], wasOff, true);
+                turns.change(pin[n + 3], wasOff);
             }
         }
     }
 
     private boolean settle(int k, int o) {
         double[] v = state.v();
-        double off = part(v, blocks[2 * k], o + ARM, 0) - part(v, blocks[2 * k + 1], o + ARM + 2, 0);
-        double offY = part(v, blocks[2 * k], o + ARM, 1) - part(v, blocks[2 * k + 1], o + ARM + 2, 1);
         double all = square(v, blocks[2 * k], o + ARM) + square(v, blocks[2 * k + 1], o + ARM + 2);
-        solve(v, state.w().values(), k, o, 0, Softness.EAGER.mass(), 0);
-        return off * off + offY * offY > TieEquations.SETTLED * TieEquations.SETTLED * all;
+        double off = solve(v, state.w().values(), k, o, 0, Softness.EAGER.mass(), 0);
+        return off > TieEquations.SETTLED * TieEquations.SETTLED * all;
     }
 
-    /** A component of the velocity of the end of an arm. */
-    private double part(double[] v, int block, int arm, int which) {
-        if (block < 0) {
-            return 0;
-        }
-        return which == 0 ? v[block] - data[arm + 1] * v[block + 2] : v[block + 1] + data[arm] * v[block + 2];
-    }
-
-    /** The squares of the velocities that it is made of. */
+    /** The squares of the velocities that the one of an arm's end is made of. */
     private double square(double[] v, int block, int arm) {
         if (block < 0) {
             return 0;
@@ -460,21 +420,41 @@ final class PinImpulses implements Serializable {
         }
     }
 
-    private void solve(double[] v, double[] w, int k, int o, double rate, double mass, double back) {
+    /** Solves a pin, whose velocities wait in locals for the impulse that they ask for; the square of what that was asked for. */
+    private double solve(double[] v, double[] w, int k, int o, double rate, double mass, double back) {
         double[] d = data;
         int a = blocks[2 * k];
         int b = blocks[2 * k + 1];
         double bend = rate > 0 ? 1 : 0; // only where a way is to be gone
-        double ux = v[a] - d[o + ARM + 1] * v[a + 2] + rate * d[o + C] + bend * d[o + BEND];
-        double uy = v[a + 1] + d[o + ARM] * v[a + 2] + rate * d[o + C + 1] + bend * d[o + BEND + 1];
-        if (b >= 0) {
-            ux -= v[b] - d[o + ARM + 3] * v[b + 2];
-            uy -= v[b + 1] + d[o + ARM + 2] * v[b + 2];
+        double ax = d[o + ARM], ay = d[o + ARM + 1];
+        double vx = v[a], vy = v[a + 1], spin = v[a + 2];
+        double ux = vx - ay * spin + rate * d[o + C] + bend * d[o + BEND];
+        double uy = vy + ax * spin + rate * d[o + C + 1] + bend * d[o + BEND + 1];
+        double oldX = d[o + IMPULSE], oldY = d[o + IMPULSE + 1];
+        if (b < 0) {
+            double jx = -mass * (d[o + INVERSE] * ux + d[o + INVERSE + 1] * uy) - back * oldX;
+            double jy = -mass * (d[o + INVERSE + 1] * ux + d[o + INVERSE + 2] * uy) - back * oldY;
+            d[o + IMPULSE] = oldX + jx;
+            d[o + IMPULSE + 1] = oldY + jy;
+            v[a] = vx + w[a] * jx;
+            v[a + 1] = vy + w[a + 1] * jy;
+            v[a + 2] = spin + w[a + 2] * (ax * jy - ay * jx);
+            return ux * ux + uy * uy;
         }
-        double jx = -mass * (d[o + INVERSE] * ux + d[o + INVERSE + 1] * uy) - back * d[o + IMPULSE];
-        double jy = -mass * (d[o + INVERSE + 1] * ux + d[o + INVERSE + 2] * uy) - back * d[o + IMPULSE + 1];
-        d[o + IMPULSE] += jx;
-        d[o + IMPULSE + 1] += jy;
-        push(v, w, k, o, jx, jy);
+        double bx = d[o + ARM + 2], by = d[o + ARM + 3];
+        double otherX = v[b], otherY = v[b + 1], turn = v[b + 2];
+        ux -= otherX - by * turn;
+        uy -= otherY + bx * turn;
+        double jx = -mass * (d[o + INVERSE] * ux + d[o + INVERSE + 1] * uy) - back * oldX;
+        double jy = -mass * (d[o + INVERSE + 1] * ux + d[o + INVERSE + 2] * uy) - back * oldY;
+        d[o + IMPULSE] = oldX + jx;
+        d[o + IMPULSE + 1] = oldY + jy;
+        v[a] = vx + w[a] * jx;
+        v[a + 1] = vy + w[a + 1] * jy;
+        v[a + 2] = spin + w[a + 2] * (ax * jy - ay * jx);
+        v[b] = otherX - w[b] * jx;
+        v[b + 1] = otherY - w[b + 1] * jy;
+        v[b + 2] = turn - w[b + 2] * (bx * jy - by * jx);
+        return ux * ux + uy * uy;
     }
 }

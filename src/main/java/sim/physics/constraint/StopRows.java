@@ -311,9 +311,9 @@ public final class StopRows implements Serializable {
     private void solve(int[] groups, OpenGroups turns, Freshness fresh, boolean parts) {
         for (int n = 0; n < metCount; n++) {
             int m = met[n];
-            int group = group(m, groups);
             int first = equations.end(2 * places[m / 2]);
             int second = equations.end(2 * places[m / 2] + 1);
+            int group = groups[first >= 0 ? first : second];
             if (turns.isOpen(group) && fresh.isStale(solved[m], first, second)) {
                 boolean changes = parts ? part(m, Softness.EAGER.mass()) : solve(m, 0, Softness.EAGER.mass());
                 solved[m] = fresh.solve(first, second, changes, true);

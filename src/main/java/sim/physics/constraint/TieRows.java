@@ -370,10 +370,16 @@ public final class TieRows implements Serializable {
         return stops;
     }
 
-    /** Begins to add up what bounces give. */
-    public void keep() {
+    /**
+     * Begins to add up what bounces give.
+     *
+     * @param groups group of each movable body
+     * @param marks by body, of those that are of a group in which something has met
+     */
+    public void keep(int[] groups, boolean[] marks) {
         Arrays.fill(equations.given, 0);
-        pinImpulses.keep();
+        pinImpulses.keep(groups, marks);
+        solver.keep(groups, marks);
     }
 
     /** Adds what was given since the impulses were kept to what was done in the step: none of it will be taken back. */
@@ -410,16 +416,14 @@ public final class TieRows implements Serializable {
     }
 
     /**
-     * Solves joints of groups that have not settled for velocities once more, and says of which some were off.
+     * Solves joints of groups that have not settled for velocities once more, since they were {@linkplain #keep kept}, and says of which some were off.
      *
-     * @param groups group of each movable body
      * @param turns those that are solved
      * @param fresh which bodies have changed
-     * @param marks by body, of those that are of a group
      */
-    public void settle(int[] groups, OpenGroups turns, Freshness fresh, boolean[] marks) {
-        solver.settle(groups, turns, fresh, marks);
-        pinImpulses.settle(groups, turns, fresh, marks);
+    public void settle(OpenGroups turns, Freshness fresh) {
+        solver.settle(turns, fresh);
+        pinImpulses.settle(turns, fresh);
     }
 
     /**

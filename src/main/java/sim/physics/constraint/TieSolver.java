@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import sim.physics.internal.Freshness;
+import sim.physics.internal.IntList;
 import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
 import sim.physics.motion.State;
@@ -14,6 +15,9 @@ final class TieSolver implements Serializable {
 
     private static final int ROWS = TieEquations.ROWS;
 
+    /** What is kept of one whose velocity is settled: its place, its two bodies, {@link Freshness#FIXED} for what cannot move, and its group. */
+    private static final int ENDS = 4;
+
     private final State state;
     private final TieEquations equations;
     private final TurningRows turning;
@@ -21,6 +25,9 @@ final class TieSolver implements Serializable {
 
     /** By row: its impulse; those of {@link TieRows}. */
     private double[] impulse = {};
+
+    /** The joints whose velocities are settled. */
+    private final IntList settling = new IntList();
 
     /** When each was solved last; see {@link Freshness}. */
     private long[] solved = {};
@@ -110,19 +117,31 @@ final class TieSolver implements Serializable {
         turning.push(k, now - old);
     }
 
-    /** Solves joints of groups that have not settled for velocities once more, and says of which some were off. */
-    void settle(int[] groups, OpenGroups turns, Freshness fresh, boolean[] marks) {
+    /** Finds the joints of marked bodies, whose velocities are to be settled. */
+    void keep(int[] groups, boolean[] marks) {
+        settling.clear();
         for (int k = 0; k < equations.count(); k++) {
             if (equations.kinds[k].ties() && equations.isMarked(k, marks)) {
-                int first = equations.end(2 * k);
-                int second = equations.end(2 * k + 1);
-                int group = groups[equations.movable(k)];
-                if (turns.isOpen(group) && fresh.isStale(solved[k], first, second)) {
-                    boolean wasOff = equations.areOff(k);
-                    join(k, Softness.EAGER);
-                    solved[k] = fresh.solve(first, second, wasOff, true);
-                    turns.change(group, wasOff);
-                }
+                settling.add(k);
+                settling.add(equations.end(2 * k));
+                settling.add(equations.end(2 * k + 1));
+                settling.add(groups[equations.movable(k)]);
+            }
+        }
+    }
+
+    /** Solves joints of groups that have not settled for velocities once more, and says of which some were off. */
+    void settle(OpenGroups turns, Freshness fresh) {
+        for (int n = 0; n < settling.size; n += ENDS) {
+            int k = settling.values[n];
+            int first = settling.values[n + 1];
+            int second = settling.values[n + 2];
+            int group = settling.values[n + 3];
+            if (turns.isOpen(group) && fresh.isStale(solved[k], first, second)) {
+                boolean wasOff = equations.areOff(k);
+                join(k, Softness.EAGER);
+                solved[k] = fresh.solve(first, second, wasOff, true);
+                turns.change(group, wasOff);
             }
         }
     }

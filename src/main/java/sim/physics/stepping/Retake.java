@@ -203,7 +203,7 @@ final class Retake implements Serializable {
         impacts.dropMissed();
         boolean[] marks = balance.marks();
         impacts.mark(marks, true);
-        ties.keep();
+        ties.keep(groups.slots, marks);
         boolean isDriven = rows.driven > 0;
         if (isDriven) {
             belts.strike(rows, groups, balance.speeds());
@@ -212,7 +212,7 @@ final class Retake implements Serializable {
         Freshness fresh = impacts.fresh();
         impacts.beginCompression(turns);
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            ties.settle(groups.slots, turns, fresh, marks);
+            ties.settle(turns, fresh);
             stops.compress(groups.slots, turns, fresh);
             impacts.compress(turns);
             if (isDriven) {
@@ -235,7 +235,7 @@ final class Retake implements Serializable {
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
             impacts.part(turns);
             stops.part(groups.slots, turns, fresh);
-            ties.settle(groups.slots, turns, fresh, marks);
+            ties.settle(turns, fresh);
             goesOn = turns.goOn();
         }
         stops.part();
