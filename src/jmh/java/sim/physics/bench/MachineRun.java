@@ -12,7 +12,7 @@ import java.util.function.Supplier;
 
 /**
  * Compares engines on the machines of {@link Machine}, jointed bodies with motors and stops on the ground: 600 steps of 1/60 s.
- * Engines take turns in one JVM with fresh machines; times are CPU times of the stepping thread, medians of rounds after 40 that do not
+ * Engines take turns in one JVM with fresh machines; times are CPU times of the stepping thread, medians of rounds after 150 that do not
  * count (after 3,000 steps our engine still takes twice as long as when all of it is compiled). Then each
  * engine's errors are printed, found in a run of their own.
  *
@@ -22,7 +22,7 @@ import java.util.function.Supplier;
  */
 public final class MachineRun {
     private static final int STEPS = 600;
-    private static final int WARM_UP = 40;
+    private static final int WARM_UP = 150;
     private static final String[] ENGINES = {"ours", "stepped", "JBox2D", "dyn4j"};
     private static final List<Supplier<MachineWorld>> MAKERS =
             List.of(OwnMachine::new, () -> new OwnMachine(4), JBox2DMachine::new, Dyn4jMachine::new);
