@@ -13,7 +13,7 @@ import java.util.function.Supplier;
 /**
  * Compares engines on the machines of {@link Machine}, jointed bodies with motors and stops on the ground: 600 steps of 1/60 s.
  * Engines take turns in one JVM with fresh machines; times are CPU times of the stepping thread, medians of rounds after 150 that do not
- * count (after 3,000 steps our engine still takes twice as long as when all of it is compiled). Then each
+ * count, or as many as take 20 s, but 40 at least (after 3,000 steps our engine still takes twice as long as when all of it is compiled). Then each
  * engine's errors are printed, found in a run of their own.
  *
  * <pre>
@@ -23,6 +23,8 @@ import java.util.function.Supplier;
 public final class MachineRun {
     private static final int STEPS = 600;
     private static final int WARM_UP = 150;
+    private static final int LEAST_WARM_UP = 40;
+    private static final double MOST_SECONDS = 20;
     private static final String[] ENGINES = {"ours", "stepped", "JBox2D", "dyn4j"};
     private static final List<Supplier<MachineWorld>> MAKERS =
             List.of(OwnMachine::new, () -> new OwnMachine(4), JBox2DMachine::new, Dyn4jMachine::new);
@@ -49,17 +51,28 @@ public final class MachineRun {
 
     private static double[][] times(String name, int rounds) {
         double[][] times = new double[ENGINES.length][rounds];
-        for (int round = -WARM_UP; round < rounds; round++) {
+        long begun = System.nanoTime();
+        for (int round = 0; round < LEAST_WARM_UP || round < WARM_UP && System.nanoTime() - begun < 1e9 * MOST_SECONDS; round++) {
+            runAll(name);
+        }
+        for (int round = 0; round < rounds; round++) {
+            double[] all = runAll(name);
             for (int e = 0; e < ENGINES.length; e++) {
-                MachineWorld world = MAKERS.get(e).get();
-                double time = run(new Machine(name, world), world);
-                if (round >= 0) {
-                    times[e][round] = time;
-                }
+                times[e][round] = all[e];
             }
         }
         for (double[] time : times) {
             Arrays.sort(time);
+        }
+        return times;
+    }
+
+    /** Times of a step, of all engines in turn. */
+    private static double[] runAll(String name) {
+        double[] times = new double[ENGINES.length];
+        for (int e = 0; e < ENGINES.length; e++) {
+            MachineWorld world = MAKERS.get(e).get();
+            times[e] = run(new Machine(name, world), world);
         }
         return times;
     }
