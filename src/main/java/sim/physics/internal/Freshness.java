@@ -3,6 +3,7 @@
 package sim.physics.internal;
 
 import java.io.Serializable;
+import java.util.Arrays;
 
 /**
  * When velocities of bodies changed last, counted in solutions. Of what hangs together and is solved in turn, most is settled long before all is: what has
@@ -32,9 +33,7 @@ public final class Freshness implements Serializable {
      */
     public void begin(int bodies) {
         if (changed.length < bodies) {
-            long[] longer = new long[Growth.length(changed.length, bodies)];
-            System.arraycopy(changed, 0, longer, 0, changed.length);
-            changed = longer;
+            changed = Arrays.copyOf(changed, Growth.length(changed.length, bodies));
         }
         begun = ++now;
     }

@@ -133,7 +133,7 @@ final class ContactSolver implements Serializable {
             }
         }
         if (areSome) {
-            unlike.solve(softness.rate(), regains);
+            unlike.solve(null, softness.rate(), regains);
         }
     }
 

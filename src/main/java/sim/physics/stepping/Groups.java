@@ -117,7 +117,7 @@ final class Groups implements Serializable {
         note(rows);
         do {
             System.arraycopy(tiedParents, 0, parents, 0, state.size());
-            join(rows);
+            join(rows, state, parents);
         } while (haveGrounds() && releases(rows, ties, springs));
         for (int k = 0; k < found.size; k++) {
             marks[found.values[k]] = false;
@@ -403,12 +403,17 @@ final class Groups implements Serializable {
     }
 
     boolean isMovable(int body) {
+        return isMovable(state, body);
+    }
+
+    static boolean isMovable(State state, int body) {
         return state.w().values()[BLOCK * body] > 0;
     }
 
-    private void join(ContactRows rows) {
+    /** Joins the sets of movable bodies that touch one another. */
+    static void join(ContactRows rows, State state, int[] parents) {
         for (int k = 0; k < rows.count; k++) {
-            if (isMovable(rows.first(k)) && isMovable(rows.second(k))) {
+            if (isMovable(state, rows.first(k)) && isMovable(state, rows.second(k))) {
                 DisjointSets.join(parents, rows.first(k), rows.second(k));
             }
         }

@@ -60,11 +60,7 @@ final class Newcomers implements Serializable {
         Arrays.setAll(parents, k -> k);
         ties.join(parents);
         springs.join(parents);
-        for (int k = 0; k < rows.count; k++) {
-            if (isMovable(rows.first(k)) && isMovable(rows.second(k))) {
-                DisjointSets.join(parents, rows.first(k), rows.second(k));
-            }
-        }
+        Groups.join(rows, state, parents);
         Arrays.fill(areNew, false);
         for (int k = 0; k < bodies.size; k++) {
             areNew[DisjointSets.find(parents, bodies.values[k])] = true;
@@ -93,7 +89,7 @@ final class Newcomers implements Serializable {
     }
 
     private boolean isMovable(int body) {
-        return state.w().values()[State.BLOCK * body] > 0;
+        return Groups.isMovable(state, body);
     }
 
     /** Ends a step: nobody is new any more. */

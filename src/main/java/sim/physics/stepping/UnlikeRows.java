@@ -174,19 +174,12 @@ final class UnlikeRows implements Serializable {
         return kinds[k] == SET;
     }
 
-    /** Solves the sets once. */
-    void solve(double rate, boolean regains) {
-        for (int m = 0; m < ends.size; m++) {
-            set.solve(order.values, m == 0 ? 0 : ends.values[m - 1], ends.values[m], rate, regains);
-        }
-    }
-
-    /** Solves those of marked bodies once. */
+    /** Solves the sets of marked bodies once; null for all. */
     void solve(boolean[] marks, double rate, boolean regains) {
         for (int m = 0; m < ends.size; m++) {
             int begin = m == 0 ? 0 : ends.values[m - 1];
             int row = order.values[begin];
-            if (marks[rows.first(row)] || marks[rows.second(row)]) {
+            if (marks == null || marks[rows.first(row)] || marks[rows.second(row)]) {
                 set.solve(order.values, begin, ends.values[m], rate, regains);
             }
         }

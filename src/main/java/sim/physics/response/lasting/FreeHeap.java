@@ -62,7 +62,6 @@ final class FreeHeap implements Serializable {
     private final HeapNotes notes;
     private final BodyScale scales;
     private final StraightGaps straight;
-    private final HeapShare share = new HeapShare();
     private double[] kept = {};
 
     FreeHeap(
@@ -241,7 +240,7 @@ final class FreeHeap implements Serializable {
         system.startFromNothing();
         system.again();
         system.regainNothing();
-        boolean done = share.solve(system) || system.solve(scale, false);
+        boolean done = system.share.solve(system) || system.solve(scale, false);
         if (HeapEnergy.squares(system) > LESS * most) {
             system.put(kept);
             return wasDone;

@@ -37,7 +37,7 @@ final class HeapSystem extends HeapPoints {
 
     private boolean tied;
     private final HeapSolver solver = new HeapSolver();
-    private final HeapShare share = new HeapShare();
+    final HeapShare share = new HeapShare();
 
     /** Inverse masses of 1. */
     private double[] units = {};

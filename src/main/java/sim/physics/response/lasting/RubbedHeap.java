@@ -63,7 +63,6 @@ final class RubbedHeap implements Serializable {
     private double[] free = {};
     private double[] alone = {};
     private double[] there = {};
-    private final HeapShare share = new HeapShare();
     private double[] momenta = {};
 
     /** The largest speed without contacts, or that the plane takes in the time. */
@@ -227,7 +226,7 @@ final class RubbedHeap implements Serializable {
             system.renew();
             system.startFromNothing();
             system.regainNothing();
-            right = share.solve(system) || system.solve(scale, false);
+            right = system.share.solve(system) || system.solve(scale, false);
         }
         settle(heap);
         notes.deepen(detection, scales);
