@@ -19,7 +19,7 @@ public final class ChainGrowth {
     /** Steps of a link that a round makes at least. */
     private static final int LINK_STEPS = 2_000_000;
 
-    private static final int WARM_UP = 3;
+    private static final double WARM_UP = 10;
 
     private ChainGrowth() {}
 
@@ -31,12 +31,10 @@ public final class ChainGrowth {
     public static void main(String[] args) {
         int[] lengths = Arrays.stream(args).skip(1).mapToInt(Integer::parseInt).toArray();
         double[][] times = new double[lengths.length][Integer.parseInt(args[0])];
-        for (int round = -WARM_UP; round < times[0].length; round++) {
+        WarmUp.run(WARM_UP, () -> Arrays.stream(lengths).forEach(ChainGrowth::timePerLink));
+        for (int round = 0; round < times[0].length; round++) {
             for (int k = 0; k < lengths.length; k++) {
-                double time = timePerLink(lengths[k]);
-                if (round >= 0) {
-                    times[k][round] = time;
-                }
+                times[k][round] = timePerLink(lengths[k]);
             }
         }
         double[] medians = Arrays.stream(times).mapToDouble(all -> Arrays.stream(all).sorted().toArray()[all.length / 2]).toArray();

@@ -28,7 +28,7 @@ final class Chains {
     /** Steps of a batch at least, or they are measured before they are compiled. */
     private static final int LEAST_STEPS = 5;
 
-    private static final int WARM_UP = 4;
+    private static final double WARM_UP = 8;
 
     private Chains() {}
 
@@ -59,12 +59,10 @@ final class Chains {
     private static double[] medians(Runnable[] engines, int n, int rounds) {
         double[][] times = new double[engines.length][rounds];
         int steps = Math.max(LEAST_STEPS, BODY_STEPS / n);
-        for (int round = -WARM_UP; round < rounds; round++) {
+        WarmUp.run(WARM_UP, () -> Arrays.stream(engines).forEach(engine -> CpuTime.of(engine, steps)));
+        for (int round = 0; round < rounds; round++) {
             for (int e = 0; e < engines.length; e++) {
-                long time = CpuTime.of(engines[e], steps);
-                if (round >= 0) {
-                    times[e][round] = time * 1e-3 / steps;
-                }
+                times[e][round] = CpuTime.of(engines[e], steps) * 1e-3 / steps;
             }
         }
         return Arrays.stream(times).mapToDouble(time -> Arrays.stream(time).sorted().toArray()[rounds / 2]).toArray();

@@ -30,6 +30,7 @@ import sim.physics.shape.Rectangle;
  */
 public final class CrowdRun {
     private static final ThreadMXBean THREAD = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private static final double WARM_UP = 30;
     private static final double STEP = 1.0 / 60;
     private static final double SIDE = 8;
     private static final double G = 9.81;
@@ -79,16 +80,17 @@ public final class CrowdRun {
         double[] own = new double[rounds];
         double[] stepped = new double[rounds];
         double[] peer = new double[rounds];
-        for (int r = -1; r < rounds; r++) { // the first round warms up
+        WarmUp.run(WARM_UP, () -> {
+            double[][] places = places(robots + boxes, 6);
+            own(robots, places, steps, 0);
+            own(robots, places, steps, 4);
+            dyn4j(robots, places, steps);
+        });
+        for (int r = 0; r < rounds; r++) {
             double[][] places = places(robots + boxes, 7 + r);
-            double a = own(robots, places, steps, 0);
-            double c = own(robots, places, steps, 4);
-            double b = dyn4j(robots, places, steps);
-            if (r >= 0) {
-                own[r] = a;
-                stepped[r] = c;
-                peer[r] = b;
-            }
+            own[r] = own(robots, places, steps, 0);
+            stepped[r] = own(robots, places, steps, 4);
+            peer[r] = dyn4j(robots, places, steps);
         }
         Arrays.sort(own);
         Arrays.sort(stepped);

@@ -22,9 +22,8 @@ import java.util.function.Supplier;
  */
 public final class MachineRun {
     private static final int STEPS = 600;
-    private static final int WARM_UP = 150;
-    private static final int LEAST_WARM_UP = 40;
-    private static final double MOST_SECONDS = 20;
+    private static final double WARM_UP = 25;
+    private static final int LEAST_WARM_UP = 10;
     private static final String[] ENGINES = {"ours", "stepped", "JBox2D", "dyn4j"};
     private static final List<Supplier<MachineWorld>> MAKERS =
             List.of(OwnMachine::new, () -> new OwnMachine(4), JBox2DMachine::new, Dyn4jMachine::new);
@@ -51,10 +50,10 @@ public final class MachineRun {
 
     private static double[][] times(String name, int rounds) {
         double[][] times = new double[ENGINES.length][rounds];
-        long begun = System.nanoTime();
-        for (int round = 0; round < LEAST_WARM_UP || round < WARM_UP && System.nanoTime() - begun < 1e9 * MOST_SECONDS; round++) {
+        for (int round = 0; round < LEAST_WARM_UP; round++) {
             runAll(name);
         }
+        WarmUp.run(WARM_UP, () -> runAll(name));
         for (int round = 0; round < rounds; round++) {
             double[] all = runAll(name);
             for (int e = 0; e < ENGINES.length; e++) {

@@ -20,7 +20,7 @@ import sim.physics.PhysicsEngine;
  */
 public final class MechanismRun {
     private static final int STEPS = 2000;
-    private static final int WARM_UP = 25;
+    private static final double WARM_UP = 20;
 
     private MechanismRun() {}
 
@@ -37,12 +37,10 @@ public final class MechanismRun {
         }
         Map<String, double[]> times = new LinkedHashMap<>();
         scenes.keySet().forEach(name -> times.put(name, new double[rounds]));
-        for (int round = -WARM_UP; round < rounds; round++) {
+        WarmUp.run(WARM_UP, () -> scenes.values().forEach(scene -> CpuTime.of(scene.get()::step, STEPS)));
+        for (int round = 0; round < rounds; round++) {
             for (String name : scenes.keySet()) {
-                double time = CpuTime.of(scenes.get(name).get()::step, STEPS) * 1e-3 / STEPS;
-                if (round >= 0) {
-                    times.get(name)[round] = time;
-                }
+                times.get(name)[round] = CpuTime.of(scenes.get(name).get()::step, STEPS) * 1e-3 / STEPS;
             }
         }
         times.forEach((name, time) -> print(name, scenes.get(name).get(), time));

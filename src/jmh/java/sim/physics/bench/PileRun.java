@@ -19,7 +19,8 @@ import java.util.function.Supplier;
 public final class PileRun {
     private static final int QUARTER = 60;
     private static final int SUBSTEPS = 4;
-    private static final int WARM_UP = 300;
+    private static final double WARM_UP = 10;
+    private static final int FEW = 300;
     private static final Map<String, Supplier<MachineWorld>> ENGINES = new LinkedHashMap<>();
 
     static {
@@ -38,7 +39,7 @@ public final class PileRun {
     public static void main(String[] args) {
         String[] names = args[0].split(",");
         for (String name : names) {
-            times(name, WARM_UP);
+            WarmUp.run(WARM_UP, () -> times(name, FEW));
         }
         for (int k = 1; k < args.length; k++) {
             int n = Integer.parseInt(args[k]);

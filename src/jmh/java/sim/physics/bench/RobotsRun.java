@@ -8,9 +8,10 @@ import java.util.Locale;
 
 /**
  * Steps a second of the robots demo through MASON's schedule, warmed: {@code RobotsRun [rounds robots cans]}. A round is 40 seeds
- * of up to 2,000 steps, after four rounds to warm up; counted is the CPU time of the stepping thread, not the making of a model.
+ * of up to 2,000 steps, after half a minute to warm up; counted is the CPU time of the stepping thread, not the making of a model.
  */
 public final class RobotsRun {
+    private static final double WARM_UP = 30;
     private static final int SEEDS = 40;
     private static final int STEPS = 2000;
 
@@ -20,9 +21,7 @@ public final class RobotsRun {
         int rounds = args.length > 0 ? Integer.parseInt(args[0]) : 12;
         int robots = args.length > 1 ? Integer.parseInt(args[1]) : 2;
         int cans = args.length > 2 ? Integer.parseInt(args[2]) : 4;
-        for (int k = 0; k < 4; k++) {
-            round(robots, cans);
-        }
+        WarmUp.run(WARM_UP, () -> round(robots, cans));
         double[] rates = new double[rounds];
         for (int k = 0; k < rounds; k++) {
             rates[k] = round(robots, cans);

@@ -28,6 +28,8 @@ import sim.physics.shape.Rectangle;
 public final class ScaleRun {
     private static final ThreadMXBean THREAD = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
+    private static final double WARM_UP = 15;
+
     private ScaleRun() {}
 
     /**
@@ -65,7 +67,9 @@ public final class ScaleRun {
     }
 
     private static void disks(int n) {
-        for (double covered : new double[] {0.2, 0.4, 0.6, 0.7}) {
+        double[] covers = {0.2, 0.4, 0.6, 0.7};
+        WarmUp.run(WARM_UP, () -> Arrays.stream(covers).forEach(covered -> CpuTime.of(disks(n, covered)::step, 1000)));
+        for (double covered : covers) {
             PhysicsEngine engine = disks(n, covered);
             CpuTime.of(engine::step, 1000);
             double[] perSecond = new double[7];
@@ -117,12 +121,17 @@ public final class ScaleRun {
                 Locale.ROOT, "%d bodies, after %d steps: %.1f bytes a body%n", n, steps, layout.totalSize() / (double) n);
     }
 
-    /** Fresh gases, each in the engine and in the bare step, who begins by turns; the first half warms up. */
+    /** Fresh gases, each in the engine and in the bare step, who begins by turns. */
     private static void unused(int n, int rounds) {
         int steps = Math.max(20, 600_000 / n);
         double[] ratios = new double[rounds];
         double[] micros = new double[rounds];
-        for (int r = -rounds; r < rounds; r++) {
+        WarmUp.run(WARM_UP, () -> {
+            SceneData scene = Gas.s3(n, 499);
+            CpuTime.of(new OwnRunner(scene, false, 0).engine()::step, steps);
+            CpuTime.of(new BareStep(scene)::step, steps);
+        });
+        for (int r = 0; r < rounds; r++) {
             SceneData scene = Gas.s3(n, 500 + r);
             PhysicsEngine engine = new OwnRunner(scene, false, 0).engine();
             BareStep bare = new BareStep(scene);
@@ -130,10 +139,8 @@ public final class ScaleRun {
             double before = first ? CpuTime.of(engine::step, steps) : 0;
             double without = CpuTime.of(bare::step, steps);
             double with = first ? before : CpuTime.of(engine::step, steps);
-            if (r >= 0) {
-                ratios[r] = with / without;
-                micros[r] = with / 1e3 / steps;
-            }
+            ratios[r] = with / without;
+            micros[r] = with / 1e3 / steps;
             if (r == rounds - 1) {
                 System.out.printf(
                         Locale.ROOT, "impacts %d and %d, energy %.15g and %.15g%n", engine.getImpacts(), bare.impacts(),
@@ -149,7 +156,7 @@ public final class ScaleRun {
 
     private static void growth(int n, int rounds) {
         OwnRunner small = new OwnRunner(Gas.s3(1000, 1001), false, 0);
-        CpuTime.of(small::step, 4000);
+        WarmUp.run(WARM_UP, () -> CpuTime.of(small::step, 1000));
         OwnRunner large = new OwnRunner(Gas.s3(n, 1001), false, 0);
         CpuTime.of(large::step, 60);
         double[][] results = new double[3][rounds];
