@@ -181,15 +181,6 @@ final class FreeHeap implements Serializable {
         }
     }
 
-    /** Solves a large heap again, roughly, since what was found is not right. */
-    boolean solveRoughly(double time) {
-        system.tolerance().roughen(true);
-        system.again();
-        boolean done = system.solve(0, true);
-        soften(time);
-        return done;
-    }
-
     /**
      * Whether a heap that may not be lifted is to be solved for a shorter time: what lifts it for the bends of its ways is less then. Without forces
      * nothing is lent, and no time would be short enough.

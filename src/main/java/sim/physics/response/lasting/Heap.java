@@ -81,17 +81,15 @@ final class Heap implements Serializable {
     /** Whether bodies of the heap are driven. */
     private boolean isDriven;
 
-    /**
-     * Whether bodies rub on the plane on which they lie, or are driven over one on which others rub, and none is tied to
-     * others. In the end it is not both this and driven.
-     */
+    /** Whether bodies rub on the plane on which they lie, or are driven over one on which others rub, and none is tied; in the end not this and driven. */
     private boolean isRubbed;
 
     /** Whether bodies are tied to others. */
     private boolean isTied;
 
-    /** Whether the heap is so large that it is solved roughly. */
+    /** Whether the heap is so large that it is solved roughly, and whether its pairs may be as deep as if it was. */
     private boolean isRough;
+    private boolean isLax;
 
     /** How much of gaps the paths of driven bodies may take while forces hold, relative to the smaller body. */
     private double sag;
@@ -285,6 +283,7 @@ final class Heap implements Serializable {
         system.clear();
         deep.clear();
         scale = 0;
+        isLax = isRough || !isEven() && !isTied && large.isLax(heap);
         large.begin();
         flush.seams().forget();
         system.tolerance().hurry(!isRough && large.wasRough(heap));
@@ -331,7 +330,7 @@ final class Heap implements Serializable {
         double left = regain.time();
         double rounding = detection.narrowPhase().roundingOfGap();
         double depth = isEven() ? HeapGaps.depth(!pulls.isFalling(), size, rounding) : HeapGaps.depth(manifold.gap, size, rounding);
-        detection.marks().setDepth(pair, isRough ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed || isDriven && isStuck
+        detection.marks().setDepth(pair, isLax ? HeapGaps.depthOfMany(manifold.gap, size) : isRubbed || isDriven && isStuck
                 ? HeapGaps.slack(manifold.gap, depth) : isDriven && !members.isDriven() ? HeapGaps.watched(manifold.gap, depth) : depth);
         system.tolerance().allow(HeapGaps.littleSpeed(depth, left), HeapGaps.isDeeper(depth, size, rounding));
         for (int k = 0; k < manifold.count && !manifold.isAtEnds; k++) {
@@ -352,9 +351,9 @@ final class Heap implements Serializable {
             double full = scales.bend(manifold, point, a, b, left);
             double bend = isDriven ? scales.bendOfTurned(point, full, roam) + size * regain.sag(sag)
                     : isRubbed ? 0 : isHalf ? free.follow(p, manifold, k, point, depth, full, size, left) : full;
-            double any = isRough ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, regain)
+            double any = isLax ? HeapGaps.leastSpeedOfMany(manifold.gaps[k], bend, size, regain)
                     : HeapGaps.leastSpeed(manifold.gaps[k], depth, bend, regain, isFresh, isEven(), isTied);
-            boolean isKnown = isResumed && any > 0 && !isRough;
+            boolean isKnown = isResumed && any > 0 && !isLax;
             system.bound(p, isKnown ? HeapGaps.asFound(any, system.normal(p, courses.before()), manifold.gaps[k] + depth, bend, left) : any);
             closing.set(p, manifold.gaps[k], full, size, points.restitution(a, b),
                     ledger.presses(pair) && manifold.gaps[k] <= manifold.gap + HeapGaps.fairDepth(size));
@@ -373,7 +372,8 @@ final class Heap implements Serializable {
         boolean done = findImpulses(tau);
         if (!isEven() && !isRough && !large.judge(heap, system, done, scales.fastest(heap, system.v))) {
             isRough = true;
-            done = free.solveRoughly(regain.time());
+            take(tau);
+            done = findImpulses(tau);
         }
         halts = by.mostTurns(heap) > MOST && !isDriven;
         boolean isPressed = pulls.isOnAny(heap); // else it would hop deeper and deeper, and is halted

@@ -18,6 +18,11 @@ final class HeapRelaxation implements Serializable {
     private static final int ROUND = 15;
 
     private static final int ROUNDS = 8;
+
+    /** The same in a heap so slow that it may come to rest, if errors do not move it; and up to which part of its fair error it is. */
+    private static final int MOST_ROUNDS = 64;
+
+    private static final double SLOW = 0.1;
     private static final double PART = 0.04;
 
     /** Of impulses, 2 per point. */
@@ -50,7 +55,7 @@ final class HeapRelaxation implements Serializable {
         double fair = s.tolerance().fair();
         double fastest = 0;
         double error = Double.POSITIVE_INFINITY;
-        for (int round = 0; round < ROUNDS && error > Math.min(fair, PART * fastest); round++) {
+        for (int round = 0; round < (fastest <= SLOW * fair ? MOST_ROUNDS : ROUNDS) && error > Math.min(fair, PART * fastest); round++) {
             error = conjugate(s, ROUND);
             fastest = 0;
             for (int k = 0; k < s.bodyCount(); k++) {

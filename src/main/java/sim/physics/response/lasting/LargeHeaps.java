@@ -78,6 +78,14 @@ final class LargeHeaps implements Serializable {
         return yes;
     }
 
+    /**
+     * Whether pairs of a heap that is solved exactly may be as deep as if it was not, since that was not long ago: what would be regained of their
+     * gaps would move a pile that all but stands, and again each time that the exact solution is tried.
+     */
+    boolean isLax(IntList heap) {
+        return isLarge(heap.size) && wasRough(heap);
+    }
+
     /** Judges by an exact solution whether those of a heap take too long from now on, if it is a large one; false if it is not right. */
     boolean judge(IntList heap, HeapSystem system, boolean done, double fastest) {
         if (!isLarge(heap.size)) {
