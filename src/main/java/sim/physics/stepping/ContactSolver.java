@@ -49,6 +49,10 @@ final class ContactSolver implements Serializable {
     private final StruckPoints struck;
     private final ContactArms arms;
     private final UnlikeRows unlike;
+    private final LargePiles piles;
+
+    /** Whether large piles are solved from the last row to the first. */
+    private transient boolean isBackwards;
 
     /** Those of the rows, which grow when a step begins. */
     private transient int[] pairs;
@@ -67,6 +71,7 @@ final class ContactSolver implements Serializable {
         struck = new StruckPoints(state, rows);
         arms = new ContactArms(state, rows);
         unlike = new UnlikeRows(state, rows);
+        piles = new LargePiles(state, rows);
     }
 
     /**
@@ -77,6 +82,8 @@ final class ContactSolver implements Serializable {
      */
     void begin(double step, double h) {
         unlike.begin(step, h);
+        piles.begin();
+        isBackwards = false;
         pairs = rows.pairs;
         normals = rows.normals;
         points = rows.points;
@@ -122,13 +129,20 @@ final class ContactSolver implements Serializable {
         rows.push(sudden, w, a, b, p, (1 - part) * jx, (1 - part) * jy);
     }
 
-    /** Solves all points once. */
+    /** Solves all points once; those of large piles before the move in the order of the solution before it, and after it in the opposite one. */
     void solve(Softness softness, boolean regains, double h) {
         double[] v = state.v();
         double[] w = state.w().values();
         boolean areSome = unlike.any();
+        isBackwards = regains == isBackwards;
+        boolean areTwoWays = isBackwards && piles.any();
         for (int k = 0; k < rows.count; k++) {
-            if (!areSome || !unlike.has(k)) {
+            if ((!areSome || !unlike.has(k)) && !(areTwoWays && piles.has(k))) {
+                solve(v, w, k, softness, regains, h);
+            }
+        }
+        for (int k = rows.count - 1; areTwoWays && k >= 0; k--) {
+            if (piles.has(k) && (!areSome || !unlike.has(k))) {
                 solve(v, w, k, softness, regains, h);
             }
         }
