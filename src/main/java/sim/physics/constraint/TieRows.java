@@ -382,10 +382,14 @@ public final class TieRows implements Serializable {
         solver.keep(groups, marks);
     }
 
-    /** Adds what was given since the impulses were kept to what was done in the step: none of it will be taken back. */
-    public void note() {
-        add(null);
-        pinImpulses.note(null);
+    /**
+     * Adds what was given since the impulses were kept to what was done in the step: none of it will be taken back.
+     *
+     * @param shares what each body keeps of it; null for all
+     */
+    public void note(double[] shares) {
+        add(shares);
+        pinImpulses.note(shares);
     }
 
     /**

@@ -29,6 +29,9 @@ final class Balance implements Serializable {
     /** Part of its energy that a group may have got for nothing before it is made to pay: what swings gains some and loses it again. */
     private static final double PATIENCE = 0.01;
 
+    /** Times the energy that it may have from which on a group has been thrown about. */
+    private static final double LOST = 4;
+
     /** What energies may differ by for rounding. */
     private static final double ROUNDING = 1e-12;
 
@@ -301,10 +304,35 @@ final class Balance implements Serializable {
         for (int g = 0; g < groups.count; g++) {
             most[g] = (1 + ROUNDING) * Math.max(most[g], before[g]);
         }
+        markBooked();
+    }
+
+    private void markBooked() {
         for (int k = 0; k < groups.bodies; k++) {
             int body = groups.blocks[k] / BLOCK;
             marks[body] = groups.areBooked[groups.slots[body]];
         }
+    }
+
+    /** Notes the velocities with which compression begins, which gives no energy. */
+    void beginCompression() {
+        note();
+        measure(speeds);
+        markBooked();
+    }
+
+    /**
+     * Takes so much of what compression has given off groups that it has thrown about that they have no more energy than they may: over-relaxed turns
+     * may end nowhere where much rubs.
+     *
+     * @return whether there was such a group
+     */
+    boolean takeBackLost() {
+        boolean any = false;
+        for (int g = 0; g < groups.count; g++) {
+            any |= limit(g, LOST, Math.max(most[g], before[g]));
+        }
+        return any;
     }
 
     /**
@@ -427,15 +455,21 @@ final class Balance implements Serializable {
      */
     boolean limit() {
         boolean any = false;
-        double[] v = state.v();
         for (int g = 0; g < groups.count; g++) {
-            double now = product(v, v, g);
-            if (marks[groups.firsts[g]] && now > most[g]) {
-                scale(v, g, part(before[g], product(v, speeds, g), now, most[g]));
-                any = true;
-            }
+            any |= limit(g, 1, most[g]);
         }
         return any;
+    }
+
+    /** Limits what a group has to a bound if it is so many times as much. */
+    private boolean limit(int g, double times, double bound) {
+        double[] v = state.v();
+        double now = product(v, v, g);
+        boolean isMore = marks[groups.firsts[g]] && now > times * bound;
+        if (isMore) {
+            scale(v, g, LimitedChange.part(before[g], product(v, speeds, g), now, bound));
+        }
+        return isMore;
     }
 
     /** What each body keeps of what it has got. */
@@ -451,21 +485,6 @@ final class Balance implements Serializable {
                 v[m] = speeds[m] + part * (v[m] - speeds[m]);
             }
         }
-    }
-
-    /**
-     * The largest s from 0 to 1 with |u + s (v − u)|² at most a bound; the one with the least, if there is none.
-     *
-     * @param uu product of u with itself
-     * @param uv of u with v
-     * @param vv of v with itself
-     */
-    static double part(double uu, double uv, double vv, double most) {
-        double along = uu - uv; // −u (v − u)
-        double square = vv - 2 * uv + uu;
-        double root = along * along - square * (uu - most);
-        double s = square > 0 ? (along + Math.sqrt(Math.max(0, root))) / square : 0;
-        return Math.max(0, Math.min(1, s));
     }
 
     /** Forgets which groups were marked, and what was taken. */

@@ -353,6 +353,11 @@ final class Impacts implements Serializable {
         return compression.fresh();
     }
 
+    /** Whether joints tie bodies of a group in which something has met. */
+    boolean areJoined() {
+        return facts.areSomeJoined();
+    }
+
     /** Ends the turns of large groups in which nothing gives anything back. */
     void closeLarge(OpenGroups turns) {
         facts.closeLarge(turns);

@@ -86,6 +86,15 @@ final class MetGroups implements Serializable {
         loads[group] = Math.max(loads[group], load);
     }
 
+    /** Whether joints tie bodies of a group in which something has met. */
+    boolean areSomeJoined() {
+        boolean yes = false;
+        for (int g = 0; !yes && g < groups.count; g++) {
+            yes = counts[g] > 0 && areJoined[g];
+        }
+        return yes;
+    }
+
     /** Forgets what strikes too slowly. */
     void dropSlow() {
         for (int g = 0; g < groups.count; g++) {

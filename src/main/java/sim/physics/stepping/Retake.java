@@ -208,9 +208,43 @@ final class Retake implements Serializable {
         if (isDriven) {
             belts.strike(rows, groups, balance.speeds());
         }
+        compress(isDriven);
+        bounced.begin(rows);
+        contacts.note();
+        reflections.reflect(step);
+        impacts.restore(turns);
+        stops.restore();
         boolean goesOn = true;
+        impacts.beginParting(turns);
+        for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
+            impacts.part(turns);
+            stops.part(groups.slots, turns, impacts.fresh());
+            ties.settle(turns, impacts.fresh());
+            goesOn = turns.goOn();
+        }
+        stops.part();
+        contacts.straighten();
+        if (bounced.limit()) {
+            contacts.limitNoted(bounced.shares());
+        }
+        ties.putBack(marks, bounced.shares());
+        bounced.forget();
+        free.end(balance, a);
+        impacts.end();
+        impacts.mark(marks, false);
+    }
+
+    /** Compresses what has met in turn with its joints; what that throws about, over-relaxed as it is, gets no more energy than it may have. */
+    private void compress(boolean isDriven) {
+        StopRows stops = ties.stops();
         Freshness fresh = impacts.fresh();
         impacts.beginCompression(turns);
+        boolean mayBeLost = impacts.areJoined();
+        if (mayBeLost) {
+            bounced.beginCompression();
+            contacts.note();
+        }
+        boolean goesOn = true;
         for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
             ties.settle(turns, fresh);
             stops.compress(groups.slots, turns, fresh);
@@ -224,30 +258,12 @@ final class Retake implements Serializable {
             goesOn = turns.goOn();
         }
         contacts.straighten();
-        bounced.begin(rows);
-        contacts.note();
-        ties.note();
-        reflections.reflect(step);
-        impacts.restore(turns);
-        stops.restore();
-        goesOn = true;
-        impacts.beginParting(turns);
-        for (int turn = 0; goesOn && turn < BOUNCES; turn++) {
-            impacts.part(turns);
-            stops.part(groups.slots, turns, fresh);
-            ties.settle(turns, fresh);
-            goesOn = turns.goOn();
-        }
-        stops.part();
-        contacts.straighten();
-        if (bounced.limit()) {
+        boolean isLost = mayBeLost && bounced.takeBackLost();
+        if (isLost) {
             contacts.limitNoted(bounced.shares());
         }
-        ties.putBack(marks, bounced.shares());
+        ties.note(isLost ? bounced.shares() : null);
         bounced.forget();
-        free.end(balance, a);
-        impacts.end();
-        impacts.mark(marks, false);
     }
 
     private void regain(boolean[] marks, Softness contact, Softness joint, double h) {
