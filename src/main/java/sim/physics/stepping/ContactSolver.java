@@ -79,10 +79,11 @@ final class ContactSolver implements Serializable {
      *
      * @param step its length
      * @param h that of its substeps
+     * @param a accelerations by forces
      */
-    void begin(double step, double h) {
+    void begin(double step, double h, double[] a) {
         unlike.begin(step, h);
-        piles.begin();
+        piles.begin(a);
         isBackwards = false;
         pairs = rows.pairs;
         normals = rows.normals;
@@ -134,21 +135,47 @@ final class ContactSolver implements Serializable {
         double[] v = state.v();
         double[] w = state.w().values();
         boolean areSome = unlike.any();
-        isBackwards = regains == isBackwards;
-        boolean areTwoWays = isBackwards && piles.any();
+        boolean areLarge = piles.any();
         for (int k = 0; k < rows.count; k++) {
-            if ((!areSome || !unlike.has(k)) && !(areTwoWays && piles.has(k))) {
+            if (!(areSome && unlike.has(k) || areLarge && piles.has(k))) {
                 solve(v, w, k, softness, regains, h);
             }
         }
-        for (int k = rows.count - 1; areTwoWays && k >= 0; k--) {
-            if (piles.has(k) && (!areSome || !unlike.has(k))) {
-                solve(v, w, k, softness, regains, h);
-            }
+        if (areLarge) {
+            solvePiles(softness, regains, h);
         }
         if (areSome) {
             unlike.solve(null, softness.rate(), regains);
         }
+    }
+
+    /** Solves the points of large piles; and after the move some times more, there and back, of those in which that changes much. */
+    private void solvePiles(Softness softness, boolean regains, double h) {
+        isBackwards = regains == isBackwards;
+        piles.open();
+        boolean isBack = isBackwards;
+        boolean goesOn = true;
+        for (int turn = 1; goesOn; turn++) {
+            for (int n = 0; n < piles.pairs.size; n++) {
+                solvePile(isBack ? piles.pairs.size - 1 - n : n, softness, regains, h);
+            }
+            isBack = !isBack;
+            goesOn = !regains && piles.goOn(turn, h);
+        }
+    }
+
+    private void solvePile(int n, Softness softness, boolean regains, double h) {
+        int k = piles.pairs.values[n];
+        if (!piles.isOpen(n) || unlike.any() && unlike.has(k)) {
+            return;
+        }
+        double[] v = state.v();
+        int a = State.BLOCK * rows.first(k);
+        int b = State.BLOCK * rows.second(k);
+        double vx = v[a], vy = v[a + 1];
+        double ux = v[b], uy = v[b + 1];
+        solve(v, state.w().values(), k, softness, regains, h);
+        piles.change(n, Math.max(Math.abs(v[a] - vx) + Math.abs(v[a + 1] - vy), Math.abs(v[b] - ux) + Math.abs(v[b + 1] - uy)));
     }
 
     /** Solves the points of some pairs, which are all of marked bodies, once. */

@@ -40,6 +40,30 @@ class SteppedPyramidTest {
         assertThat(top.getY()).isCloseTo(rows - 0.5, within(0.1 * rows / (substeps * substeps * 4)));
     }
 
+    /** Bricks, each over two of the one below, of which every second course ends with halves, fall on one another from a little above. */
+    @ParameterizedTest
+    @CsvSource({"20, 10", "24, 16", "30, 20"})
+    void wallsStand(int courses, int bricks) {
+        PhysicsEngine engine = Stepped.engine(1 / 60.0, 4);
+        engine.add(new Gravity(0, -Stepped.G));
+        Stepped.ground(engine);
+        for (int course = 0; course < courses; course++) {
+            double y = 0.51 + 1.01 * course;
+            boolean isOdd = course % 2 == 1;
+            for (int k = 0; k < bricks; k++) {
+                boolean isLast = isOdd && k == bricks - 1;
+                Body brick = new Body(new Rectangle(isLast ? 1 : 2, 1)).at(1.01 * (2 * k + (isLast ? 0.5 : isOdd ? 1 : 0)), y);
+                Stepped.rough(engine.add(brick));
+            }
+            if (isOdd) {
+                Stepped.rough(engine.add(new Body(new Rectangle(1, 1)).at(-0.5, y)));
+            }
+        }
+        Stepped.run(engine, 900);
+        assertThat(engine.bodies()).filteredOn(b -> !b.isFixed()).allMatch(engine::isAsleep);
+        assertThat(Stepped.depth(engine)).isLessThan(1e-2);
+    }
+
     /** Rows fall on one another from a little above. */
     @ParameterizedTest
     @CsvSource({"14, 0.05", "16, 0.05", "20, 0.01"})
