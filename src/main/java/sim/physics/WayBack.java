@@ -19,7 +19,7 @@ import sim.physics.motion.State;
  * a link into what bears on it, from where no event drives it out again: then they are left as they are, and time stepping goes on.
  */
 final class WayBack {
-    /** Depth, relative to the smaller body, that closing joints may leave where there was less: what time stepping leaves in a crash. */
+    /** Depth, relative to the smaller body, that closing joints may add, or as much as there is: what time stepping leaves in a crash. */
     private static final double PRESSED = 1e-2;
 
     private final State state;
@@ -99,19 +99,24 @@ final class WayBack {
         if (!isFar()) {
             return false;
         }
-        List<Overlap> now = deep();
-        if (now.isEmpty()) {
+        List<Overlap> now = overlaps.find(bodies);
+        if (now.stream().noneMatch(pair -> isPressed(pair, 0))) {
             return false;
         }
         double[] closedX = state.x().clone();
         double[] closedV = state.v().clone();
         putBack();
         Map<List<Body>, Double> before = new HashMap<>();
-        deep().forEach(pair -> before.put(List.of(pair.a(), pair.b()), pair.depth()));
+        overlaps.find(bodies).forEach(pair -> before.put(List.of(pair.a(), pair.b()), pair.depth()));
         System.arraycopy(closedX, 0, state.x(), 0, x.length);
         System.arraycopy(closedV, 0, state.v(), 0, v.length);
         state.placedAll();
-        return now.stream().anyMatch(pair -> pair.depth() > before.getOrDefault(List.of(pair.a(), pair.b()), 0.0));
+        return now.stream().anyMatch(pair -> isPressed(pair, before.getOrDefault(List.of(pair.a(), pair.b()), 0.0)));
+    }
+
+    private static boolean isPressed(Overlap pair, double before) {
+        double size = Math.min(pair.a().getShape().boundingRadius(), pair.b().getShape().boundingRadius());
+        return pair.depth() - before > Math.max(PRESSED * size, before);
     }
 
     /** Whether a body has been moved so far that it may have been put into another one. */
@@ -127,13 +132,5 @@ final class WayBack {
             }
         }
         return false;
-    }
-
-    private List<Overlap> deep() {
-        return overlaps.find(bodies).stream().filter(pair -> pair.depth() > PRESSED * size(pair)).toList();
-    }
-
-    private static double size(Overlap pair) {
-        return Math.min(pair.a().getShape().boundingRadius(), pair.b().getShape().boundingRadius());
     }
 }

@@ -22,14 +22,14 @@ class BallInNetTest {
     private final PhysicsEngine engine = new PhysicsEngine();
     private Body ball;
 
-    private void build(int columns, int rows, double slack, double mass) {
+    private void build(int columns, int rows, double nearer, double mass) {
         engine.setTimeStep(1 / 60.0);
         engine.setWorkLimit(200_000);
         engine.add(new Gravity(0, -9.81));
         Body[][] knots = new Body[columns][rows];
         for (int i = 0; i < columns; i++) {
             for (int j = 0; j < rows; j++) {
-                knots[i][j] = body(0.1, PITCH * (1 - slack) * i, -PITCH * j, 0.05);
+                knots[i][j] = body(0.1, PITCH * (1 - nearer) * i, -PITCH * j, 0.05);
             }
         }
         engine.add(new PinJoint(knots[0][0], knots[0][0].getX(), 0));
@@ -70,8 +70,8 @@ class BallInNetTest {
     /** Joints that stand open under the load are not closed into the ball, step by step, until it is through. */
     @ParameterizedTest
     @CsvSource({"6, 1, 0, 5", "6, 1, 0.03, 5", "4, 2, 0, 5", "6, 2, 0.03, 5"})
-    void theNetHoldsTheBall(int columns, int rows, double slack, double mass) {
-        build(columns, rows, slack, mass);
+    void theNetHoldsTheBall(int columns, int rows, double nearer, double mass) {
+        build(columns, rows, nearer, mass);
         for (int k = 0; k < 300; k++) {
             double before = energy();
             engine.step();
