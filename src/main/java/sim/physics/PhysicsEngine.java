@@ -149,7 +149,7 @@ public final class PhysicsEngine implements Steppable {
             return;
         }
         if (relief.isOver(steps)) {
-            resume();
+            resume(false);
         }
         steering.begin(steps, timeStep, isStepped);
         if (isStepped) {
@@ -208,13 +208,14 @@ public final class PhysicsEngine implements Steppable {
         }
     }
 
-    /** Events are to be found again, if they can be from where the bodies are: joints can be closed, and what they tie is not deep in one another. */
-    private void resume() {
+    /** Events are to be found again, if they can be from where the bodies are: joints can be closed, and bodies are not deep in one another then. */
+    private void resume(boolean isAsked) {
         breakOverloaded();
         if (constraints != null && constraints.isChanged()) {
             admission.regroup();
         }
-        if (timeStepping.deepestTied() <= 0.5 * Tolerances.PUT && Relief.close(state, constraints)) {
+        WayBack back = new WayBack(state, constraints, new Overlaps(detection.filter()), bodies());
+        if (timeStepping.deepestTied() <= 0.5 * Tolerances.PUT && back.go(isAsked)) {
             relief.end(steps);
             timeStepping.sleep().setAllowed(isSleepAllowed);
             change(false);
@@ -809,7 +810,7 @@ public final class PhysicsEngine implements Steppable {
                 change(true);
             }
         } else if (isStepped && !relief.isOn()) {
-            resume();
+            resume(false);
         }
     }
 
@@ -1156,7 +1157,7 @@ public final class PhysicsEngine implements Steppable {
     public void setAudited(boolean audited) {
         requireStepOver("the audit was set");
         if (audited && relief.isOn()) {
-            resume();
+            resume(true);
         }
         if (audited && isStepped) {
             throw new IllegalStateException("an audit was asked for under time stepping: call setTimeStepping(0) before");

@@ -4,13 +4,9 @@ package sim.physics;
 
 import java.io.Serializable;
 import java.util.List;
-import sim.physics.constraint.ConstraintException;
-import sim.physics.constraint.Constraints;
-import sim.physics.internal.IntList;
 import sim.physics.internal.Work;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.Gravity;
-import sim.physics.motion.Reach;
 import sim.physics.motion.State;
 
 /**
@@ -170,26 +166,6 @@ final class Relief implements Serializable {
     void extend(long step) {
         isOn = true;
         until = step + LEAST;
-    }
-
-    /** Closes all joints where bodies are; false if one cannot be closed. */
-    static boolean close(State state, Constraints constraints) {
-        IslandRounds rounds = new IslandRounds();
-        rounds.begin();
-        try {
-            for (int k = 0; constraints != null && k < state.size(); k++) {
-                if (state.body(k) != null && constraints.isTied(k) && rounds.isFirst(constraints.island(k))) {
-                    IntList island = constraints.island(k);
-                    for (int m = 0; m < island.size; m++) {
-                        state.touch(island.values[m]);
-                    }
-                    constraints.assemble(island, Reach.NEWTON);
-                }
-            }
-            return true;
-        } catch (ConstraintException e) {
-            return false;
-        }
     }
 
     void end(long step) {

@@ -51,6 +51,9 @@ final class Projection implements Serializable {
      */
     private static final double FAR = 1e-6;
 
+    /** Part of the energy before by which velocities that are brought onto joints may have more, by rounding. */
+    private static final double MORE = 1e-6;
+
     /** Impacts of an island's stops on one another at one instant. */
     private static final int MOST_IMPACTS = 50;
 
@@ -109,6 +112,9 @@ final class Projection implements Serializable {
                 done = assembly.close(reach == Reach.ANYWHERE);
                 tried += assembly.corrections();
             }
+            if (done && island.switches.bias() == null) {
+                temper(island, state, n);
+            }
         } finally { // an author's constraint may throw
             island.setPlacing(was);
             for (int k = 0; !done && k < n; k++) {
@@ -120,6 +126,34 @@ final class Projection implements Serializable {
             note(state);
             island.evaluate(state);
             throw Slack.failure(island, tried);
+        }
+    }
+
+    /**
+     * Bringing velocities onto joints gives no energy: μ is their impulse, and what it changes is square to what is left. Where rows nearly depend on
+     * one another, as those of a taut chain do, rounding may be all that μ is: then only as much of it is given as takes the most.
+     */
+    private void temper(Island island, State state, int n) {
+        double[] w = state.w().values();
+        double[] v = state.v();
+        double had = 0;
+        double along = 0;
+        double square = 0;
+        for (int k = 0; k < n; k++) {
+            int s = slot(island, k);
+            if (w[s] > 0) {
+                double change = v[s] - before[n + k];
+                had += before[n + k] * before[n + k] / w[s];
+                along += before[n + k] * change / w[s];
+                square += change * change / w[s];
+            }
+        }
+        if (2 * along + square > MORE * had) {
+            double part = Math.max(0, -along / square);
+            for (int k = 0; k < n; k++) {
+                int s = slot(island, k);
+                v[s] = before[n + k] + part * (v[s] - before[n + k]);
+            }
         }
     }
 
