@@ -9,6 +9,7 @@ import sim.physics.collision.Overlaps;
 import sim.physics.constraint.Constraint;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.Formation;
+import sim.physics.constraint.KeptTurns;
 import sim.physics.constraint.Reaction;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
@@ -60,8 +61,7 @@ final class Admission implements Presence, Serializable {
     private final Answered answered = new Answered();
     private final WrittenBlocks written;
 
-    Admission(
-            State state, Trajectories trajectories, Motion motion, CollisionDetection detection, RestingContacts resting, Heaps heaps) {
+    Admission(State state, Trajectories trajectories, Motion motion, CollisionDetection detection, RestingContacts resting, Heaps heaps) {
         this.resting = resting;
         this.heaps = heaps;
         this.state = state;
@@ -453,11 +453,10 @@ final class Admission implements Presence, Serializable {
 
     /** Parts overlapping bodies between steps. */
     int separate(List<Body> bodies) {
-        Runnable joints = constraints == null ? null : this::closeJoints;
-        Overlaps overlaps = overlaps();
+        Separation separation = new Separation(overlaps(), bodies, new KeptTurns(constraints, state));
         Writings writings = new Writings(state);
         try {
-            return new Separation(overlaps, bodies).run(joints);
+            return separation.run(constraints == null ? null : this::closeJoints);
         } catch (RuntimeException e) {
             writings.putBack();
             throw e;

@@ -5,6 +5,7 @@ package sim.physics;
 import java.util.List;
 import sim.physics.collision.Overlap;
 import sim.physics.collision.Overlaps;
+import sim.physics.constraint.KeptTurns;
 import sim.physics.internal.Progress;
 import sim.physics.motion.Body;
 
@@ -24,9 +25,13 @@ final class Separation {
     /** By body: place, angle, and velocities before. */
     private final double[][] before;
 
-    Separation(Overlaps overlaps, List<Body> bodies) {
+    /** What joints know of them before. */
+    private final KeptTurns turns;
+
+    Separation(Overlaps overlaps, List<Body> bodies, KeptTurns turns) {
         this.overlaps = overlaps;
         this.bodies = bodies;
+        this.turns = turns;
         before = bodies.stream().map(Separation::now).toArray(double[][]::new);
     }
 
@@ -48,8 +53,8 @@ final class Separation {
             isDone = true;
             return sweeps;
         } finally {
-            for (int k = 0; !isDone && k < before.length; k++) {
-                putBack(bodies.get(k), before[k], now(bodies.get(k)));
+            if (!isDone) {
+                putBack();
             }
         }
     }
@@ -68,6 +73,13 @@ final class Separation {
             more = overlaps.separate(bodies);
         }
         return sweeps;
+    }
+
+    private void putBack() {
+        for (int k = 0; k < before.length; k++) {
+            putBack(bodies.get(k), before[k], now(bodies.get(k)));
+        }
+        turns.putBack();
     }
 
     private static void putBack(Body body, double[] to, double[] from) {

@@ -76,7 +76,7 @@ final class Island implements Serializable {
 
     final BlockFactor factor;
 
-    private final Turns turns;
+    final Turns turns;
     private final PinRows pins;
     private final JointRows joints;
     private final NodeRows rows;

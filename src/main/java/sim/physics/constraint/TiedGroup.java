@@ -5,6 +5,7 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import sim.physics.internal.IntList;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -48,6 +49,15 @@ final class TiedGroup implements Serializable {
             island = new Island(bodies, constraints);
         }
         return island;
+    }
+
+    /** Keeps what the island knows of its bodies' turns, if it was made. */
+    void keepTurns(Map<Turns, double[][]> kept, State state) {
+        if (island != null) {
+            Island active = island.switches.active(state);
+            kept.put(island.turns, island.turns.keep());
+            kept.put(active.turns, active.turns.keep());
+        }
     }
 
     /** Number of rows that depend on others, as the last solve found them. */

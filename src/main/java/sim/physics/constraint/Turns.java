@@ -72,6 +72,18 @@ final class Turns implements Serializable {
         return moved;
     }
 
+    /** A copy of the angles, and of the cosines and sines that go with them. */
+    double[][] keep() {
+        return new double[][] {angle.clone(), turn.clone()};
+    }
+
+    /** Puts them back. What was evaluated of them since is none of theirs. */
+    void putBack(double[][] kept) {
+        System.arraycopy(kept[0], 0, angle, 0, angle.length);
+        System.arraycopy(kept[1], 0, turn, 0, turn.length);
+        Arrays.fill(place, Double.NaN);
+    }
+
     /** Takes note of a tiny move of the bodies: turns the cosines and sines by its angles instead of finding them anew. */
     void nudge(double[] x, double[] move) {
         for (int k = 0; k < angle.length; k++) {

@@ -61,7 +61,6 @@ class EditFuzzTest {
 
     /** Seeds of the long run that are known to break a law, each with what is known. One that breaks none any more must be taken off. */
     private static final Map<Long, String> KNOWN = Map.of(
-            390L, "a separation that is refused is seen in the last bit of what a slot, a pin and a motor do in the next step; why is not known",
             1336L, "a spin that has died away to 10^-314 is zero in one unit and not in another, and so a stop is struck or not",
             1196L, "impacts of a body that is welded fast, and that rounding moves at 10^-30 m/s, are counted in one unit and not in another");
 
@@ -73,6 +72,14 @@ class EditFuzzTest {
     @Test
     void lawsHoldInTwentyEditedWorlds() {
         for (long seed = 0; seed < SHORT; seed++) {
+            assertThat(broken(seed, false)).as("what seed %s breaks", seed).isEmpty();
+        }
+    }
+
+    /** A separation that was refused was seen in the last bit of the next step: islands had turned with the bodies, and back. */
+    @Test
+    void lawsHoldWhereASeparationIsRefused() {
+        for (long seed : new long[] {390, 1532}) {
             assertThat(broken(seed, false)).as("what seed %s breaks", seed).isEmpty();
         }
     }
