@@ -14,7 +14,7 @@ import java.util.List;
  * output, in a JVM of its own. The page is written after each block, so a run that is ended has not been for nothing.
  *
  * <pre>
- * SpeedPage                 all blocks, about ten minutes
+ * SpeedPage                 all blocks, about half an hour
  * SpeedPage ChainRun disks  those whose line has one of these words in it
  * </pre>
  */
