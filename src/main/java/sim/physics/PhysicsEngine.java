@@ -214,8 +214,8 @@ public final class PhysicsEngine implements Steppable {
         if (constraints != null && constraints.isChanged()) {
             admission.regroup();
         }
-        WayBack back = new WayBack(state, constraints, new Overlaps(detection.filter()), bodies());
-        if (timeStepping.deepestTied() <= 0.5 * Tolerances.PUT && back.go(isAsked)) {
+        if (timeStepping.deepestTied() <= 0.5 * Tolerances.PUT
+                && (constraints == null || new WayBack(state, constraints, new Overlaps(detection.filter()), bodies()).go(isAsked))) {
             relief.end(steps);
             timeStepping.sleep().setAllowed(isSleepAllowed);
             change(false);

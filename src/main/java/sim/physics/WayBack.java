@@ -38,7 +38,6 @@ final class WayBack {
     /**
      * Prepares for it.
      *
-     * @param constraints null if there are none
      * @param overlaps finds what closing joints has put into one another
      */
     WayBack(State state, Constraints constraints, Overlaps overlaps, List<Body> bodies) {
@@ -56,9 +55,6 @@ final class WayBack {
      * @param isAsked whether an author has asked for events, so that nothing is in the way
      */
     boolean go(boolean isAsked) {
-        if (constraints == null) {
-            return true;
-        }
         if (!close() || !isAsked && presses()) {
             putBack();
             return false;

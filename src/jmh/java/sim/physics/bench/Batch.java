@@ -31,10 +31,8 @@ final class Batch {
 
     /** Builds and runs batches, not timed, for a number of seconds; short runs of Java engines are cold. */
     static void warmUp(String engine, BenchScene scene, int n, boolean read, double seconds) {
-        long end = System.nanoTime() + (long) (seconds * 1e9);
-        for (long seed = -1; System.nanoTime() < end; seed--) {
-            new Batch(engine, scene, n, seed).run(read);
-        }
+        long[] seed = {0};
+        WarmUp.run(seconds, () -> new Batch(engine, scene, n, --seed[0]).run(read));
     }
 
     /** {@return the steps that {@link #run} makes, over all scenes} */

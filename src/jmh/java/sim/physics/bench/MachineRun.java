@@ -12,8 +12,8 @@ import java.util.function.Supplier;
 
 /**
  * Compares engines on the machines of {@link Machine}, jointed bodies with motors and stops on the ground: 600 steps of 1/60 s.
- * Engines take turns in one JVM with fresh machines; times are CPU times of the stepping thread, medians of rounds after 150 that do not
- * count, or as many as take 20 s, but 40 at least (after 3,000 steps our engine still takes twice as long as when all of it is compiled). Then each
+ * Engines take turns in one JVM with fresh machines; times are CPU times of the stepping thread, medians of rounds after ten and 25 s that do not
+ * count (after 3,000 steps our engine still takes twice as long as when all of it is compiled). Then each
  * engine's errors are printed, found in a run of their own.
  *
  * <pre>

@@ -298,27 +298,21 @@ final class Balance implements Serializable {
 
     /** Notes the velocities with which bounces begin: they may keep their energy, and what moving surfaces have given. */
     void begin(ContactRows rows) {
-        note();
-        measure(speeds);
+        begin();
         groups.drive(rows, ContactRows.TANGENT, most);
         for (int g = 0; g < groups.count; g++) {
             most[g] = (1 + ROUNDING) * Math.max(most[g], before[g]);
         }
-        markBooked();
     }
 
-    private void markBooked() {
+    /** Notes the velocities with which something begins that gives no energy, and marks the groups of which books are kept. */
+    void begin() {
+        note();
+        measure(speeds);
         for (int k = 0; k < groups.bodies; k++) {
             int body = groups.blocks[k] / BLOCK;
             marks[body] = groups.areBooked[groups.slots[body]];
         }
-    }
-
-    /** Notes the velocities with which compression begins, which gives no energy. */
-    void beginCompression() {
-        note();
-        measure(speeds);
-        markBooked();
     }
 
     /**

@@ -166,7 +166,7 @@ final class ContactSolver implements Serializable {
 
     private void solvePile(int n, Softness softness, boolean regains, double h) {
         int k = piles.pairs.values[n];
-        if (!piles.isOpen(n) || unlike.any() && unlike.has(k)) {
+        if (!piles.isOpen(n) || isOfSet(k)) {
             return;
         }
         double[] v = state.v();

@@ -83,7 +83,7 @@ final class LargePiles implements Serializable {
     private void add(int k, int root) {
         pairs.add(k);
         piles.add(root);
-        if (!areOpen[root]) {
+        if (!areOpen[root]) { // it is not listed yet
             roots.add(root);
             areOpen[root] = true;
         }

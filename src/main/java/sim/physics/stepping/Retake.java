@@ -241,7 +241,7 @@ final class Retake implements Serializable {
         impacts.beginCompression(turns);
         boolean mayBeLost = impacts.areJoined();
         if (mayBeLost) {
-            bounced.beginCompression();
+            bounced.begin();
             contacts.note();
         }
         boolean goesOn = true;

@@ -18,12 +18,12 @@ final class HeapRelaxation implements Serializable {
     private static final int ROUND = 15;
 
     private static final int ROUNDS = 8;
+    private static final double PART = 0.04;
 
-    /** The same in a heap so slow that it may come to rest, if errors do not move it; and up to which part of its fair error it is. */
+    /** How often in a heap so slow that it may come to rest, if errors do not move it; and up to which part of its fair error it is. */
     private static final int MOST_ROUNDS = 64;
 
     private static final double SLOW = 0.1;
-    private static final double PART = 0.04;
 
     /** Of impulses, 2 per point. */
     private final ConjugateSweeps sweeps = new ConjugateSweeps();
