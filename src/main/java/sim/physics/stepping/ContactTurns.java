@@ -17,11 +17,13 @@ import static sim.physics.stepping.ContactRows.NORMAL;
 import static sim.physics.stepping.ContactRows.NORMAL_SUM;
 import static sim.physics.stepping.ContactRows.NOW;
 import static sim.physics.stepping.ContactRows.PAIR;
+import static sim.physics.stepping.ContactRows.REGAIN;
 import static sim.physics.stepping.ContactRows.RUBBING;
 import static sim.physics.stepping.ContactRows.STEADY;
 import static sim.physics.stepping.ContactRows.STRIDE;
 import static sim.physics.stepping.ContactRows.TANGENT;
 import static sim.physics.stepping.ContactRows.TANGENT_SUM;
+import static sim.physics.stepping.ContactRows.WEIGHT;
 
 import java.io.Serializable;
 import java.util.Arrays;
@@ -58,8 +60,16 @@ final class ContactTurns implements Serializable {
     /** Turn of a body in a step, rad, from which on no normal goes along. */
     private static final double MOST = 0.5;
 
-    /** The same that is none: what hardly turns, in piles, costs no more than what does not, and what trembles is not solved in two ways by turns, and for ever. */
-    private static final double NONE = 5e-4;
+    /** The same that is none: what hardly turns, in piles, costs no more than what does not. */
+    private static final double NONE = 2e-5;
+
+    /**
+     * The same of what trembles, else it is solved in two ways by turns, and for ever: a tenth of what forces move it by in a step, seen from as far as
+     * it is large, which is the less the shorter the step; and at most.
+     */
+    private static final double TREMBLING = 0.1;
+
+    private static final double MOST_TREMBLING = 5e-4;
 
     private final State state;
     private final ContactRows rows;
@@ -114,7 +124,13 @@ final class ContactTurns implements Serializable {
     private boolean isStill(int k, Touch touch) {
         double[] v = state.v();
         double turn = step * Math.max(Math.abs(v[State.BLOCK * rows.first(k) + 2]), Math.abs(v[State.BLOCK * rows.second(k) + 2]));
-        return turn > MOST || isPlain(k, touch) || turn < NONE && (touch.turnsBy < BETWEEN || goesRound(k) < NONE);
+        double none = none(k);
+        return turn > MOST || isPlain(k, touch) || turn < none && (touch.turnsBy < BETWEEN || goesRound(k) < none);
+    }
+
+    private double none(int k) {
+        double size = step * rows.normals[PAIR * k + REGAIN] / TimeStepping.REGAIN;
+        return Math.min(MOST_TREMBLING, Math.max(NONE, TREMBLING * step * step * rows.normals[PAIR * k + WEIGHT] / size));
     }
 
     /** Whether a body turns too far in the step for that. */

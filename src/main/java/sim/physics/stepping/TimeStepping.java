@@ -37,7 +37,7 @@ public final class TimeStepping implements Serializable {
     private static final double NEAR = 0.01;
 
     /** Depth that is regained in a step at most, relative to the smaller body. */
-    private static final double REGAIN = 0.1;
+    static final double REGAIN = 0.1;
 
     /** How many times larger impulses are begun with in a longer substep at most: what a short one has not settled would grow as much. */
     private static final double MOST_GROWTH = 2;
