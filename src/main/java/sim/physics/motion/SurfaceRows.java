@@ -8,9 +8,10 @@ import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 
 /**
- * Friction with the plane as time stepping solves it: one impulse of force and torque for each body, which stops it or is on the
- * limit surface, there in the direction that takes most energy. The limit surface is taken for the ellipsoid through the
- * largest force and the largest torque (Howe and Cutkosky, <i>Practical force-motion models for sliding manipulation</i>, 1996).
+ * Friction with the plane as time stepping solves it: one impulse of force and torque for each body, which stops it or is that of the body's
+ * patch ({@link SurfacePatch}). Against the motion that is sought stands the friction of the ellipsoid through the largest force and the largest
+ * torque (Howe and Cutkosky, <i>Practical force-motion models for sliding manipulation</i>, 1996), which has a closed form; what the
+ * patch's differs from it, by up to a third for slender bodies, is that of the motion of the substep before.
  */
 public final class SurfaceRows implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -18,7 +19,10 @@ public final class SurfaceRows implements Serializable {
     private static final int ROUNDS = 20;
     private static final double REACHED = 1e-12;
 
-    private static final int STRIDE = 6;
+    /** How often the motion is looked for with which a body begins to slide that the ellipsoid would hold. */
+    private static final int ONSET = 8;
+
+    private static final int STRIDE = 9;
 
     /** Largest force, at rest and while sliding; torque over force. */
     private static final int STATIC = 3;
@@ -26,11 +30,22 @@ public final class SurfaceRows implements Serializable {
     private static final int KINETIC = 4;
     private static final int ARM = 5;
 
+    /** What the ellipsoid's friction lacks of the patch's, for a largest force of one. */
+    private static final int LACK = 6;
+
+    /** Loads within this part of the ellipsoid are held by every patch, and those beyond it as many times by none. */
+    private static final double SURELY = 0.5;
+
+    private static final double NEVER = 1.5;
+
     /**
      * Substeps for which a body that others push slides against static friction: in the first ones after a push has grown, they give more and less than
      * the push by turns.
      */
     private static final int BREAKAWAY = 12;
+
+    /** Substeps after which what slides is taken for a motion, and not for what a push that others have yet to bear has moved. */
+    private static final int SETTLED = 6;
 
     private final State state;
     private final Generators generators;
@@ -88,6 +103,30 @@ public final class SurfaceRows implements Serializable {
         }
     }
 
+    /** Takes note of how bodies move before a substep: what their patches do then is not what the ellipsoid does. */
+    public void note() {
+        double[] v = state.v();
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            note(k, v[b], v[b + 1], v[b + 2]);
+        }
+    }
+
+    private void note(int k, double vx, double vy, double spin) {
+        int o = STRIDE * k;
+        double arm = rows[o + ARM];
+        double turn = arm * spin;
+        double speed = Math.sqrt(vx * vx + vy * vy + turn * turn);
+        Arrays.fill(rows, o + LACK, o + LACK + State.BLOCK, 0);
+        if (turn != 0 && speed > 0) { // else there is no torque, and the force is against the way
+            int body = bodies.values[k];
+            state.body(body).surfacePatch().friction(vx, vy, spin, state.x()[State.BLOCK * body + 2], out);
+            rows[o + LACK] = out[0] + vx / speed;
+            rows[o + LACK + 1] = out[1] + vy / speed;
+            rows[o + LACK + 2] = out[2] + arm * turn / speed;
+        }
+    }
+
     /**
      * Begins a substep, in which nothing but forces has acted: nothing is known of its impulses, as each body's are found at once.
      *
@@ -105,12 +144,12 @@ public final class SurfaceRows implements Serializable {
      * Solves all bodies once.
      *
      * @param h substep
+     * @param isHalf whether the first half of the substep is meant, after which bodies move: what slides has got half of its friction then
      */
-    public void solve(double h) {
-        double[] v = state.v();
-        double[] w = state.w().values();
+    public void solve(double h, boolean isHalf) {
         for (int k = 0; k < bodies.size; k++) {
-            solve(k, v, w, h);
+            int body = bodies.values[k];
+            solve(k, isHalf && slides[body] && slid[body] >= SETTLED ? 0.5 * h : h);
         }
     }
 
@@ -136,19 +175,20 @@ public final class SurfaceRows implements Serializable {
     public void solve(boolean[] marks, double h) {
         for (int k = 0; k < bodies.size; k++) {
             if (marks[bodies.values[k]]) {
-                solve(k, state.v(), state.w().values(), h);
+                solve(k, h);
             }
         }
     }
 
-    private void solve(int k, double[] v, double[] w, double h) {
+    private void solve(int k, double h) {
+        double[] v = state.v();
+        double[] w = state.w().values();
         int b = State.BLOCK * bodies.values[k];
         int o = STRIDE * k;
         double vx = v[b] - w[b] * rows[o]; // without friction
         double vy = v[b + 1] - w[b] * rows[o + 1];
         double spin = v[b + 2] - w[b + 2] * rows[o + 2];
-        double arm = rows[o + ARM];
-        boolean rests = held(vx, vy, spin, w[b], w[b + 2], arm) <= rows[o + STATIC] * h;
+        boolean rests = rests(k, vx / w[b], vy / w[b], spin / w[b + 2], h);
         slides[bodies.values[k]] = !rests;
         if (rests) {
             rows[o] = -vx / w[b];
@@ -158,7 +198,7 @@ public final class SurfaceRows implements Serializable {
             v[b + 1] = 0;
             v[b + 2] = 0;
         } else {
-            slide(o, b, vx, vy, spin, rows[o + (slid[bodies.values[k]] < BREAKAWAY ? STATIC : KINETIC)] * h);
+            slide(k, vx, vy, spin, rows[o + (slid[bodies.values[k]] < BREAKAWAY ? STATIC : KINETIC)] * h);
         }
     }
 
@@ -167,37 +207,64 @@ public final class SurfaceRows implements Serializable {
         double[] v = state.v();
         double[] w = state.w().values();
         int b = State.BLOCK * bodies.values[k];
-        return held(v[b], v[b + 1], v[b + 2], w[b], w[b + 2], rows[STRIDE * k + ARM]) > rows[STRIDE * k + STATIC] * h;
+        return !rests(k, v[b] / w[b], v[b + 1] / w[b], v[b + 2] / w[b + 2], h);
     }
 
-    /** The force to stop a body, in the measure of the ellipsoid. */
-    private static double held(double vx, double vy, double spin, double w, double wSpin, double arm) {
-        double force = (vx * vx + vy * vy) / (w * w);
-        double turn = spin / (wSpin * arm);
-        return Math.sqrt(force + turn * turn);
+    /** Whether static friction takes an impulse and a turn. */
+    private boolean rests(int k, double px, double py, double turn, double h) {
+        double most = rows[STRIDE * k + STATIC] * h;
+        double push = turn / rows[STRIDE * k + ARM];
+        double load = Math.sqrt(px * px + py * py + push * push);
+        if (!(load > SURELY * most && load < NEVER * most)) {
+            return load <= most;
+        }
+        int body = bodies.values[k];
+        return state.body(body).surfacePatch().holds(px, py, turn, state.x()[State.BLOCK * body + 2], most);
     }
 
     /**
-     * The impulse −D u/σ against the velocity u that is left, D the squares of the ellipsoid's axes and σ² = u·D u: with
-     * u = v / (1 + w D/σ) an equation for σ, which is convex, by Newton's method from below.
+     * The impulse −P A u/σ against the velocity u that is left, P the largest one, A the squares of the ellipsoid's axes for P = 1 and σ² = u·A u: with
+     * u = v / (1 + w P A/σ) an equation for the speed σ. What that lacks of the patch's friction is a force. Where the ellipsoid would hold what the patch does not,
+     * that force is looked for with the motion that begins.
      */
-    private void slide(int o, int b, double vx, double vy, double spin, double most) {
+    private void slide(int k, double vx, double vy, double spin, double most) {
         double[] v = state.v();
         double[] w = state.w().values();
+        int b = State.BLOCK * bodies.values[k];
+        int o = STRIDE * k;
         double arm = rows[o + ARM];
-        if (most == 0) {
-            v[b] = vx;
-            v[b + 1] = vy;
-            v[b + 2] = spin;
-            Arrays.fill(rows, o, o + State.BLOCK, 0);
-            return;
+        double add = w[b] * most;
+        double addTurn = w[b + 2] * most * arm * arm;
+        double ux = vx;
+        double uy = vy;
+        double uSpin = spin;
+        double sigma = 0;
+        for (int round = 0; most > 0; round++) {
+            ux = vx + add * rows[o + LACK];
+            uy = vy + add * rows[o + LACK + 1];
+            uSpin = spin + w[b + 2] * most * rows[o + LACK + 2];
+            sigma = speed(ux * ux + uy * uy, arm * arm * uSpin * uSpin, add, addTurn);
+            if (sigma > 0 || round == ONSET) {
+                break;
+            }
+            boolean isFirst = round == 0;
+            note(k, isFirst ? vx : ux / add, isFirst ? vy : uy / add, isFirst ? spin : uSpin / addTurn);
         }
-        double d = most * most;
-        double dTurn = d * arm * arm;
-        double line = d * (vx * vx + vy * vy);
-        double turn = dTurn * spin * spin;
-        double add = w[b] * d;
-        double addTurn = w[b + 2] * dTurn;
+        double keep = most > 0 ? sigma / (sigma + add) : 1;
+        double keepTurn = most > 0 ? sigma / (sigma + addTurn) : 1;
+        v[b] = ux * keep;
+        v[b + 1] = uy * keep;
+        v[b + 2] = uSpin * keepTurn;
+        rows[o] = (v[b] - vx) / w[b];
+        rows[o + 1] = (v[b + 1] - vy) / w[b];
+        rows[o + 2] = (v[b + 2] - spin) / w[b + 2];
+    }
+
+    /** Solves line / (σ + add)² + turn / (σ + addTurn)² = 1, which is convex, by Newton's method from below; 0 if σ would be negative. */
+    private static double speed(double line, double turn, double add, double addTurn) {
+        if (!(line / (add * add) + turn / (addTurn * addTurn) > 1)) {
+            return 0;
+        }
         // each of the two terms alone has its zero below that of their sum, and not far off
         double sigma = Math.max(0, Math.max(Math.sqrt(line) - add, Math.sqrt(turn) - addTurn));
         for (int round = 0; round < ROUNDS; round++) {
@@ -210,13 +277,6 @@ public final class SurfaceRows implements Serializable {
                 break;
             }
         }
-        double keep = sigma / (sigma + add);
-        double keepTurn = sigma / (sigma + addTurn);
-        v[b] = vx * keep;
-        v[b + 1] = vy * keep;
-        v[b + 2] = spin * keepTurn;
-        rows[o] = (v[b] - vx) / w[b];
-        rows[o + 1] = (v[b + 1] - vy) / w[b];
-        rows[o + 2] = (v[b + 2] - spin) / w[b + 2];
+        return sigma;
     }
 }

@@ -388,6 +388,7 @@ public final class TimeStepping implements Serializable {
         if (bounces) {
             retake.approach();
         }
+        turn.note();
         halves.accelerate(a, d);
         forces.springs().evaluate(d);
         if (isBalanced) {

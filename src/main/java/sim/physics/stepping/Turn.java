@@ -46,6 +46,13 @@ final class Turn implements Serializable {
         }
     }
 
+    /** Takes note of how bodies move before a substep, in which nothing has acted. */
+    void note() {
+        if (isRubbed) {
+            surface.note();
+        }
+    }
+
     /** Gives the bodies the impulses of the substep before. */
     void start(double[] sudden, double d) {
         if (isRubbed) {
@@ -67,7 +74,7 @@ final class Turn implements Serializable {
      */
     void solve(Softness joint, Softness contact, boolean regains, double d) {
         if (isRubbed) {
-            surface.solve(d);
+            surface.solve(d, regains);
         }
         springs.solve();
         if (isTied) {
