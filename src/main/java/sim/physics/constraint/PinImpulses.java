@@ -62,6 +62,9 @@ final class PinImpulses implements Serializable {
     /** How many of them, from the first one on, are of bodies that are awake. */
     private int awake;
 
+    /** Which do not yield, as their trees are solved at once. */
+    private boolean[] isStiff = {};
+
     PinImpulses(State state) {
         this.state = state;
         turns = new ArmTurns(state);
@@ -78,6 +81,7 @@ final class PinImpulses implements Serializable {
         data = new double[STRIDE * pins.size()];
         noted = new double[2 * pins.size()];
         solved = new long[pins.size()];
+        isStiff = new boolean[pins.size()];
         turns.clear();
         for (int k = 0; k < pins.size(); k++) {
             PinJoint pin = pins.get(k);
@@ -365,6 +369,32 @@ final class PinImpulses implements Serializable {
         return bends ? x * (ux + d[o + BEND]) + y * (uy + d[o + BEND + 1]) : x * ux + y * uy;
     }
 
+    /** A component of the arm of one of the two bodies of a pin. */
+    double arm(int k, int end, int component) {
+        return data[STRIDE * k + ARM + 2 * end + component];
+    }
+
+    /** By how much a pin is open. */
+    double open(int k, int component) {
+        return data[STRIDE * k + C + component];
+    }
+
+    /** The impulse of a pin on its first body. */
+    double impulse(int k, int component) {
+        return data[STRIDE * k + IMPULSE + component];
+    }
+
+    /** The size that counts for a pin. */
+    double size(int k) {
+        return data[STRIDE * k + MOST];
+    }
+
+    /** Takes note of an impulse that the bodies of a pin have got. */
+    void book(int k, double jx, double jy) {
+        data[STRIDE * k + IMPULSE] += jx;
+        data[STRIDE * k + IMPULSE + 1] += jy;
+    }
+
     /** Gives the bodies of a pin an impulse. */
     void give(int k, double jx, double jy) {
         int o = STRIDE * k;
@@ -375,11 +405,19 @@ final class PinImpulses implements Serializable {
 
     /** Solves all pins once. */
     void solve(Softness softness) {
-        double[] v = state.v();
-        double[] w = state.w().values();
-        for (int k = 0, o = 0; k < awake; k++, o += STRIDE) {
-            solve(v, w, k, o, softness.rate(), softness.mass(), softness.impulse());
+        for (int k = 0; k < awake; k++) {
+            solve(k, softness);
         }
+    }
+
+    private void solve(int k, Softness softness) {
+        boolean yields = !isStiff[k];
+        solve(state.v(), state.w().values(), k, STRIDE * k, softness.rate(), yields ? softness.mass() : 1, yields ? softness.impulse() : 0);
+    }
+
+    /** Says whether a pin yields where its place is regained. */
+    void setStiff(int k, boolean isStiff) {
+        this.isStiff[k] = isStiff;
     }
 
     /** Solves velocities of groups that have not settled once more; those have not in which some were off that count for something, compared with those of the bodies. */
@@ -415,7 +453,7 @@ final class PinImpulses implements Serializable {
     void solve(boolean[] marks, Softness softness) {
         for (int k = 0; k < awake; k++) {
             if (TieEquations.isMarked(blocks, k, marks)) {
-                solve(state.v(), state.w().values(), k, STRIDE * k, softness.rate(), softness.mass(), softness.impulse());
+                solve(k, softness);
             }
         }
     }

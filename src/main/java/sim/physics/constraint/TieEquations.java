@@ -82,7 +82,7 @@ final class TieEquations implements Serializable {
 
     /** What a row is off, as far as it is regained: by the size of a body, or a radian. Joints that jam would else throw bodies about. */
     double limited(int k, int row, double off) {
-        double most = ties[k].isAngle(row) ? 1 : sizes[k];
+        double most = size(k, row);
         return Math.max(-most, Math.min(most, off));
     }
 
@@ -391,6 +391,11 @@ final class TieEquations implements Serializable {
         given[BLOCK * k] += j[o] * by;
         given[BLOCK * k + 1] += j[o + 1] * by;
         given[BLOCK * k + 2] += j[o + 2] * by;
+    }
+
+    /** The size that counts for a row. */
+    double size(int k, int row) {
+        return ties[k].isAngle(row) ? 1 : sizes[k];
     }
 
     /** Changes velocities as an impulse along a row does. */

@@ -24,6 +24,9 @@ public final class TieRows implements Serializable {
     private static final int BLOCK = State.BLOCK;
     private static final int ROWS = Equations.ROWS;
 
+    /** How often trees are brought onto their joints in a substep at most: each time, what is left is about the square of what was open. */
+    private static final int CLOSINGS = 2;
+
     private final State state;
     final TieEquations equations;
 
@@ -35,11 +38,15 @@ public final class TieRows implements Serializable {
     private final TieSolver solver;
     private final HeldMotors held;
     private final TurningRows turning;
+    private final TieTrees trees;
 
     /** Impulses of this substep; of a stop that of its lower and its upper bound. */
     private double[] impulse = {};
 
     private double h;
+
+    /** Whether it is known in this step which trees are to be solved at once. */
+    private boolean isJudged;
 
     /** Impulses with which the step began. */
     private double[] kept = {};
@@ -64,8 +71,9 @@ public final class TieRows implements Serializable {
         held = new HeldMotors(state, equations);
         pinImpulses = new PinImpulses(state);
         turning = new TurningRows(state, equations, pinImpulses);
+        trees = new TieTrees(state, equations, pinImpulses);
         stops = new StopRows(state, equations, held, turning);
-        solver = new TieSolver(state, equations, turning, stops);
+        solver = new TieSolver(state, equations, turning, stops, trees);
     }
 
     /** What is known of a constraint from earlier steps: impulses and what else is kept, and the blocks of its bodies. */
@@ -86,6 +94,7 @@ public final class TieRows implements Serializable {
             return false;
         }
         version = constraints.grouping();
+        Map<Constraint, Integer> known = trees.known(order.pins);
         Map<Constraint, Before> before = new IdentityHashMap<>();
         for (int k = 0; k < equations.ties.length; k++) {
             before.put(equations.ties[k], new Before(record(k), equations.blocks[2 * k], equations.blocks[2 * k + 1]));
@@ -104,6 +113,7 @@ public final class TieRows implements Serializable {
             }
         }
         gather(order.others, before, changed);
+        trees.gather(order.pins, order.awakePins, known);
         for (Before gone : before.values()) {
             change(changed, gone.first, gone.second);
         }
@@ -165,6 +175,7 @@ public final class TieRows implements Serializable {
         pinImpulses.gather(List.of(), 0);
         held.gather();
         turning.gather(List.of(), 0);
+        trees.gather(List.of(), 0, Map.of());
         version = -1;
     }
 
@@ -205,6 +216,7 @@ public final class TieRows implements Serializable {
      */
     public void begin(double growth, double substep) {
         h = substep;
+        isJudged = false;
         pinImpulses.begin(growth, h);
         for (int k = 0; growth != 1 && k < ROWS * equations.count(); k++) {
             impulse[k] *= growth;
@@ -235,6 +247,9 @@ public final class TieRows implements Serializable {
         pinImpulses.evaluate(0.5, null);
         equations.follow(h);
         turning.evaluate();
+        for (int n = 0; n < CLOSINGS && trees.straighten(impulse, h); n++) {
+            evaluate(trees.moved());
+        }
     }
 
     /** Gives the bodies the impulses of the substep before. */
@@ -309,6 +324,7 @@ public final class TieRows implements Serializable {
      * @param h substep
      */
     public void solve(boolean[] marks, Softness softness, double h) {
+        trees.solve(impulse, marks, softness.rate() > 0, softness, h);
         solver.solve(marks, softness.rate() > 0, softness, h);
         pinImpulses.solve(marks, softness);
     }
@@ -341,6 +357,7 @@ public final class TieRows implements Serializable {
      * @param h substep
      */
     public void solveAll(boolean[] marks, Softness softness, double h) {
+        trees.solve(impulse, marks, false, softness, h);
         solver.solve(marks, false, softness, h);
         pinImpulses.solve(marks, softness);
     }
@@ -352,8 +369,13 @@ public final class TieRows implements Serializable {
      * @param h substep
      */
     public void solve(Softness softness, double h) {
+        trees.solve(impulse, null, false, softness, h);
         solver.solve(softness, h);
         pinImpulses.solve(softness); // last, as what is solved last is right
+        if (!isJudged && softness.rate() == 0) {
+            isJudged = true;
+            trees.judge(impulse, h);
+        }
     }
 
     /** Adds the impulses of a substep to those of the step. */
@@ -363,6 +385,11 @@ public final class TieRows implements Serializable {
             sum[k] += equations.given[k];
         }
         stops.add();
+    }
+
+    /** {@return the trees of joints} */
+    public TieTrees trees() {
+        return trees;
     }
 
     /** {@return the stops, and what strikes them} */

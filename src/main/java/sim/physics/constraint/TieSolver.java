@@ -22,6 +22,7 @@ final class TieSolver implements Serializable {
     private final TieEquations equations;
     private final TurningRows turning;
     private final StopRows stops;
+    private final TieTrees trees;
 
     /** By row: its impulse; those of {@link TieRows}. */
     private double[] impulse = {};
@@ -32,7 +33,8 @@ final class TieSolver implements Serializable {
     /** When each was solved last; see {@link Freshness}. */
     private long[] solved = {};
 
-    TieSolver(State state, TieEquations equations, TurningRows turning, StopRows stops) {
+    TieSolver(State state, TieEquations equations, TurningRows turning, StopRows stops, TieTrees trees) {
+        this.trees = trees;
         this.state = state;
         this.equations = equations;
         this.turning = turning;
@@ -45,17 +47,19 @@ final class TieSolver implements Serializable {
         solved = new long[impulse.length / ROWS];
     }
 
-    /** Solves all of them once. */
+    /** Solves all of them once that trees have not. */
     void solve(Softness softness, double h) {
         for (int k = 0; k < equations.count(); k++) {
-            solve(k, softness, h);
+            if (!trees.hasSolved(k)) {
+                solve(k, softness, h);
+            }
         }
     }
 
     /** Solves those of some bodies once, or of these only what has a place. */
     void solve(boolean[] marks, boolean placesOnly, Softness softness, double h) {
         for (int k = 0; k < equations.count(); k++) {
-            if (equations.isMarked(k, marks) && (!placesOnly || equations.kinds[k].hasPlace())) {
+            if (equations.isMarked(k, marks) && !trees.hasSolved(k) && (!placesOnly || equations.kinds[k].hasPlace())) {
                 solve(k, softness, h);
             }
         }
@@ -74,8 +78,8 @@ final class TieSolver implements Serializable {
         double[] v = state.v();
         int o = ROWS * k;
         int m = ROWS * o;
-        double mass = softness.mass();
-        double back = softness.impulse();
+        double mass = trees.isStiff(k) && softness.mass() < 1 ? 1 : softness.mass();
+        double back = trees.isStiff(k) ? 0 : softness.impulse();
         double bend = softness.rate() > 0 ? 1 : 0; // only where a way is to be gone
         double r0 = equations.speed(k, 0, v) + softness.rate() * equations.c[o] + bend * equations.bend[o];
         if (equations.rows[k] == 1) {

@@ -29,6 +29,9 @@ final class Balance implements Serializable {
     /** Part of its energy that a group may have got for nothing before it is made to pay: what swings gains some and loses it again. */
     private static final double PATIENCE = 0.01;
 
+    /** The same of trees of joints that are solved at once: to take what is more off them costs them nothing else. */
+    private static final double LITTLE_PATIENCE = 0.001;
+
     /** Times the energy that it may have from which on a group has been thrown about. */
     private static final double LOST = 4;
 
@@ -342,13 +345,13 @@ final class Balance implements Serializable {
         for (int g = 0; g < groups.count; g++) {
             int first = groups.firsts[g];
             debt[first] = groups.areBooked[g] ? Math.max(0, debt[first] + after[g] - before[g]) : debt[first];
-            isMore |= groups.areBooked[g] && isMore(g);
+            isMore |= groups.areBooked[g] && isMore(g, 0);
         }
         return isMore && mark(ties, springs, rows, a, h);
     }
 
-    private boolean isMore(int g) {
-        return debt[groups.firsts[g]] > PATIENCE * before[g];
+    private boolean isMore(int g, double rounding) {
+        return debt[groups.firsts[g]] > (groups.trees.has(g) ? LITTLE_PATIENCE : PATIENCE) * before[g] + rounding;
     }
 
     private boolean mark(TieRows ties, SpringRows springs, ContactRows rows, double[] a, double h) {
@@ -358,7 +361,7 @@ final class Balance implements Serializable {
         groups.drive(rows, ContactRows.TANGENT, most);
         for (int g = 0; g < groups.count; g++) {
             int first = groups.firsts[g];
-            if (groups.areBooked[g] && isMore(g)) {
+            if (groups.areBooked[g] && isMore(g, 0)) {
                 boolean isSlow = after[g] < SLOW * h * h * pull(a, g);
                 debt[first] = isSlow ? 0 : Math.max(0, debt[first] - most[g]);
             }
@@ -368,7 +371,7 @@ final class Balance implements Serializable {
         for (int k = 0; k < groups.bodies; k++) {
             int body = groups.blocks[k] / BLOCK;
             int g = groups.slots[body];
-            marks[body] = groups.areBooked[g] && debt[groups.firsts[g]] > PATIENCE * before[g] + rounding(g) && after[g] > most[g];
+            marks[body] = groups.areBooked[g] && isMore(g, rounding(g)) && after[g] > most[g];
             any |= marks[body];
         }
         return any;
@@ -442,15 +445,13 @@ final class Balance implements Serializable {
     }
 
     /**
-     * Takes so much of what marked groups have got off them that they have no more energy than they may, each of their impulses by the
-     * same part: that keeps momentum.
-     *
-     * @return whether there was such a group
+     * Takes so much of what marked groups, or those of them that are trees, have got off them that they have no more energy than they may, each of
+     * their impulses by the same part: that keeps momentum. Says whether there was such a group.
      */
-    boolean limit() {
+    boolean limit(TreeGroups some) {
         boolean any = false;
         for (int g = 0; g < groups.count; g++) {
-            any |= limit(g, 1, most[g]);
+            any |= (some == null || some.has(g)) && limit(g, 1, most[g]);
         }
         return any;
     }
@@ -481,11 +482,17 @@ final class Balance implements Serializable {
         }
     }
 
-    /** Forgets which groups were marked, and what was taken. */
-    void forget() {
+    /** Forgets which groups, or which of those that are trees, were marked, and what was taken; says whether any other body is marked. */
+    boolean forget(TreeGroups some) {
+        boolean any = false;
         for (int k = 0; k < groups.bodies; k++) {
-            marks[groups.blocks[k] / BLOCK] = false;
-            shares[groups.blocks[k] / BLOCK] = 1;
+            int body = groups.blocks[k] / BLOCK;
+            if (some == null || some.has(groups.slots[body])) {
+                marks[body] = false;
+                shares[body] = 1;
+            }
+            any |= marks[body];
         }
+        return any;
     }
 }

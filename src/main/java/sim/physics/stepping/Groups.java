@@ -22,6 +22,9 @@ final class Groups implements Serializable {
     private static final int BLOCK = State.BLOCK;
 
     private final State state;
+    /** Those of them in which nothing acts but trees of joints. */
+    final TreeGroups trees = new TreeGroups();
+
     private final Grounds grounds;
 
     /** Number of groups, and the first body of each. */

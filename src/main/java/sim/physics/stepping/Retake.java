@@ -101,6 +101,7 @@ final class Retake implements Serializable {
         grounds.hold(ties, springs, isNeeded, !surface.isEmpty());
         if (isNeeded) {
             groups.find(rows, ties, springs, isStale, !surface.isEmpty());
+            groups.trees.find(ties, rows, groups);
             balance.open();
             bounced.open();
             isStale = false;
@@ -145,6 +146,10 @@ final class Retake implements Serializable {
             return;
         }
         boolean[] marks = balance.marks();
+        if (groups.trees.any() && limit(groups.trees)) {
+            return;
+        }
+        ties.trees().close(marks);
         balance.takeBack();
         grounds.note();
         grounds.takeBack(balance.places());
@@ -158,16 +163,22 @@ final class Retake implements Serializable {
             ties.solve(marks, Softness.RIGID, h);
             contacts.solve(marks, Softness.RIGID, false, h);
         }
-        if (balance.limit()) {
-            ties.limit(balance.shares());
-            springs.limit(balance.shares());
-            contacts.limit(balance.shares());
-        }
+        limit(null);
         balance.move(h);
         grounds.putBack();
         contacts.follow(marks);
         ties.evaluate(marks);
-        balance.forget();
+        balance.forget(null);
+    }
+
+    /** Takes off marked groups, or of these only some, what they have got too much; whether these were all. */
+    private boolean limit(TreeGroups some) {
+        if (balance.limit(some)) {
+            ties.limit(balance.shares());
+            springs.limit(balance.shares());
+            contacts.limit(balance.shares());
+        }
+        return some != null && !balance.forget(some);
     }
 
     /** Bounds what moving surfaces give in a substep, which begins. */
@@ -224,11 +235,11 @@ final class Retake implements Serializable {
         }
         stops.part();
         contacts.straighten();
-        if (bounced.limit()) {
+        if (bounced.limit(null)) {
             contacts.limitNoted(bounced.shares());
         }
         ties.putBack(marks, bounced.shares());
-        bounced.forget();
+        bounced.forget(null);
         free.end(balance, a);
         impacts.end();
         impacts.mark(marks, false);
@@ -263,7 +274,7 @@ final class Retake implements Serializable {
             contacts.limitNoted(bounced.shares());
         }
         ties.note(isLost ? bounced.shares() : null);
-        bounced.forget();
+        bounced.forget(null);
     }
 
     private void regain(boolean[] marks, Softness contact, Softness joint, double h) {

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import sim.physics.internal.Softness;
+import sim.physics.motion.State;
+
+/**
+ * Joints that hang together without a loop, and the motors of their angles, solved at once from the tips to the root and back (Featherstone, <i>Rigid
+ * body dynamics algorithms</i>, 2008, chapter 7; with all coordinates of the bodies, Baraff, <i>Linear-time dynamics using Lagrange multipliers</i>, 1996):
+ * before the move for places, and after it for velocities, which is RATTLE (Andersen 1983).
+ *
+ * <p>In turns, what one end of a chain says gets to the other one by a joint or two in a solution. A tree is solved at once from where turns have left
+ * something until they would have nothing to do. It does not yield then. Motors that push as hard as they can, stops and all else come after it, in turns; and trees of which something is touched, or lies at a stop.
+ */
+public final class TieTrees implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Joints of a tree from which on it is worth it: one alone is solved as a whole anyway. */
+    private static final int FEW = 2;
+
+    /** What turns have left of the speeds of rows, relative to what bodies have and get, from which on trees are solved at once; and at which they no longer are. */
+    private static final double OPEN = 1e-3;
+
+    private static final double CLOSED = 1e-7;
+
+    /** How far joints may be open, relative to their smaller bodies, that are solved in turns. */
+    private static final double AJAR = 1e-7;
+
+    /** What bodies may turn by in a substep, and how far joints may be open relative to their smaller bodies, where trees are solved at once. */
+    private static final double TURN = 1;
+
+    private static final double WIDE = 0.05;
+
+    /** What is kept of a tree that is solved at once. */
+    private static final int AT_ONCE = -1;
+
+    /** Steps for which a tree that has got energy for nothing among others is solved in turns. */
+    private static final int PAUSE = 16;
+
+    private final State state;
+    private final TieEquations equations;
+    private final PinImpulses pins;
+    private final TieBonds bonds;
+
+    /** By tree: the end of its bonds, whether it is solved at once, and whether the last solution had something to do. */
+    private int[] ends = {};
+
+    private boolean[] isOpen = {};
+    private boolean[] isAsked = {};
+
+    /** By tree: the stops of its bodies, which may push after it has been solved; and the steps for which it is solved in turns in any case. */
+    private int[][] stops = {};
+
+    private int[] waits = {};
+
+    /** By tree: whether something touches one of its bodies. */
+    private boolean[] isTouched = {};
+
+    /** By constraint that is no pin: whether its tree is solved at once; and whether that leaves nothing to do in turns. */
+    private boolean[] isStiff = {};
+
+    private boolean[] isSolved = {};
+
+    /** What was known of the trees of those of bodies that sleep: that they are solved at once, or for how long they are not. */
+    private IdentityHashMap<Constraint, Integer> asleep = new IdentityHashMap<>();
+
+    /** By body: whether it was brought onto its joints. */
+    private boolean[] moved = {};
+
+    /** Energies: of what rows are off, and of all that they have to do with. */
+    private final double[] off = new double[2];
+
+    TieTrees(State state, TieEquations equations, PinImpulses pins) {
+        this.state = state;
+        this.equations = equations;
+        this.pins = pins;
+        bonds = new TieBonds(state, equations, pins);
+    }
+
+    /** {@return what is known of the trees of constraints, before others are taken: {@link #AT_ONCE}, or for how long they are solved in turns} */
+    Map<Constraint, Integer> known(List<PinJoint> all) {
+        Map<Constraint, Integer> known = asleep;
+        for (int t = 0; t < ends.length; t++) {
+            for (int k = from(t); (isOpen[t] || waits[t] > 0) && k < ends[t]; k++) {
+                if (bonds.pin(k) >= 0) {
+                    known.put(all.get(bonds.pin(k)), isOpen[t] ? AT_ONCE : waits[t]);
+                }
+                if (bonds.tie(k) >= 0) {
+                    known.put(equations.ties[bonds.tie(k)], isOpen[t] ? AT_ONCE : waits[t]);
+                }
+            }
+        }
+        return known;
+    }
+
+    /**
+     * Finds the trees. Those of which a part was solved at once are solved so again.
+     *
+     * @param all the pins
+     * @param awakePins how many of them, from the first one on, are awake
+     * @param known what is known of them
+     */
+    void gather(List<PinJoint> all, int awakePins, Map<Constraint, Integer> known) {
+        TieForest forest = new TieForest(state, equations, pins, awakePins);
+        forest.find(FEW);
+        int n = forest.trees.size();
+        isSolved = new boolean[equations.ties.length];
+        isStiff = new boolean[equations.ties.length];
+        ends = new int[n];
+        isOpen = new boolean[n];
+        isAsked = new boolean[n];
+        waits = new int[n];
+        isTouched = new boolean[n];
+        stops = forest.stops();
+        for (int t = 0; t < n; t++) {
+            ends[t] = from(t) + forest.trees.get(t).size();
+        }
+        bonds.clear(n == 0 ? 0 : ends[n - 1]);
+        for (int t = 0; t < n; t++) {
+            bonds.put(forest.trees.get(t), ends[t] - 1);
+            boolean opens = false;
+            for (TieForest.Bond bond : forest.trees.get(t)) {
+                int ofPin = bond.pin < 0 ? 0 : known.getOrDefault(all.get(bond.pin), 0);
+                int ofTie = bond.tie < 0 ? 0 : known.getOrDefault(equations.ties[bond.tie], 0);
+                opens |= Math.min(ofPin, ofTie) == AT_ONCE;
+                waits[t] = Math.max(waits[t], Math.max(ofPin, ofTie));
+            }
+            set(t, opens && waits[t] == 0);
+        }
+        keep(all, awakePins, known);
+    }
+
+    private void keep(List<PinJoint> all, int awakePins, Map<Constraint, Integer> known) {
+        asleep = new IdentityHashMap<>();
+        List<Constraint> others = new ArrayList<>(all.subList(awakePins, all.size()));
+        others.addAll(Arrays.asList(equations.ties).subList(equations.count(), equations.ties.length));
+        for (Constraint other : others) {
+            if (known.containsKey(other)) {
+                asleep.put(other, known.get(other));
+            }
+        }
+    }
+
+    /** Says whether a tree is solved at once. */
+    private void set(int t, boolean opens) {
+        isOpen[t] = opens;
+        for (int k = from(t); k < ends[t]; k++) {
+            if (bonds.pin(k) >= 0) {
+                pins.setStiff(bonds.pin(k), opens);
+            }
+            if (bonds.tie(k) >= 0) {
+                isStiff[bonds.tie(k)] = opens;
+                isSolved[bonds.tie(k)] = false;
+            }
+        }
+    }
+
+    private int from(int t) {
+        return t == 0 ? 0 : ends[t - 1];
+    }
+
+    /** Whether a constraint that is no pin does not yield. */
+    boolean isStiff(int tie) {
+        return isStiff[tie];
+    }
+
+    /** Whether a constraint that is no pin needs no turn. */
+    boolean hasSolved(int tie) {
+        return isSolved[tie];
+    }
+
+    /** {@return whether there is a tree that is solved at once} */
+    public boolean isAnyOpen() {
+        boolean any = false;
+        for (int t = 0; t < ends.length && !any; t++) {
+            any = isOpen[t];
+        }
+        return any;
+    }
+
+    /**
+     * Marks the bodies of those trees.
+     *
+     * @param marks by body
+     */
+    public void markOpen(boolean[] marks) {
+        for (int t = 0; t < ends.length; t++) {
+            for (int k = from(t); isOpen[t] && k < ends[t]; k++) {
+                marks[bonds.child(k) / State.BLOCK] = true;
+            }
+        }
+    }
+
+    /**
+     * Solves trees that turns would not.
+     *
+     * @param impulse of the other constraints
+     * @param marks by body, of those whose trees are meant; null for all
+     * @param placesOnly whether motors have no part in it
+     */
+    void solve(double[] impulse, boolean[] marks, boolean placesOnly, Softness softness, double h) {
+        for (int t = 0; t < ends.length; t++) {
+            if (isOpen[t] && (marks == null || marks[bonds.child(from(t)) / State.BLOCK])) {
+                solve(t, impulse, placesOnly, softness, h);
+            }
+        }
+    }
+
+    private void solve(int t, double[] impulse, boolean placesOnly, Softness softness, double h) {
+        measure(t, impulse, placesOnly, softness, h);
+        isAsked[t] = off[0] > CLOSED * CLOSED * off[1];
+        if (softness.rate() > 0) {
+            bonds.leave(from(t), ends[t], 1 - softness.rate() * h);
+        }
+        bonds.factor(from(t), ends[t]);
+        bonds.give(from(t), ends[t], impulse);
+        boolean isMet = stops[t].length == 0 && bonds.areMotorsMet(from(t), ends[t], impulse, h);
+        for (int k = from(t); k < ends[t]; k++) {
+            if (bonds.tie(k) >= 0) {
+                isSolved[bonds.tie(k)] = isMet;
+            }
+        }
+    }
+
+    /** Reads a tree, and finds what its rows are off. */
+    private void measure(int t, double[] impulse, boolean placesOnly, Softness softness, double h) {
+        off[0] = 0;
+        off[1] = 0;
+        for (int k = from(t); k < ends[t]; k++) {
+            bonds.read(k, impulse, placesOnly, softness, h);
+            bonds.measure(k, off);
+        }
+    }
+
+    /** Finds trees that turns have not solved, and those that they would. */
+    void judge(double[] impulse, double h) {
+        for (int t = 0; t < ends.length; t++) {
+            boolean isCalm = waits[t] == 0 && !isTouched[t] && !isStopped(t, impulse) && bonds.areCalm(from(t), ends[t], TURN / h, WIDE);
+            waits[t] = Math.max(0, waits[t] - 1);
+            if (isOpen[t]) {
+                set(t, isAsked[t] && isCalm);
+            } else if (isCalm) {
+                measure(t, impulse, false, Softness.RIGID, h);
+                set(t, off[0] > OPEN * OPEN * off[1] || !bonds.areCalm(from(t), ends[t], TURN / h, AJAR));
+            }
+        }
+    }
+
+    /** Whether a stop bears something: it yields, and what presses on it has to. */
+    private boolean isStopped(int t, double[] impulse) {
+        boolean yes = false;
+        for (int stop : stops[t]) {
+            yes |= impulse[Equations.ROWS * stop] != 0 || impulse[Equations.ROWS * stop + 1] != 0;
+        }
+        return yes;
+    }
+
+    /** {@return whether there is any tree} */
+    public boolean exist() {
+        return ends.length > 0;
+    }
+
+    /**
+     * Takes note of what touches something, when a step begins. Contacts are solved in turns, with the joints of their bodies: there, what yields least
+     * would press all else out of its place.
+     *
+     * @param marks by body
+     */
+    public void touch(boolean[] marks) {
+        for (int t = 0; t < ends.length; t++) {
+            isTouched[t] = false;
+            for (int k = from(t); k < ends[t]; k++) {
+                isTouched[t] |= marks[bonds.child(k) / State.BLOCK];
+            }
+            if (isTouched[t] && isOpen[t]) {
+                set(t, false);
+            }
+        }
+    }
+
+    /**
+     * Has trees of some bodies solved in turns for some time: what strikes and is struck in them is better off with joints that yield.
+     *
+     * @param marks by body
+     */
+    public void close(boolean[] marks) {
+        for (int t = 0; t < ends.length; t++) {
+            if (marks[bonds.child(from(t)) / State.BLOCK]) {
+                set(t, false);
+                waits[t] = PAUSE;
+            }
+        }
+    }
+
+    /**
+     * Brings bodies where the joints of trees wanted them when they began to move, by impulses in the directions of before the move (SHAKE; Ryckaert, Ciccotti and
+     * Berendsen, <i>Numerical integration of the Cartesian equations of motion of a system with constraints</i>, 1977).
+     *
+     * @return whether there are any
+     */
+    boolean straighten(double[] impulse, double h) {
+        if (!isAnyOpen()) {
+            return false;
+        }
+        boolean any = false;
+        moved = moved.length < state.size() ? new boolean[state.size()] : moved;
+        Arrays.fill(moved, false);
+        for (int t = 0; t < ends.length; t++) {
+            if (isOpen[t] && bonds.haveParted(from(t), ends[t], h)) {
+                any = true;
+                bonds.give(from(t), ends[t], impulse);
+                bonds.move(from(t), ends[t], h, moved);
+            }
+        }
+        return any;
+    }
+
+    /** The bodies that were brought there. */
+    boolean[] moved() {
+        return moved;
+    }
+}
