@@ -86,8 +86,8 @@ final class Switches implements SwitchedTies {
     }
 
     @Override
-    public boolean read(int k, SwitchedRow row) {
-        return rows[k].describe(row, island.blockA[nodes[k]], island.blockB[nodes[k]]);
+    public void read(int k, SwitchedRow row) {
+        rows[k].describe(row, island.blockA[nodes[k]], island.blockB[nodes[k]]);
     }
 
     @Override

@@ -62,13 +62,12 @@ final class HeapSwitches implements Serializable {
      */
     void gather(SwitchedTies switched, Regain regain, double fall) {
         double length = regain.time();
-        boolean all = isReadable(switched); // else they go on deciding by themselves
         double sway = 0;
-        for (int k = 0; all && k < switched.size(); k++) {
+        for (int k = 0; k < switched.size(); k++) {
             switched.read(k, row);
             sway += row.isMotor ? Math.sqrt(mobility()) * row.limit * length : 0;
         }
-        for (int k = 0; all && k < switched.size(); k++) {
+        for (int k = 0; k < switched.size(); k++) {
             switched.read(k, row);
             if (row.isMotor) {
                 add(k, 1, row.speed, length);
@@ -81,18 +80,11 @@ final class HeapSwitches implements Serializable {
         ends.add(number.size);
     }
 
-    private boolean isReadable(SwitchedTies switched) {
-        boolean all = switched.size() > 0;
-        for (int k = 0; all && k < switched.size(); k++) {
-            all = switched.read(k, row);
-        }
-        return all;
-    }
-
     /** What a unit along the coordinate at hand does to its speed if nothing else ties its bodies: ties make that less. */
     private double mobility() {
-        double square = row.nx * row.nx + row.ny * row.ny;
-        return mobility(place(row.first), square, row.firstLever) + mobility(place(row.second), square, row.secondLever);
+        double first = row.firstX * row.firstX + row.firstY * row.firstY;
+        double second = row.nx * row.nx + row.ny * row.ny;
+        return mobility(place(row.first), first, row.firstLever) + mobility(place(row.second), second, row.secondLever);
     }
 
     private double mobility(int place, double square, double lever) {
@@ -155,11 +147,6 @@ final class HeapSwitches implements Serializable {
         return scales.fastest(heap, v);
     }
 
-    /** Whether none of an island's motors and stops decides by itself. */
-    boolean areHere(SwitchedTies switched) {
-        return switched.size() == 0 || isReadable(switched);
-    }
-
     /** Takes note of how the motors and stops of an island are set, whose first body is given. */
     void keep(SwitchedTies switched, int first) {
         settings = first < settings.length ? settings : Arrays.copyOf(settings, 2 * first + 1);
@@ -174,7 +161,8 @@ final class HeapSwitches implements Serializable {
     /** A number that tells how they are set. */
     private long settings(SwitchedTies switched) {
         long sum = switched.size();
-        for (int k = 0; k < switched.size() && switched.read(k, row); k++) {
+        for (int k = 0; k < switched.size(); k++) {
+            switched.read(k, row);
             sum = 31 * sum + Double.doubleToLongBits(row.speed);
             sum = 31 * sum + Double.doubleToLongBits(row.limit);
             sum = 31 * sum + Double.doubleToLongBits(row.aboveLower);
@@ -222,9 +210,6 @@ final class HeapSwitches implements Serializable {
      * @param island its number in the order in which islands were taken in
      */
     void freeze(SwitchedTies switched, int island, double length) {
-        if (!isReadable(switched)) {
-            return;
-        }
         int at = island == 0 ? 0 : ends.values[island - 1];
         for (int k = 0; k < switched.size(); k++) {
             double impulse = 0;
