@@ -56,6 +56,7 @@ abstract class Switched implements Constraint {
     private double curvature;
 
     private final double[] row = new double[6];
+    private final double[] lastRow = new double[6];
 
     /** Whether the coordinate is of an author. */
     private final boolean isAuthors;
@@ -287,6 +288,19 @@ abstract class Switched implements Constraint {
         to.force = isOn ? 0 : force / arm;
         to.size = isAngle(0) ? arm : getSize();
         describe(to, value, arm);
+    }
+
+    /** The same of the row where its bodies are now, of which nothing is kept. */
+    final void describeNow(SwitchedRow to, Equations now, int blockA, int blockB) {
+        System.arraycopy(row, 0, lastRow, 0, row.length);
+        double lastValue = value;
+        double lastCurvature = curvature;
+        now.clear(1);
+        evaluate(now);
+        describe(to, blockA, blockB);
+        System.arraycopy(lastRow, 0, row, 0, row.length);
+        value = lastValue;
+        curvature = lastCurvature;
     }
 
     /** Whether its force on one body is the opposite of that on the other one. */

@@ -25,6 +25,14 @@ public interface SwitchedTies extends Serializable {
     void read(int k, SwitchedRow row);
 
     /**
+     * Reads one as it is where its bodies are now.
+     *
+     * @param k which
+     * @param row takes it
+     */
+    void readNow(int k, SwitchedRow row);
+
+    /**
      * Lets one push with a constant force from now on, until {@link #thaw}.
      *
      * @param k which

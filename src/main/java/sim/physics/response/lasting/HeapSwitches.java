@@ -24,6 +24,7 @@ final class HeapSwitches implements Serializable {
     private final HeapBodies by;
     private final HeapSystem system;
     private final SwitchedRow row = new SwitchedRow();
+    private final PointRows end = new PointRows();
 
     /** By point behind the contacts: its number in its island, and which way it is read. */
     private final IntList number = new IntList();
@@ -193,6 +194,22 @@ final class HeapSwitches implements Serializable {
         return rebounds;
     }
 
+    /** Lets no coordinate go beyond a speed along the way that it has where an integration has brought its bodies, given their velocities there. */
+    void turn(SwitchedTies switched, int island, double[] v) {
+        for (int at = begin(island); at < ends.values[island]; at++) {
+            int p = system.contacts() + at;
+            if (!system.rows().isOfTurns(p)) {
+                switched.readNow(number.values[at], row);
+                end.set(0, place(row.first), place(row.second), row, sign.values[at]);
+                system.turn(p, end.normal(0, v) - system.rows().normal(p, v), 0);
+            }
+        }
+    }
+
+    private int begin(int island) {
+        return island == 0 ? 0 : ends.values[island - 1];
+    }
+
     /** Starts from the last forces; from now on motors may act. */
     void start() {
         for (int k = 0; k < number.size; k++) {
@@ -210,7 +227,7 @@ final class HeapSwitches implements Serializable {
      * @param island its number in the order in which islands were taken in
      */
     void freeze(SwitchedTies switched, int island, double length) {
-        int at = island == 0 ? 0 : ends.values[island - 1];
+        int at = begin(island);
         for (int k = 0; k < switched.size(); k++) {
             double impulse = 0;
             while (at < ends.values[island] && number.values[at] == k) {

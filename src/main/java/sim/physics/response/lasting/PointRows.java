@@ -98,6 +98,12 @@ final class PointRows implements Serializable {
         return isSame ? 1 : isOpposite ? -1 : 0;
     }
 
+    /** Whether a row is one of turns alone, which is the same wherever its bodies are. */
+    boolean isOfTurns(int p) {
+        int o = STRIDE * p;
+        return data[o + FIRST_X] == 0 && data[o + FIRST_Y] == 0 && data[o + NX] == 0 && data[o + NY] == 0;
+    }
+
     /** Whether one of a point's bodies cannot move. */
     boolean isOnFixed(int p) {
         return bodies[2 * p] < 0 || bodies[2 * p + 1] < 0;
