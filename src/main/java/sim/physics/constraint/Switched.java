@@ -56,6 +56,7 @@ abstract class Switched implements Constraint {
     private double curvature;
 
     private final double[] row = new double[6];
+    private final double[] lastRow = new double[6];
 
     /** Whether the coordinate is of an author. */
     private final boolean isAuthors;
@@ -268,29 +269,44 @@ abstract class Switched implements Constraint {
     }
 
     /**
-     * Describes the row as one of two points, or of a turn, from its last evaluation; false if it is no such row. Turns are given as ways
-     * at an arm, so that all rows of a problem have the same unit.
+     * Describes the row, from its last evaluation. Turns are given as ways at an arm, so that all rows of a problem have the same unit.
      *
      * @param blockA block of the first body, −1 for what cannot move
      * @param blockB the same of the second one
      */
-    final boolean describe(SwitchedRow to, int blockA, int blockB) {
-        boolean both = blockA >= 0 && blockB >= 0;
-        double most = Math.max(Math.abs(row[0]), Math.abs(row[1]));
-        if (both && (Math.abs(row[0] + row[3]) > MEETS * most || Math.abs(row[1] + row[4]) > MEETS * most)) {
-            return false;
-        }
+    final void describe(SwitchedRow to, int blockA, int blockB) {
         to.first = blockA < 0 ? -1 : blockA / State.BLOCK;
         to.second = blockB < 0 ? -1 : blockB / State.BLOCK;
         to.nx = blockB < 0 ? -row[0] : row[3];
         to.ny = blockB < 0 ? -row[1] : row[4];
+        boolean isOne = blockA < 0 || blockB < 0 || isAlongOneLine(); // up to rounding: of that nothing is to come
+        to.firstX = isOne ? to.nx : -row[0];
+        to.firstY = isOne ? to.ny : -row[1];
         double arm = arm();
         to.firstLever = -row[2] * arm;
         to.secondLever = row[5] * arm;
         to.force = isOn ? 0 : force / arm;
         to.size = isAngle(0) ? arm : getSize();
         describe(to, value, arm);
-        return true;
+    }
+
+    /** The same of the row where its bodies are now, of which nothing is kept. */
+    final void describeNow(SwitchedRow to, Equations now, int blockA, int blockB) {
+        System.arraycopy(row, 0, lastRow, 0, row.length);
+        double lastValue = value;
+        double lastCurvature = curvature;
+        now.clear(1);
+        evaluate(now);
+        describe(to, blockA, blockB);
+        System.arraycopy(lastRow, 0, row, 0, row.length);
+        value = lastValue;
+        curvature = lastCurvature;
+    }
+
+    /** Whether its force on one body is the opposite of that on the other one. */
+    private boolean isAlongOneLine() {
+        double most = Math.max(Math.abs(row[0]), Math.abs(row[1]));
+        return Math.abs(row[0] + row[3]) <= MEETS * most && Math.abs(row[1] + row[4]) <= MEETS * most;
     }
 
     /** The lever at which a turn is taken for a way; 1 for ways. A power of two, so that no bit is lost by it. */

@@ -23,6 +23,7 @@ final class Switches implements SwitchedTies {
     private final int[] nodes;
     private double[] free = {};
     final SwitchedWork work;
+    private final Equations now = new Equations();
     private final NearRows near;
 
     /** Whether all push with forces that were found elsewhere. */
@@ -86,8 +87,13 @@ final class Switches implements SwitchedTies {
     }
 
     @Override
-    public boolean read(int k, SwitchedRow row) {
-        return rows[k].describe(row, island.blockA[nodes[k]], island.blockB[nodes[k]]);
+    public void read(int k, SwitchedRow row) {
+        rows[k].describe(row, island.blockA[nodes[k]], island.blockB[nodes[k]]);
+    }
+
+    @Override
+    public void readNow(int k, SwitchedRow row) {
+        rows[k].describeNow(row, now, island.blockA[nodes[k]], island.blockB[nodes[k]]);
     }
 
     @Override

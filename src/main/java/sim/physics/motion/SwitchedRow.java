@@ -6,8 +6,9 @@ import java.io.Serializable;
 
 /**
  * A tie of {@link SwitchedTies}: a coordinate q of two bodies, which a motor brings to a speed with a bounded force, or that
- * stays between two stops. Its rate is n · (v₂ − v₁) + l₂ ω₂ − l₁ ω₁, as the normal velocity of a contact is. A turn is a way here, too, at
- * an arm of the size of its bodies; so all rows have one unit, and none counts for more in another unit of length.
+ * stays between two stops. Its rate is n₂ · v₂ − n₁ · v₁ + l₂ ω₂ − l₁ ω₁, as the normal velocity of a contact is, but that the two
+ * directions differ where a rope goes over pulleys. A turn is a way here, too, at an arm of the size of its bodies; so all rows have one
+ * unit, and none counts for more in another unit of length.
  */
 public final class SwitchedRow implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -18,11 +19,17 @@ public final class SwitchedRow implements Serializable {
     /** The same for the second one. */
     public int second;
 
-    /** n. */
+    /** n₂; where the second body cannot move, n₁. */
     public double nx;
 
-    /** n. */
+    /** n₂. */
     public double ny;
+
+    /** n₁; where the first body cannot move, n₂. */
+    public double firstX;
+
+    /** n₁. */
+    public double firstY;
 
     /** l₁. */
     public double firstLever;

@@ -21,9 +21,16 @@ public interface SwitchedTies extends Serializable {
      *
      * @param k which
      * @param row takes it
-     * @return false if its row is not one of two points, or of a turn, so that it cannot be read
      */
-    boolean read(int k, SwitchedRow row);
+    void read(int k, SwitchedRow row);
+
+    /**
+     * Reads one as it is where its bodies are now.
+     *
+     * @param k which
+     * @param row takes it
+     */
+    void readNow(int k, SwitchedRow row);
 
     /**
      * Lets one push with a constant force from now on, until {@link #thaw}.

@@ -197,7 +197,6 @@ final class DrivenHeap implements Serializable {
             int o = body * Trajectories.STRIDE + Trajectories.VX;
             yes = scales.speed(body, system.v, 3 * k) <= none && scales.speed(body, d, o) <= none;
             yes &= !trajectories.isDriven(body) || probes.mayRest(body);
-            yes &= !search.isFirstTied(body) || switches.areHere(ties.switched(ties.island(body)));
         }
         for (int k = 0; yes && k < heap.size; k++) {
             int body = heap.values[k];

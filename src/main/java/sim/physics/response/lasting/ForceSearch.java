@@ -399,10 +399,21 @@ final class ForceSearch implements Serializable {
             }
             most = Math.max(most, scales.speed(body, isDriven ? state.v() : system.v, isDriven ? State.BLOCK * body : 3 * k));
         }
+        turnSwitches(heap);
         turning.turn(system.v, length, !isReleased);
         turned = scales.fastest(heap, turning.makeUp(heap.size));
         system.unpush();
         return most;
+    }
+
+    private void turnSwitches(IntList heap) {
+        int island = 0;
+        for (int k = 0; k < heap.size; k++) {
+            int body = heap.values[k];
+            if (isFirstTied(body)) {
+                switches.turn(ties.switched(ties.island(body)), island++, system.v);
+            }
+        }
     }
 
     /** Lets driven bodies, and their motors and stops, be pushed evenly over a time. */

@@ -110,7 +110,7 @@ abstract class HeapRows implements Serializable {
         PointRows r = s.rows();
         for (int p = 0; p < s.size(); p++) {
             if (normal[p] >= 0) {
-                alone[normal[p]] = r.normalMobility(p, s.w, r.nx(p) * r.nx(p) + r.ny(p) * r.ny(p));
+                alone[normal[p]] = r.wholeMobility(p, s.w);
             }
             if (tangent[p] >= 0) {
                 alone[tangent[p]] = r.tangentMobility(p, s.w);

@@ -24,6 +24,7 @@ final class HeapSwitches implements Serializable {
     private final HeapBodies by;
     private final HeapSystem system;
     private final SwitchedRow row = new SwitchedRow();
+    private final PointRows end = new PointRows();
 
     /** By point behind the contacts: its number in its island, and which way it is read. */
     private final IntList number = new IntList();
@@ -62,13 +63,12 @@ final class HeapSwitches implements Serializable {
      */
     void gather(SwitchedTies switched, Regain regain, double fall) {
         double length = regain.time();
-        boolean all = isReadable(switched); // else they go on deciding by themselves
         double sway = 0;
-        for (int k = 0; all && k < switched.size(); k++) {
+        for (int k = 0; k < switched.size(); k++) {
             switched.read(k, row);
             sway += row.isMotor ? Math.sqrt(mobility()) * row.limit * length : 0;
         }
-        for (int k = 0; all && k < switched.size(); k++) {
+        for (int k = 0; k < switched.size(); k++) {
             switched.read(k, row);
             if (row.isMotor) {
                 add(k, 1, row.speed, length);
@@ -81,18 +81,11 @@ final class HeapSwitches implements Serializable {
         ends.add(number.size);
     }
 
-    private boolean isReadable(SwitchedTies switched) {
-        boolean all = switched.size() > 0;
-        for (int k = 0; all && k < switched.size(); k++) {
-            all = switched.read(k, row);
-        }
-        return all;
-    }
-
     /** What a unit along the coordinate at hand does to its speed if nothing else ties its bodies: ties make that less. */
     private double mobility() {
-        double square = row.nx * row.nx + row.ny * row.ny;
-        return mobility(place(row.first), square, row.firstLever) + mobility(place(row.second), square, row.secondLever);
+        double first = row.firstX * row.firstX + row.firstY * row.firstY;
+        double second = row.nx * row.nx + row.ny * row.ny;
+        return mobility(place(row.first), first, row.firstLever) + mobility(place(row.second), second, row.secondLever);
     }
 
     private double mobility(int place, double square, double lever) {
@@ -155,11 +148,6 @@ final class HeapSwitches implements Serializable {
         return scales.fastest(heap, v);
     }
 
-    /** Whether none of an island's motors and stops decides by itself. */
-    boolean areHere(SwitchedTies switched) {
-        return switched.size() == 0 || isReadable(switched);
-    }
-
     /** Takes note of how the motors and stops of an island are set, whose first body is given. */
     void keep(SwitchedTies switched, int first) {
         settings = first < settings.length ? settings : Arrays.copyOf(settings, 2 * first + 1);
@@ -174,7 +162,8 @@ final class HeapSwitches implements Serializable {
     /** A number that tells how they are set. */
     private long settings(SwitchedTies switched) {
         long sum = switched.size();
-        for (int k = 0; k < switched.size() && switched.read(k, row); k++) {
+        for (int k = 0; k < switched.size(); k++) {
+            switched.read(k, row);
             sum = 31 * sum + Double.doubleToLongBits(row.speed);
             sum = 31 * sum + Double.doubleToLongBits(row.limit);
             sum = 31 * sum + Double.doubleToLongBits(row.aboveLower);
@@ -205,6 +194,22 @@ final class HeapSwitches implements Serializable {
         return rebounds;
     }
 
+    /** Lets no coordinate go beyond a speed along the way that it has where an integration has brought its bodies, given their velocities there. */
+    void turn(SwitchedTies switched, int island, double[] v) {
+        for (int at = begin(island); at < ends.values[island]; at++) {
+            int p = system.contacts() + at;
+            if (!system.rows().isOfTurns(p)) {
+                switched.readNow(number.values[at], row);
+                end.set(0, place(row.first), place(row.second), row, sign.values[at]);
+                system.turn(p, end.normal(0, v) - system.rows().normal(p, v), 0);
+            }
+        }
+    }
+
+    private int begin(int island) {
+        return island == 0 ? 0 : ends.values[island - 1];
+    }
+
     /** Starts from the last forces; from now on motors may act. */
     void start() {
         for (int k = 0; k < number.size; k++) {
@@ -222,10 +227,7 @@ final class HeapSwitches implements Serializable {
      * @param island its number in the order in which islands were taken in
      */
     void freeze(SwitchedTies switched, int island, double length) {
-        if (!isReadable(switched)) {
-            return;
-        }
-        int at = island == 0 ? 0 : ends.values[island - 1];
+        int at = begin(island);
         for (int k = 0; k < switched.size(); k++) {
             double impulse = 0;
             while (at < ends.values[island] && number.values[at] == k) {

@@ -171,8 +171,8 @@ final class HeapSystem extends HeapPoints {
 
     /** Adds a motor or a stop, behind all contacts, between two bodies of the heap; sign −1 for the upper stop. */
     void add(int a, int b, SwitchedRow row, double sign, double least, double most) {
-        rows.set(points, a, b, sign * row.nx, sign * row.ny, sign * row.firstLever, sign * row.secondLever, 0, 0);
-        add(0, rows.normalMobility(points, w, row.nx * row.nx + row.ny * row.ny), Double.POSITIVE_INFINITY, least, most);
+        rows.set(points, a, b, row, sign);
+        add(0, rows.wholeMobility(points, w), Double.POSITIVE_INFINITY, least, most);
     }
 
     private void add(double friction, double alongNormal, double alongTangent, double least, double most) {
