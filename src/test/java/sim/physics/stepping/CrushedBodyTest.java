@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Random;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.motion.KinematicBody;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+
+/**
+ * A press goes down on a body on a floor, half of which is a belt, until a sixth of the body's height is left, and up again, for ten seconds. There is no
+ * place for the body, but what moves it has a speed, and friction lets it slip only where press and floor open wide, so that is what it gets. It was thrown out
+ * by what press and floor had pressed with, at up to 92 times the speed of what drives it, or fell through the floor.
+ */
+class CrushedBodyTest {
+    private static final double BELT = 1.5;
+
+    /** Greatest distance that the press goes, half of its stroke. */
+    private static final double DEEPEST = 0.425;
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 4, 16})
+    void isNoFasterThanWhatCrushesIt(int substeps) {
+        for (int seed = 0; seed < 40; seed++) {
+            Random random = new Random(seed);
+            double half = 0.3 + random.nextDouble() * (DEEPEST - 0.3);
+            double fastest = fastest(substeps, random, half);
+            assertThat(fastest).as("seed %d", seed).isLessThan(1.5 * (Math.PI * half + BELT));
+        }
+    }
+
+    private static double fastest(int substeps, Random random, double half) {
+        PhysicsEngine engine = Stepped.engine(1.0 / 60, substeps);
+        engine.add(new Gravity(0, -Stepped.G));
+        double friction = 0.4 * (1 + random.nextInt(3));
+        Body belt = put(engine, Body.fixed(new Rectangle(6, 1)).at(-3, -0.5), friction);
+        belt.setBeltSpeed(random.nextBoolean() ? BELT : -BELT);
+        put(engine, Body.fixed(new Rectangle(6, 1)).at(3, -0.5), friction);
+        if (random.nextBoolean()) {
+            put(engine, Body.fixed(new Rectangle(0.4, 3)).at(0.8 + random.nextDouble(), 1.5), friction);
+        }
+        Body crushed = new Body(random.nextBoolean() ? new Rectangle(0.6, 0.6) : new Circle(0.3));
+        put(engine, crushed.at(0.8 * random.nextDouble() - 0.4, 0.3), 0.5);
+        KinematicBody press = new KinematicBody(new Rectangle(0.6 + 1.4 * random.nextDouble(), 0.5));
+        put(engine, press.at(random.nextDouble() - 0.5, 1.2), friction);
+        double fastest = 0;
+        for (int step = 0; step < 600; step++) {
+            press.setTargetVelocity(0, -half * Math.PI * Math.sin(Math.PI * (engine.getTime() + engine.getTimeStep())), 0);
+            engine.step();
+            boolean isOnFloor = Math.abs(crushed.getX()) < 5.5; // and does not fall off it
+            assertThat(isOnFloor ? crushed.getY() : 0).as("height").isGreaterThan(-0.6); // its own: it is not driven through
+            fastest = Math.max(fastest, isOnFloor ? Math.hypot(crushed.getVelocityX(), crushed.getVelocityY()) : 0);
+        }
+        return fastest;
+    }
+
+    private static Body put(PhysicsEngine engine, Body body, double friction) {
+        body.setFriction(friction);
+        body.setRestitution(0);
+        return engine.add(body);
+    }
+}
