@@ -5,9 +5,12 @@ package sim.physics;
 import java.io.Serializable;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntPredicate;
 import sim.physics.constraint.Constraints;
+import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
 import sim.physics.motion.State;
+import sim.physics.motion.Steering;
 
 /**
  * Where bodies were when a step began in which joints act. In a pose in which these let nothing pass, or anything, a motion
@@ -18,6 +21,12 @@ final class StepStart implements Serializable {
 
     /** Sizes of a body in a step, by which its velocity does not change within one. */
     private static final double FAR = 30;
+
+    /**
+     * How many times as fast as anything was, or is driven, a body is that has been thrown out. What is pressed past a wall gets out of the way at any speed
+     * as that becomes narrow, and is what the last digits of places say.
+     */
+    private static final double THROWN = 4;
 
     /** Of the numbers of a step, nothing outlasts it. */
     private transient double[] x;
@@ -48,6 +57,36 @@ final class StepStart implements Serializable {
         int b = State.BLOCK * body;
         double change = Math.abs(state.v()[b] - v[b]) + Math.abs(state.v()[b + 1] - v[b + 1]);
         return !(change * h <= FAR * state.body(body).getShape().boundingRadius());
+    }
+
+    /**
+     * Whether some free body is many times as fast as all were when the step began, or as forces and bodies that nothing moves make them, by a push of
+     * these.
+     */
+    boolean isThrown(State state, Steering steering, IntPredicate areFree, double h) {
+        double pushed = steering.pushed();
+        double fastest = 0;
+        for (int k = 0; pushed > 0 && k < state.size(); k++) {
+            fastest = isDynamic(state, k) ? Math.max(fastest, of(v, k)) : fastest;
+        }
+        fastest += steering.fastest() + h * steering.pull();
+        boolean is = false;
+        for (int k = 0; pushed > 0 && k < state.size() && !is; k++) {
+            if (isDynamic(state, k) && of(state.v(), k) > THROWN * fastest && areFree.test(k)) {
+                Body body = state.body(k);
+                double got = of(state.v(), k) - of(v, k);
+                is = of(state.v(), k) > THROWN * (fastest + h * Steering.applied(body)) && body.getMass() * got < THROWN * pushed;
+            }
+        }
+        return is;
+    }
+
+    private static boolean isDynamic(State state, int k) {
+        return state.body(k) != null && state.body(k).isDynamic();
+    }
+
+    private static double of(double[] v, int k) {
+        return Math.abs(v[State.BLOCK * k]) + Math.abs(v[State.BLOCK * k + 1]);
     }
 
     /**

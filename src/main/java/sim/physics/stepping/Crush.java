@@ -15,7 +15,7 @@ import sim.physics.motion.State;
 import sim.physics.motion.Steering;
 
 /**
- * Bounds what bodies that their authors move press with on what they crush, that is, on what is deep in a ground, and touches another one that goes elsewhere.
+ * Bounds what presses on bodies that others crush which their authors move, that is, on what is deep in a ground, and touches another one that goes elsewhere.
  * Nothing gives way there, so that any impulse is as good as another one, and those of a press and of its anvil grow against one another as depth grows, to
  * hundreds of times the momentum of what lies between. Where it gets out, their directions turn, and what they differ by then throws it out.
  *
@@ -168,14 +168,15 @@ final class Crush implements Serializable {
         return sum;
     }
 
+    /** Bounds all of a group that is crushed: what presses from body to body would be the press's again as soon as it was solved. */
     private void limit(ContactRows rows, Groups groups) {
-        for (int n = 0; n < grounds.size; n++) {
-            int k = grounds.values[n];
-            int g = slot(rows, k, groups);
-            boolean isPress = groups.has(k, rows) && areDeep[g] && fastest[g] > 0 && !state.body(ground(rows, k)).isImmobile();
-            double pressed = isPress ? rows.sum(k, NORMAL) : 0;
-            if (pressed > most[g]) {
-                scale(rows, k, most[g] / pressed);
+        for (int k = 0; k < rows.count; k++) {
+            if (groups.has(k, rows)) {
+                int g = groups.of(k, rows);
+                double pressed = rows.sum(k, NORMAL);
+                if (areDeep[g] && fastest[g] > 0 && pressed > most[g]) {
+                    scale(rows, k, most[g] / pressed);
+                }
             }
         }
     }

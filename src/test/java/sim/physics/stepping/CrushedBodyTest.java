@@ -4,6 +4,8 @@ package sim.physics.stepping;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -57,6 +59,59 @@ class CrushedBodyTest {
             boolean isOnFloor = Math.abs(crushed.getX()) < 5.5; // and does not fall off it
             assertThat(isOnFloor ? crushed.getY() : 0).as("height").isGreaterThan(-0.6); // its own: it is not driven through
             fastest = Math.max(fastest, isOnFloor ? Math.hypot(crushed.getVelocityX(), crushed.getVelocityY()) : 0);
+        }
+        return fastest;
+    }
+
+    /**
+     * A paddle turns in a room in which its tips all but reach the walls, and presses several bodies past them at once. What is in its way gets some times its
+     * speed, as it gets out sideways. By events it was thrown about at up to 78 times that, with friction and without restitution.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 4})
+    void severalAreNotMuchFasterThanThePaddleThatCrushesThem(int substeps) {
+        for (int seed = 0; seed < 100; seed += 5) {
+            Random random = new Random(seed);
+            boolean falls = random.nextInt(3) > 0;
+            double friction = 0.2 + 0.3 * random.nextInt(3);
+            PhysicsEngine engine = Stepped.engine(1.0 / 60, substeps);
+            engine.add(new Gravity(0, falls ? -Stepped.G : 0));
+            for (int side = -1; side <= 1; side += 2) {
+                put(engine, Body.fixed(new Rectangle(1, 6)).at(2.5 * side, 0), friction);
+                put(engine, Body.fixed(new Rectangle(4, 1)).at(0, 2.5 * side), friction);
+            }
+            KinematicBody paddle = new KinematicBody(new Rectangle(3.7 + 0.25 * random.nextDouble(), 0.2));
+            double spin = 1 + 2 * random.nextDouble();
+            put(engine, paddle.moving(0, 0, spin), friction);
+            List<Body> bodies = bodies(engine, random, friction);
+            double driven = 2 * spin + (falls ? Math.sqrt(8 * Stepped.G) : 0);
+            assertThat(fastestOf(engine, bodies)).as("seed %d", seed).isLessThan(8 * driven);
+        }
+    }
+
+    private static List<Body> bodies(PhysicsEngine engine, Random random, double friction) {
+        List<Body> bodies = new ArrayList<>();
+        int count = 3 + random.nextInt(8);
+        for (int k = 0; k < count; k++) {
+            double size = 0.15 + 0.15 * random.nextDouble();
+            Body body = new Body(random.nextBoolean() ? new Circle(size) : new Rectangle(2 * size, 1.2 * size));
+            double angle = 2 * Math.PI * k / count;
+            body.at(1.3 * Math.cos(angle), 1.3 * Math.sin(angle), random.nextDouble());
+            if (engine.queries().overlapping(body.getShape(), body.getX(), body.getY(), body.getAngle(), null).isEmpty()) {
+                bodies.add(put(engine, body, friction));
+            }
+        }
+        return bodies;
+    }
+
+    private static double fastestOf(PhysicsEngine engine, List<Body> bodies) {
+        double fastest = 0;
+        for (int step = 0; step < 600; step++) {
+            engine.step();
+            for (Body body : bodies) {
+                boolean isInside = Math.abs(body.getX()) < 2.5 && Math.abs(body.getY()) < 2.5;
+                fastest = Math.max(fastest, isInside ? Math.hypot(body.getVelocityX(), body.getVelocityY()) : 0);
+            }
         }
         return fastest;
     }
