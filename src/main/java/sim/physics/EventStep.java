@@ -426,7 +426,7 @@ final class EventStep implements Serializable {
         } else if (motion.driven().size < state.bodyCount()) {
             trajectories.publish(timeStep, state);
         }
-        if (audit == null && isThrown()) {
+        if (audit == null && isThrown(timeStep)) {
             throw new Squeezed();
         }
         motion.finish();
@@ -436,12 +436,12 @@ final class EventStep implements Serializable {
     }
 
     /** Whether bodies that nothing moves have thrown out what they squeeze, in a step that is over or broken off. */
-    private boolean isThrown() {
-        return steering.areSomeMoving() && start.isThrown(state, steering, body -> !trajectories.isDriven(body) && isFree(body), timeStep);
+    private boolean isThrown(double tau) {
+        return steering.areSomeMoving() && start.isThrown(state, steering, this::isFree, tau / timeStep, timeStep);
     }
 
     private boolean isFree(int body) {
-        return constraints == null || !constraints.isTied(body);
+        return !trajectories.isDriven(body) && (constraints == null || !constraints.isTied(body));
     }
 
     /** Ends the step, whether it is over or not. */
@@ -472,7 +472,7 @@ final class EventStep implements Serializable {
                 goesBack |= isRelieved && constraints != null && constraints.isTied(k) && start.hasLost(k, state, timeStep);
             }
         }
-        goesBack |= isRelieved && isThrown();
+        goesBack |= isRelieved && isThrown(instant);
         instant = goesBack ? 0 : instant;
         for (int k = 0; k < state.size(); k++) {
             if (state.body(k) != null) {

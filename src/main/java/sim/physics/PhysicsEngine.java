@@ -61,7 +61,7 @@ public final class PhysicsEngine implements Steppable {
     public static final int ORDERING = 10;
 
     /** Depth in what no force moves, relative to the smaller body, from which no event drives a body out: what moves elsewhere drives it through. */
-    private static final double CRUSHED = 0.1;
+    private static final double CRUSHED = 0.02;
 
     /** Substeps beyond which a step would seem to hang. */
     private static final int MOST_SUBSTEPS = 10_000;

@@ -62,9 +62,11 @@ final class StepStart implements Serializable {
     /**
      * Whether some free body is many times as fast as all were when the step began, or as forces and bodies that nothing moves make them, by a push of
      * these.
+     *
+     * @param part part of the step that is over
      */
-    boolean isThrown(State state, Steering steering, IntPredicate areFree, double h) {
-        double pushed = steering.pushed();
+    boolean isThrown(State state, Steering steering, IntPredicate areFree, double part, double h) {
+        double pushed = steering.pushed(part);
         double fastest = 0;
         for (int k = 0; pushed > 0 && k < state.size(); k++) {
             fastest = isDynamic(state, k) ? Math.max(fastest, of(v, k)) : fastest;

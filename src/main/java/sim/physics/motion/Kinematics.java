@@ -136,11 +136,11 @@ final class Kinematics implements Serializable {
         return speed > 0 && given > TOO_MUCH * mass / (SPAN * heavy) * speed && given > TOO_MUCH * (strength * h + most(state, speed, gravity, h));
     }
 
-    /** The momentum with which they have been pushed off their courses, as the state has their velocities. */
-    double pushed() {
+    /** The momentum with which they have been pushed off their courses until a part of the step is over, as the state has their velocities. */
+    double pushed(double part) {
         double most = 0;
         for (int k = 0; k < bodies.size(); k++) {
-            most = bodies.get(k).hasCourse() ? Math.max(most, bodies.get(k).deflection()) : most;
+            most = bodies.get(k).hasCourse() ? Math.max(most, bodies.get(k).deflection(part)) : most;
         }
         return mass * most;
     }

@@ -105,9 +105,14 @@ public final class Steering implements Serializable {
         return (Math.abs(body.appliedX()) + Math.abs(body.appliedY())) / body.getMass();
     }
 
-    /** {@return the momentum that others have given the bodies that nothing moves, as their velocities of now say} */
-    public double pushed() {
-        return kinematics.pushed();
+    /**
+     * The momentum that others have given the bodies that nothing moves, as their velocities of now say.
+     *
+     * @param part part of the step that is over
+     * @return the largest of them
+     */
+    public double pushed(double part) {
+        return kinematics.pushed(part);
     }
 
     /** {@return the speed of the fastest of them in the step} */
