@@ -3,7 +3,6 @@
 package sim.physics;
 
 import java.io.Serializable;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntPredicate;
 import sim.physics.constraint.Constraints;
@@ -33,27 +32,43 @@ final class StepStart implements Serializable {
 
     private transient double[] v;
 
+    /** The bodies: one that a listener adds within the step was nowhere. */
+    private transient Body[] bodies;
+
     /** Notes the places and velocities of all bodies. */
     void keep(State state) {
-        if (x == null || x.length < state.x().length) {
-            x = Arrays.copyOf(state.x(), state.x().length);
-            v = Arrays.copyOf(state.v(), state.v().length);
-            return;
-        }
         int n = State.BLOCK * state.size();
-        System.arraycopy(state.x(), 0, x, 0, n);
-        System.arraycopy(state.v(), 0, v, 0, n);
+        if (x == null || x.length < state.x().length) {
+            x = state.x().clone();
+            v = state.v().clone();
+            bodies = new Body[x.length / State.BLOCK];
+        } else {
+            System.arraycopy(state.x(), 0, x, 0, n);
+            System.arraycopy(state.v(), 0, v, 0, n);
+        }
+        for (int k = 0; k < bodies.length; k++) {
+            bodies[k] = k < state.size() ? state.body(k) : null;
+        }
     }
 
-    /** Puts a body back that was there when the step began. */
+    private boolean has(int body, State state) {
+        return bodies != null && body < bodies.length && bodies[body] == state.body(body) && bodies[body] != null;
+    }
+
+    /** Puts a body back if it was there when the step began. */
     void restore(int body, State state) {
         int b = State.BLOCK * body;
-        System.arraycopy(x, b, state.x(), b, State.BLOCK);
-        System.arraycopy(v, b, state.v(), b, State.BLOCK);
+        if (has(body, state)) {
+            System.arraycopy(x, b, state.x(), b, State.BLOCK);
+            System.arraycopy(v, b, state.v(), b, State.BLOCK);
+        }
     }
 
     /** Whether a body's velocity is none that it can have got from where it was. */
     boolean hasLost(int body, State state, double h) {
+        if (!has(body, state)) {
+            return false;
+        }
         int b = State.BLOCK * body;
         double change = Math.abs(state.v()[b] - v[b]) + Math.abs(state.v()[b + 1] - v[b + 1]);
         return !(change * h <= FAR * state.body(body).getShape().boundingRadius());
@@ -83,8 +98,8 @@ final class StepStart implements Serializable {
         return is;
     }
 
-    private static boolean isDynamic(State state, int k) {
-        return state.body(k) != null && state.body(k).isDynamic();
+    private boolean isDynamic(State state, int k) {
+        return has(k, state) && bodies[k].isDynamic();
     }
 
     private static double of(double[] v, int k) {
@@ -99,7 +114,7 @@ final class StepStart implements Serializable {
         double pull = Relief.pull(forces);
         boolean yes = false;
         for (int k = 0; k < state.size() && !yes; k++) {
-            if (state.body(k) != null && constraints.isTied(k)) {
+            if (has(k, state) && constraints.isTied(k)) {
                 double size = state.body(k).getShape().boundingRadius();
                 yes = Math.abs(v[State.BLOCK * k + State.THETA]) * h > Math.PI || pull * h * h > size;
             }
