@@ -426,10 +426,22 @@ final class EventStep implements Serializable {
         } else if (motion.driven().size < state.bodyCount()) {
             trajectories.publish(timeStep, state);
         }
+        if (audit == null && isThrown(timeStep)) {
+            throw new Squeezed();
+        }
         motion.finish();
         if (audit != null) {
             audit.close();
         }
+    }
+
+    /** Whether bodies that nothing moves have thrown out what they squeeze, in a step that is over or broken off. */
+    private boolean isThrown(double tau) {
+        return steering.areSomeMoving() && start.isThrown(state, steering, this::isFree, tau / timeStep, timeStep);
+    }
+
+    private boolean isFree(int body) {
+        return !trajectories.isDriven(body) && (constraints == null || !constraints.isTied(body));
     }
 
     /** Ends the step, whether it is over or not. */
@@ -442,7 +454,7 @@ final class EventStep implements Serializable {
 
     /**
      * Code of authors has thrown, or the work is spent: all bodies stay where they are at that instant, and go on from there; or from where
-     * the step began, if the motion of tied ones has failed or got lost.
+     * the step began, if the motion of tied ones has failed or got lost, or what is squeezed has been thrown out.
      *
      * @param isFailed whether it has failed
      * @param isRelieved whether time stepping takes over, so that it is asked whether it got lost
@@ -460,6 +472,7 @@ final class EventStep implements Serializable {
                 goesBack |= isRelieved && constraints != null && constraints.isTied(k) && start.hasLost(k, state, timeStep);
             }
         }
+        goesBack |= isRelieved && isThrown(instant);
         instant = goesBack ? 0 : instant;
         for (int k = 0; k < state.size(); k++) {
             if (state.body(k) != null) {

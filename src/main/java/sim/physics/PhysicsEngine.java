@@ -60,6 +60,9 @@ public final class PhysicsEngine implements Steppable {
     /** The ordering at which {@link #scheduleOn(Schedule)} runs the engine. Agents that steer bodies come before it. */
     public static final int ORDERING = 10;
 
+    /** Depth in what no force moves, relative to the smaller body, at which its middle is all but in: what moves elsewhere would drive it through. */
+    private static final double CRUSHED = 0.8;
+
     /** Substeps beyond which a step would seem to hang. */
     private static final int MOST_SUBSTEPS = 10_000;
 
@@ -215,6 +218,7 @@ public final class PhysicsEngine implements Steppable {
             admission.regroup();
         }
         if (timeStepping.deepestTied() <= 0.5 * Tolerances.PUT
+                && (isAsked || timeStepping.deepestInGround() <= CRUSHED)
                 && (constraints == null || new WayBack(state, constraints, new Overlaps(detection.filter()), bodies()).go(isAsked))) {
             relief.end(steps);
             timeStepping.sleep().setAllowed(isSleepAllowed);

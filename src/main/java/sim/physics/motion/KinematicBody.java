@@ -279,6 +279,16 @@ public class KinematicBody extends Body {
         return most;
     }
 
+    /** How much its velocity, as the state has it, differs from what it is to be when a part of the step is over. */
+    final double deflection(double part) {
+        double most = 0;
+        for (int k = 0, at = State.BLOCK * index(); k < State.BLOCK; k++, at++) {
+            double off = Math.abs(state().v()[at] - before[k] - part * (after[k] - before[k]));
+            most = Math.max(most, k == State.THETA ? off * getShape().boundingRadius() : off);
+        }
+        return most;
+    }
+
     /** Sets with which masses it is moved. */
     final void become(double mass, double inertia) {
         double[] w = state().w().values();

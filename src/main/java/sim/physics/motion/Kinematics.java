@@ -136,6 +136,23 @@ final class Kinematics implements Serializable {
         return speed > 0 && given > TOO_MUCH * mass / (SPAN * heavy) * speed && given > TOO_MUCH * (strength * h + most(state, speed, gravity, h));
     }
 
+    /** The momentum with which they have been pushed off their courses until a part of the step is over, as the state has their velocities. */
+    double pushed(double part) {
+        double most = 0;
+        for (int k = 0; k < bodies.size(); k++) {
+            most = bodies.get(k).hasCourse() ? Math.max(most, bodies.get(k).deflection(part)) : most;
+        }
+        return mass * most;
+    }
+
+    double fastest() {
+        double fastest = 0;
+        for (int k = 0; k < bodies.size(); k++) {
+            fastest = bodies.get(k).hasCourse() ? Math.max(fastest, bodies.get(k).fastest()) : fastest;
+        }
+        return fastest;
+    }
+
     /** The momentum that all others have, seen from a body as fast as the fastest one, and get from forces in a step. */
     private static double most(State state, double speed, double gravity, double h) {
         double sum = 0;

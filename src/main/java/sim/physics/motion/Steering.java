@@ -96,6 +96,36 @@ public final class Steering implements Serializable {
     }
 
     /**
+     * The acceleration of a body by forces that were applied to it.
+     *
+     * @param body any
+     * @return that in x and that in y, added up
+     */
+    public static double applied(Body body) {
+        return (Math.abs(body.appliedX()) + Math.abs(body.appliedY())) / body.getMass();
+    }
+
+    /**
+     * The momentum that others have given the bodies that nothing moves, as their velocities of now say.
+     *
+     * @param part part of the step that is over
+     * @return the largest of them
+     */
+    public double pushed(double part) {
+        return kinematics.pushed(part);
+    }
+
+    /** {@return the speed of the fastest of them in the step} */
+    public double fastest() {
+        return kinematics.fastest();
+    }
+
+    /** {@return the acceleration of bodies on which nothing acts but fields} */
+    public double pull() {
+        return Math.abs(generators.gravityX) + Math.abs(generators.gravityY);
+    }
+
+    /**
      * Looks whether something is squeezed between bodies that nothing moves.
      *
      * @param tau offset of the present instant in the step
@@ -105,7 +135,6 @@ public final class Steering implements Serializable {
      * @return whether they are pushed by far more than all others could push
      */
     public boolean isSqueezing(double tau, double h, boolean areKept, double strength) {
-        double gravity = Math.abs(generators.gravityX) + Math.abs(generators.gravityY);
-        return isAny() && kinematics.areSqueezing(state, trajectories, tau, areKept, gravity, strength, h);
+        return isAny() && kinematics.areSqueezing(state, trajectories, tau, areKept, pull(), strength, h);
     }
 }

@@ -87,7 +87,7 @@ final class ContactRows implements Serializable {
     /** Per pair: its number, its bodies, its first point and the one after its last. */
     int[] pairs = {};
 
-    static final int INTS = 10;
+    static final int INTS = 11;
 
     /** Whether the pair has bounced in this step. */
     static final int BOUNCED = 5;
@@ -105,6 +105,9 @@ final class ContactRows implements Serializable {
 
     /** Whether forces press a heavy body on a light one. */
     static final int UNLIKE = 9;
+
+    /** Whether a body may be {@linkplain Crush crushed}. */
+    static final int SUNK = 10;
 
     double[] normals = {};
     double[] points = {};
@@ -193,6 +196,7 @@ final class ContactRows implements Serializable {
         pairs[o + 2] = b;
         pairs[o + 3] = used;
         pairs[o + BOUNCED] = 0;
+        pairs[o + SUNK] = 0;
         pairs[o + PRESSED] = hasPressed ? 1 : 0;
         pairs[o + DISCS] = (touch.isDiscA ? 1 : 0) + (touch.isDiscB ? 2 : 0);
         int n = PAIR * count++;
@@ -235,8 +239,7 @@ final class ContactRows implements Serializable {
         double[] w = state.w().values();
         double[] v = state.v();
         int p = STRIDE * used++;
-        double nx = touch.nx;
-        double ny = touch.ny;
+        double nx = touch.nx, ny = touch.ny;
         double half = touch.isDiscA == touch.isDiscB ? 0 : 0.5 * Math.max(0, touch.gap[k]); // of the way to a disc: its arm is its radius when it strikes
         double way = touch.isDiscA ? -half : half;
         double ax = touch.px[k] + way * nx;
@@ -325,8 +328,7 @@ final class ContactRows implements Serializable {
 
     /** Whether a pair will touch within a step if nothing else happens. */
     boolean touches(int k, double h) {
-        for (int m = pairs[INTS * k + 3]; m < pairs[INTS * k + 4]; m++) {
-            int p = STRIDE * m;
+        for (int p = begin(k); p < end(k); p += STRIDE) {
             if (points[p + GAP] + h * (points[p + APPROACH] + h * points[p + FORCED]) <= 0) {
                 return true;
             }
@@ -402,8 +404,7 @@ final class ContactRows implements Serializable {
 
     /** Gives the bodies of a point impulses along the normal and the tangent. */
     void give(int k, int p, double[] v, double normal, double tangent) {
-        double nx = normals[PAIR * k];
-        double ny = normals[PAIR * k + 1];
+        double nx = normals[PAIR * k], ny = normals[PAIR * k + 1];
         push(v, state.w().values(), State.BLOCK * first(k), State.BLOCK * second(k), p, nx * normal - ny * tangent, ny * normal + nx * tangent);
     }
 
@@ -454,8 +455,7 @@ final class ContactRows implements Serializable {
     private void load(int k, double[] forces) {
         int a = State.BLOCK * first(k);
         int b = State.BLOCK * second(k);
-        double nx = normalX(k);
-        double ny = normalY(k);
+        double nx = normalX(k), ny = normalY(k);
         normals[PAIR * k + LOAD] = Math.abs(nx * forces[a] + ny * forces[a + 1]) + Math.abs(nx * forces[b] + ny * forces[b + 1]);
         normals[PAIR * k + WEIGHT] = size(forces, a) + size(forces, b);
     }

@@ -13,8 +13,8 @@ import sim.physics.motion.State;
 import sim.physics.motion.Steering;
 
 /**
- * Groups of movable bodies that joints, stiff springs and contacts connect, and in which there is one of the first two, what may bounce, or
- * what moving surfaces drive.
+ * Groups of movable bodies that joints, stiff springs and contacts connect, and in which there is one of the first two, what may bounce,
+ * what moving surfaces drive, or what is crushed.
  */
 final class Groups implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -139,7 +139,7 @@ final class Groups implements Serializable {
         Arrays.fill(areBooked, 0, count, true);
         int booked = count;
         for (int k = 0; k < rows.count; k++) {
-            if (rows.isDriven(k)) {
+            if (rows.isDriven(k) || rows.pairs[ContactRows.INTS * k + ContactRows.SUNK] != 0) {
                 watch(rows.first(k));
                 watch(rows.second(k));
             }
@@ -312,7 +312,8 @@ final class Groups implements Serializable {
 
     private static int code(ContactRows rows, int k) {
         int unlike = rows.pairs[ContactRows.INTS * k + ContactRows.UNLIKE];
-        return rows.first(k) << 4 | (rows.mayBounce(k) ? 1 : 0) | (rows.isDriven(k) ? 2 : 0) | (rows.isFast(k) ? 4 : 0) | 8 * unlike;
+        int sunk = rows.pairs[ContactRows.INTS * k + ContactRows.SUNK];
+        return rows.first(k) << 5 | 16 * sunk | (rows.mayBounce(k) ? 1 : 0) | (rows.isDriven(k) ? 2 : 0) | (rows.isFast(k) ? 4 : 0) | 8 * unlike;
     }
 
     /** Puts the bodies in the order of their groups. */

@@ -46,9 +46,13 @@ final class Retake implements Serializable {
     private final FreeImpacts free;
     private final Reflections reflections;
     private final Belts belts;
+    private final Crush crush;
 
     /** Groups in which something has met, until it has settled. */
     private final OpenGroups turns = new OpenGroups();
+
+    /** Whether a body may be crushed in this step. */
+    private boolean isCrushed;
 
     /** Whether joints, springs or bodies are others than when the groups were found. */
     private boolean isStale;
@@ -68,6 +72,7 @@ final class Retake implements Serializable {
         impacts = new Impacts(state, rows, groups, free, flights);
         reflections = new Reflections(state, rows, groups, free);
         belts = new Belts(state, poses);
+        crush = new Crush(state, poses);
     }
 
     /** A body was written: its mass may be another. */
@@ -94,10 +99,12 @@ final class Retake implements Serializable {
      * Begins a step: from now to its {@linkplain #end end} nothing moves bodies that others lie on as on the ground.
      *
      * @param isNew whether joints, springs or bodies are others than in the step before
-     * @param isNeeded whether groups are asked for in this step
+     * @param asks whether groups are asked for in this step; they are where bodies are crushed, too
      */
-    void begin(ContactRows rows, boolean isNew, boolean isNeeded) {
+    void begin(ContactRows rows, boolean isNew, boolean asks) {
         isStale |= isNew;
+        isCrushed = crush.find(rows);
+        boolean isNeeded = asks || isCrushed;
         grounds.hold(ties, springs, isNeeded, !surface.isEmpty());
         if (isNeeded) {
             groups.find(rows, ties, springs, isStale, !surface.isEmpty());
@@ -184,6 +191,18 @@ final class Retake implements Serializable {
     /** Bounds what moving surfaces give in a substep, which begins. */
     void boundBelts(double[] a, double h) {
         belts.bound(rows, groups, ties, springs, a, h);
+    }
+
+    /** Bounds what presses on crushed bodies in a substep, which begins. */
+    void boundCrush(double[] a, double h) {
+        if (isCrushed) {
+            crush.bound(rows, groups, ties, springs, a, h);
+        }
+    }
+
+    /** How deep a body is now in one that no force moves, at most, relative to the smaller one. */
+    double deepestInGround() {
+        return crush.deepest(rows);
     }
 
     /** Begins a step in which something may strike. */

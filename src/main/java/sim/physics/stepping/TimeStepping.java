@@ -397,6 +397,7 @@ public final class TimeStepping implements Serializable {
         if (rows.driven > 0) {
             retake.boundBelts(a, d);
         }
+        retake.boundCrush(a, d);
         turn.start(halves.before(), d);
         halves.halve();
         turn.solve(pace.joint, pace.contact, true, d);
@@ -434,6 +435,11 @@ public final class TimeStepping implements Serializable {
     /** {@return how deep two bodies of joints were in one another when the last step began, at most, relative to the smaller one} */
     public double deepestTied() {
         return deepestTied;
+    }
+
+    /** {@return how deep a body is now in one that no force moves, at most, relative to the smaller one} */
+    public double deepestInGround() {
+        return retake.deepestInGround();
     }
 
     /** {@return number of times that a pair was looked at for where it touches} */
