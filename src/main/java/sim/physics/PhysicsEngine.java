@@ -785,10 +785,10 @@ public final class PhysicsEngine implements Steppable {
      * is known beforehand and small, however many bodies press on one another. Use it for crowds, and for machines whose looks
      * count more than their places.
      *
-     * <p>Bodies may overlap by some hundredths of their size, and joints may be off by some thousandths of theirs. Elastic bodies
-     * lose or gain energy. Something fast and thin can pass through something thin. Friction with the plane is that of an
-     * ellipsoidal limit surface. {@link CollisionListener}s are asked when a step begins in which bodies would touch. They are
-     * told when the step is over, as if between steps. Threads and the {@link Integrator} have no effect.
+     * <p>Bodies may overlap by some hundredths of their size, and joints may be off by some thousandths of theirs, but for those
+     * without loops that touch nothing. Elastic bodies lose or gain energy. Something fast and thin can pass through something
+     * thin. {@link CollisionListener}s are asked when a step begins in which bodies would touch. They are told when the step is
+     * over, as if between steps. Threads and the {@link Integrator} have no effect.
      *
      * <p>When you switch back to events, they are found again as soon as the joints can be closed and jointed bodies do not
      * overlap deeply. Until then steps of 32 substeps are made, which {@link #getRelievedSteps()} counts.
