@@ -267,6 +267,24 @@ final class TieBonds implements Serializable {
         }
     }
 
+    /** Lets motors give no more than they can; whether there are some that did. */
+    boolean slip(int from, int to, double[] impulse, double h) {
+        boolean any = false;
+        for (int k = from; k < to; k++) {
+            int tie = bonds[ENDS * k + TIE];
+            if (tie >= 0 && equations.kinds[tie] == TieEquations.Kind.MOTOR) {
+                double most = ((Motor) equations.ties[tie]).getLimit() * h;
+                double given = impulse[ROWS * tie];
+                if (Math.abs(given) > most) {
+                    any = true;
+                    impulse[ROWS * tie] = Math.copySign(most, given);
+                    equations.push(tie, 0, impulse[ROWS * tie] - given);
+                }
+            }
+        }
+        return any;
+    }
+
     /** Whether no motor would have to give more than it can, or does give that. */
     boolean areMotorsMet(int from, int to, double[] impulse, double h) {
         boolean areMet = true;

@@ -41,6 +41,9 @@ public final class TieTrees implements Serializable {
     /** What is kept of a tree that is solved at once. */
     private static final int AT_ONCE = -1;
 
+    /** How often a tree is solved anew in which motors would have to give more than they can. */
+    private static final int SLIPS = 4;
+
     /** Steps for which a tree that has got energy for nothing among others is solved in turns. */
     private static final int PAUSE = 16;
 
@@ -221,6 +224,11 @@ public final class TieTrees implements Serializable {
         }
         bonds.factor(from(t), ends[t]);
         bonds.give(from(t), ends[t], impulse);
+        for (int n = 0; n < SLIPS && !placesOnly && bonds.slip(from(t), ends[t], impulse, h); n++) {
+            measure(t, impulse, false, softness, h);
+            bonds.factor(from(t), ends[t]);
+            bonds.give(from(t), ends[t], impulse);
+        }
         boolean isMet = stops[t].length == 0 && bonds.areMotorsMet(from(t), ends[t], impulse, h);
         for (int k = from(t); k < ends[t]; k++) {
             if (bonds.tie(k) >= 0) {
