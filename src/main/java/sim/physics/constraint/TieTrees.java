@@ -22,8 +22,8 @@ import sim.physics.motion.State;
 public final class TieTrees implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Joints of a tree from which on it is worth it: one alone is solved as a whole anyway. */
-    private static final int FEW = 2;
+    /** Joints of a tree from which on it is worth it: with two, turns are as good. */
+    private static final int FEW = 3;
 
     /** What turns have left of the speeds of rows, relative to what bodies have and get, from which on trees are solved at once; and at which they no longer are. */
     private static final double OPEN = 1e-3;
