@@ -412,7 +412,7 @@ final class PinImpulses implements Serializable {
 
     private void solve(int k, Softness softness) {
         boolean yields = !isStiff[k];
-        solve(state.v(), state.w().values(), k, STRIDE * k, softness.rate(), yields ? softness.mass() : 1, yields ? softness.impulse() : 0);
+        solve(state.v(), state.w().values(), k, STRIDE * k, softness.rate(), softness.mass(yields), softness.impulse(yields));
     }
 
     /** Says whether a pin yields where its place is regained. */

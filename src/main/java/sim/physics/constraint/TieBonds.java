@@ -82,8 +82,14 @@ final class TieBonds implements Serializable {
         }
     }
 
-    /** Takes J of a bond, what it is to get, and what it has got. */
-    void read(int k, double[] impulse, boolean placesOnly, Softness softness, double h) {
+    /** Takes J of bonds, what they are to get, and what they have got. */
+    void read(int from, int to, double[] impulse, boolean placesOnly, Softness softness, double h) {
+        for (int k = from; k < to; k++) {
+            read(k, impulse, placesOnly, softness, h);
+        }
+    }
+
+    private void read(int k, double[] impulse, boolean placesOnly, Softness softness, double h) {
         int o = TreeRows.STRIDE * k;
         int child = bonds[ENDS * k];
         int pin = bonds[ENDS * k + PIN];
@@ -97,12 +103,11 @@ final class TieBonds implements Serializable {
         if (tie < 0) {
             return;
         }
-        if (equations.kinds[tie] == TieEquations.Kind.MOTOR) {
-            Motor motor = (Motor) equations.ties[tie];
-            if (!placesOnly && Math.abs(impulse[ROWS * tie]) < ALL * motor.getLimit() * h) {
+        if (isMotor(tie)) {
+            if (!placesOnly && isMet(tie, impulse, h)) {
                 copy(tie, 0, child, o, row);
                 double bend = softness.rate() > 0 ? equations.bend[ROWS * tie] : 0;
-                data[o + TreeRows.ASKED + row] = motor.getSpeed() - equations.speed(tie, 0, state.v()) - bend;
+                data[o + TreeRows.ASKED + row] = ((Motor) equations.ties[tie]).getSpeed() - equations.speed(tie, 0, state.v()) - bend;
                 data[o + TreeRows.GIVEN + row] = impulse[ROWS * tie];
             }
             return;
@@ -272,17 +277,26 @@ final class TieBonds implements Serializable {
         boolean any = false;
         for (int k = from; k < to; k++) {
             int tie = bonds[ENDS * k + TIE];
-            if (tie >= 0 && equations.kinds[tie] == TieEquations.Kind.MOTOR) {
-                double most = ((Motor) equations.ties[tie]).getLimit() * h;
+            if (isMotor(tie) && Math.abs(impulse[ROWS * tie]) > most(tie, h)) {
+                any = true;
                 double given = impulse[ROWS * tie];
-                if (Math.abs(given) > most) {
-                    any = true;
-                    impulse[ROWS * tie] = Math.copySign(most, given);
-                    equations.push(tie, 0, impulse[ROWS * tie] - given);
-                }
+                impulse[ROWS * tie] = Math.copySign(most(tie, h), given);
+                equations.push(tie, 0, impulse[ROWS * tie] - given);
             }
         }
         return any;
+    }
+
+    private boolean isMotor(int tie) {
+        return tie >= 0 && equations.kinds[tie] == TieEquations.Kind.MOTOR;
+    }
+
+    private double most(int tie, double h) {
+        return ((Motor) equations.ties[tie]).getLimit() * h;
+    }
+
+    private boolean isMet(int motor, double[] impulse, double h) {
+        return Math.abs(impulse[ROWS * motor]) < ALL * most(motor, h);
     }
 
     /** Whether no motor would have to give more than it can, or does give that. */
@@ -290,26 +304,32 @@ final class TieBonds implements Serializable {
         boolean areMet = true;
         for (int k = from; k < to && areMet; k++) {
             int tie = bonds[ENDS * k + TIE];
-            if (tie >= 0 && equations.kinds[tie] == TieEquations.Kind.MOTOR) {
-                areMet = Math.abs(impulse[ROWS * tie]) < ALL * ((Motor) equations.ties[tie]).getLimit() * h;
-            }
+            areMet = !isMotor(tie) || isMet(tie, impulse, h);
         }
         return areMet;
     }
 
-    /** Whether bodies turn so slowly, and joints are so nearly closed, that what is right before and after a move says something of the way between. */
-    boolean areCalm(int from, int to, double spin, double part) {
-        boolean areCalm = true;
-        for (int k = from; k < to && areCalm; k++) {
+    /** Whether bodies turn so slowly that what is right before and after a move says something of the way between. */
+    boolean areSlow(int from, int to, double spin) {
+        boolean areSlow = true;
+        for (int k = from; k < to && areSlow; k++) {
+            areSlow = Math.abs(state.v()[bonds[ENDS * k] + State.THETA]) < spin;
+        }
+        return areSlow;
+    }
+
+    /** How far a joint is open at most, relative to its smaller body. */
+    double widest(int from, int to) {
+        double widest = 0;
+        for (int k = from; k < to; k++) {
             int o = TreeRows.STRIDE * k + TreeRows.ASKED;
             Arrays.fill(data, o, o + ROWS, 0);
             readPlaces(k, o);
-            areCalm = Math.abs(state.v()[bonds[ENDS * k] + State.THETA]) < spin;
             for (int r = 0; r < ROWS; r++) {
-                areCalm &= data[o + r] == 0 || Math.abs(data[o + r]) < part * size(k, r);
+                widest = data[o + r] == 0 ? widest : Math.max(widest, Math.abs(data[o + r]) / size(k, r));
             }
         }
-        return areCalm;
+        return widest;
     }
 
     private double size(int k, int row) {

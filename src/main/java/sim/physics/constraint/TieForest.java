@@ -5,8 +5,10 @@ package sim.physics.constraint;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
@@ -44,7 +46,7 @@ final class TieForest {
     /** The bonds of each body. */
     private final Map<Integer, List<Bond>> around = new HashMap<>();
 
-    private final Map<Integer, Boolean> seen = new HashMap<>();
+    private final Set<Integer> seen = new HashSet<>();
 
     /** What was found: trees, each from the root on. */
     final List<List<Bond>> trees = new ArrayList<>();
@@ -104,13 +106,13 @@ final class TieForest {
      */
     void find(int few) {
         for (Bond bond : all) {
-            if (bond.parent < 0 && !seen.containsKey(bond.child)) {
+            if (bond.parent < 0 && !seen.contains(bond.child)) {
                 bond.isUsed = true;
                 walk(bond, few);
             }
         }
         for (Bond bond : all) {
-            if (!seen.containsKey(bond.child)) {
+            if (!seen.contains(bond.child)) {
                 walk(Bond.root(bond.child), few + 1);
             }
         }
@@ -120,7 +122,7 @@ final class TieForest {
         List<Bond> tree = new ArrayList<>();
         boolean isTree = true;
         tree.add(root);
-        seen.put(root.child, true);
+        seen.add(root.child);
         for (int n = 0; n < tree.size(); n++) {
             int body = tree.get(n).child;
             for (Bond bond : around.get(body)) {
@@ -129,11 +131,10 @@ final class TieForest {
                 }
                 bond.isUsed = true;
                 int other = bond.child == body ? bond.parent : bond.child;
-                if (other < 0 || seen.containsKey(other)) {
+                if (other < 0 || !seen.add(other)) {
                     isTree = false;
                     continue;
                 }
-                seen.put(other, true);
                 bond.child = other;
                 bond.parent = body;
                 tree.add(bond);

@@ -45,9 +45,6 @@ public final class TieRows implements Serializable {
 
     private double h;
 
-    /** Whether it is known in this step which trees are to be solved at once. */
-    private boolean isJudged;
-
     /** Impulses with which the step began. */
     private double[] kept = {};
 
@@ -216,7 +213,7 @@ public final class TieRows implements Serializable {
      */
     public void begin(double growth, double substep) {
         h = substep;
-        isJudged = false;
+        trees.begin();
         pinImpulses.begin(growth, h);
         for (int k = 0; growth != 1 && k < ROWS * equations.count(); k++) {
             impulse[k] *= growth;
@@ -369,13 +366,11 @@ public final class TieRows implements Serializable {
      * @param h substep
      */
     public void solve(Softness softness, double h) {
+        trees.ask(impulse, softness, h);
         trees.solve(impulse, null, false, softness, h);
         solver.solve(softness, h);
         pinImpulses.solve(softness); // last, as what is solved last is right
-        if (!isJudged && softness.rate() == 0) {
-            isJudged = true;
-            trees.judge(impulse, h);
-        }
+        trees.judge(impulse, softness, h);
     }
 
     /** Adds the impulses of a substep to those of the step. */

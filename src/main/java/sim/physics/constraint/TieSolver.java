@@ -78,8 +78,9 @@ final class TieSolver implements Serializable {
         double[] v = state.v();
         int o = ROWS * k;
         int m = ROWS * o;
-        double mass = trees.isStiff(k) && softness.mass() < 1 ? 1 : softness.mass();
-        double back = trees.isStiff(k) ? 0 : softness.impulse();
+        boolean yields = !trees.isStiff(k);
+        double mass = softness.mass(yields);
+        double back = softness.impulse(yields);
         double bend = softness.rate() > 0 ? 1 : 0; // only where a way is to be gone
         double r0 = equations.speed(k, 0, v) + softness.rate() * equations.c[o] + bend * equations.bend[o];
         if (equations.rows[k] == 1) {

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import sim.physics.internal.Growth;
 import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 
@@ -52,7 +53,7 @@ public final class TieTrees implements Serializable {
     private final PinImpulses pins;
     private final TieBonds bonds;
 
-    /** By tree: the end of its bonds, whether it is solved at once, and whether the last solution had something to do. */
+    /** By tree: the end of its bonds, whether it is solved at once, and whether that had something to do in this step. */
     private int[] ends = {};
 
     private boolean[] isOpen = {};
@@ -76,6 +77,8 @@ public final class TieTrees implements Serializable {
 
     /** By body: whether it was brought onto its joints. */
     private boolean[] moved = {};
+
+    private boolean isJudged;
 
     /** Energies: of what rows are off, and of all that they have to do with. */
     private final double[] off = new double[2];
@@ -217,15 +220,14 @@ public final class TieTrees implements Serializable {
     }
 
     private void solve(int t, double[] impulse, boolean placesOnly, Softness softness, double h) {
-        measure(t, impulse, placesOnly, softness, h);
-        isAsked[t] = off[0] > CLOSED * CLOSED * off[1];
+        bonds.read(from(t), ends[t], impulse, placesOnly, softness, h);
         if (softness.rate() > 0) {
             bonds.leave(from(t), ends[t], 1 - softness.rate() * h);
         }
         bonds.factor(from(t), ends[t]);
         bonds.give(from(t), ends[t], impulse);
         for (int n = 0; n < SLIPS && !placesOnly && bonds.slip(from(t), ends[t], impulse, h); n++) {
-            measure(t, impulse, false, softness, h);
+            bonds.read(from(t), ends[t], impulse, false, softness, h);
             bonds.factor(from(t), ends[t]);
             bonds.give(from(t), ends[t], impulse);
         }
@@ -237,26 +239,43 @@ public final class TieTrees implements Serializable {
         }
     }
 
-    /** Reads a tree, and finds what its rows are off. */
-    private void measure(int t, double[] impulse, boolean placesOnly, Softness softness, double h) {
+    /** Whether the speeds of a tree's rows are off by more than a part of all that they have to do with. */
+    private boolean isOff(int t, double part, double[] impulse, double h) {
+        bonds.read(from(t), ends[t], impulse, false, Softness.RIGID, h);
         off[0] = 0;
         off[1] = 0;
         for (int k = from(t); k < ends[t]; k++) {
-            bonds.read(k, impulse, placesOnly, softness, h);
             bonds.measure(k, off);
+        }
+        return off[0] > part * part * off[1];
+    }
+
+    /** Begins a step, in which it is judged once which trees are solved at once. */
+    void begin() {
+        isJudged = false;
+    }
+
+    /** Finds out, before velocities are solved for the first time, which of the trees that are solved at once have something to do. */
+    void ask(double[] impulse, Softness softness, double h) {
+        for (int t = 0; !isJudged && softness.rate() == 0 && t < ends.length; t++) {
+            isAsked[t] = isOpen[t] && isOff(t, CLOSED, impulse, h);
         }
     }
 
-    /** Finds trees that turns have not solved, and those that they would. */
-    void judge(double[] impulse, double h) {
+    /** Finds trees that turns have not solved, and those that they would, when velocities have been solved for the first time. */
+    void judge(double[] impulse, Softness softness, double h) {
+        if (isJudged || softness.rate() > 0) {
+            return;
+        }
+        isJudged = true;
         for (int t = 0; t < ends.length; t++) {
-            boolean isCalm = waits[t] == 0 && !isTouched[t] && !isStopped(t, impulse) && bonds.areCalm(from(t), ends[t], TURN / h, WIDE);
+            double widest = bonds.widest(from(t), ends[t]);
+            boolean isCalm = waits[t] == 0 && !isTouched[t] && !isStopped(t, impulse) && widest < WIDE && bonds.areSlow(from(t), ends[t], TURN / h);
             waits[t] = Math.max(0, waits[t] - 1);
             if (isOpen[t]) {
                 set(t, isAsked[t] && isCalm);
             } else if (isCalm) {
-                measure(t, impulse, false, Softness.RIGID, h);
-                set(t, off[0] > OPEN * OPEN * off[1] || !bonds.areCalm(from(t), ends[t], TURN / h, AJAR));
+                set(t, widest >= AJAR || isOff(t, OPEN, impulse, h));
             }
         }
     }
@@ -314,14 +333,13 @@ public final class TieTrees implements Serializable {
      * @return whether there are any
      */
     boolean straighten(double[] impulse, double h) {
-        if (!isAnyOpen()) {
-            return false;
-        }
         boolean any = false;
-        moved = moved.length < state.size() ? new boolean[state.size()] : moved;
-        Arrays.fill(moved, false);
         for (int t = 0; t < ends.length; t++) {
             if (isOpen[t] && bonds.haveParted(from(t), ends[t], h)) {
+                if (!any) {
+                    moved = moved.length < state.size() ? new boolean[Growth.length(moved.length, state.size())] : moved;
+                    Arrays.fill(moved, false);
+                }
                 any = true;
                 bonds.give(from(t), ends[t], impulse);
                 bonds.move(from(t), ends[t], h, moved);

@@ -23,6 +23,26 @@ public record Softness(double rate, double mass, double impulse) implements Seri
     public static final Softness EAGER = new Softness(0, 1.7, 0);
 
     /**
+     * How much of the impulse counts that a rigid constraint would take.
+     *
+     * @param yields whether it gives way to loads
+     * @return that much; of one that does not, all of it at least
+     */
+    public double mass(boolean yields) {
+        return yields || mass > 1 ? mass : 1;
+    }
+
+    /**
+     * How much of what it has taken so far is given back.
+     *
+     * @param yields whether it gives way to loads
+     * @return that much; of one that does not, nothing
+     */
+    public double impulse(boolean yields) {
+        return yields ? impulse : 0;
+    }
+
+    /**
      * That of a spring.
      *
      * @param frequency in oscillations a substep

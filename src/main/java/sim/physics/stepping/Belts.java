@@ -18,10 +18,10 @@ final class Belts implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** How often all that presses in a group may press on a surface, by levers and wedges. */
-    private static final double LEVER = 16;
+    static final double LEVER = 16;
 
     /** How often what bodies would bear may that went round themselves as fast as the surfaces are. */
-    private static final double ROUND = 4;
+    static final double ROUND = 4;
 
     private final State state;
     private final Poses poses;

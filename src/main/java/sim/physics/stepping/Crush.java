@@ -27,12 +27,6 @@ final class Crush implements Serializable {
     /** Depth relative to the smaller body from which on a body is crushed. */
     private static final double DEEP = 0.01;
 
-    /** How often all that presses in a group may press, by levers and wedges. */
-    private static final double LEVER = 16;
-
-    /** How often what bodies would bear may that went round themselves as fast as the press is. */
-    private static final double ROUND = 4;
-
     private final State state;
     private final Poses poses;
 
@@ -118,7 +112,7 @@ final class Crush implements Serializable {
             ties.press(groups.slots, most);
             springs.press(groups.slots, most);
             for (int g = 0; g < groups.count; g++) {
-                most[g] = LEVER * most[g] + load(groups, g, a, h);
+                most[g] = Belts.LEVER * most[g] + load(groups, g, a, h);
             }
             limit(rows, groups);
         }
@@ -162,7 +156,7 @@ final class Crush implements Serializable {
             int b = groups.blocks[k];
             if (!groups.areSteered[k]) {
                 double round = fastest[g] * fastest[g] / poses.hull(b / State.BLOCK).bounding;
-                sum += h * groups.masses[2 * k] * (LEVER * Math.sqrt(a[b] * a[b] + a[b + 1] * a[b + 1]) + ROUND * round);
+                sum += h * groups.masses[2 * k] * (Belts.LEVER * Math.sqrt(a[b] * a[b] + a[b + 1] * a[b + 1]) + Belts.ROUND * round);
             }
         }
         return sum;
