@@ -28,7 +28,7 @@ import sim.physics.motion.State;
 final class Island implements Serializable {
     private static final long serialVersionUID = 2L;
 
-    static final int J = 12;
+    static final int J = NodeLayout.J;
     private static final int[] NONE = {};
 
     /** Movable bodies, ascending. */
@@ -133,37 +133,26 @@ final class Island implements Serializable {
         this.bodies = bodies;
         inOrder = those;
         alone.add(this);
-        int n = those.size();
-        int[] first = new int[n];
-        int[] second = new int[n];
-        for (int k = 0; k < n; k++) {
-            first[k] = local(those.get(k).getBodyA());
-            second[k] = local(those.get(k).getBodyB());
+        NodeLayout layout = layout(those);
+        constraints = new Constraint[those.size()];
+        for (int k = 0; k < constraints.length; k++) {
+            constraints[k] = those.get(layout.order[k]);
         }
-        EliminationOrder elimination = new EliminationOrder(first, second, bodies.size);
-        constraints = new Constraint[n];
-        firstNode = new int[n + 1];
-        for (int k = 0; k < n; k++) {
-            constraints[k] = those.get(elimination.at(k));
-            firstNode[k + 1] = firstNode[k] + (constraints[k].getRows() + 1) / 2;
-        }
-        nodes = firstNode[n];
-        a = new int[nodes];
-        b = new int[nodes];
-        blockA = new int[nodes];
-        blockB = new int[nodes];
-        for (int k = 0; k < n; k++) {
-            join(k, first[elimination.at(k)], second[elimination.at(k)]);
-        }
+        firstNode = layout.firstNode;
+        nodes = layout.nodes;
+        a = layout.a;
+        b = layout.b;
+        blockA = blocks(a);
+        blockB = blocks(b);
         j = new double[J * nodes];
         c = new double[2 * nodes];
         rate = new double[2 * nodes];
         lambda = new double[2 * nodes];
         measure();
-        isAngle = angles();
-        factor = factor(elimination);
-        int[] shared = shared();
-        rows = new NodeRows(this, shared);
+        isAngle = layout.isAngle;
+        factor = layout.factor;
+        int[] shared = layout.shared(bodies.size);
+        rows = new NodeRows(j, blockA, blockB, factor, shared);
         turns = new Turns(this);
         pins = new PinRows(this, turns);
         joints = new JointRows(this, turns);
@@ -198,79 +187,25 @@ final class Island implements Serializable {
         mostSize = inOrder.stream().mapToDouble(Constraint::getSize).max().orElse(0);
     }
 
-    /** Notes the bodies of a constraint's nodes. */
-    private void join(int constraint, int first, int second) {
-        for (int p = firstNode[constraint]; p < firstNode[constraint + 1]; p++) {
-            a[p] = first;
-            b[p] = second;
-            blockA[p] = block(first);
-            blockB[p] = block(second);
+    private NodeLayout layout(List<Constraint> those) {
+        int n = those.size();
+        int[] first = new int[n];
+        int[] second = new int[n];
+        int[] count = new int[n];
+        for (int k = 0; k < n; k++) {
+            first[k] = local(those.get(k).getBodyA());
+            second[k] = local(those.get(k).getBodyB());
+            count[k] = those.get(k).getRows();
         }
+        return new NodeLayout(first, second, count, (k, row) -> those.get(k).isAngle(row), bodies.size);
     }
 
     private int local(Body body) {
         return body == null || body.isImmobile() ? -1 : Arrays.binarySearch(bodies.values, 0, bodies.size, body.index());
     }
 
-    private int block(int local) {
-        return local < 0 ? -1 : State.BLOCK * bodies.values[local];
-    }
-
-    private BlockFactor factor(EliminationOrder elimination) {
-        int[] start = new int[nodes + 1];
-        byte[] rows = new byte[nodes];
-        IntList row = new IntList();
-        for (int k = 0; k < constraints.length; k++) {
-            for (int p = firstNode[k], left = constraints[k].getRows(); p < firstNode[k + 1]; p++, left -= 2) {
-                rows[p] = (byte) Math.min(left, 2);
-            }
-            IntList later = elimination.later(elimination.at(k));
-            int[] met = new int[later.size];
-            for (int m = 0; m < met.length; m++) {
-                met[m] = elimination.place(later.values[m]);
-            }
-            Arrays.sort(met);
-            for (int p = firstNode[k]; p < firstNode[k + 1]; p++) {
-                for (int own = p + 1; own < firstNode[k + 1]; own++) {
-                    row.add(own);
-                }
-                for (int other : met) {
-                    for (int q = firstNode[other]; q < firstNode[other + 1]; q++) {
-                        row.add(q);
-                    }
-                }
-                start[p + 1] = row.size;
-            }
-        }
-        return new BlockFactor(start, Arrays.copyOf(row.values, row.size), rows, isAngle);
-    }
-
-    private int[] shared() {
-        IntList[] at = new IntList[bodies.size];
-        for (int k = 0; k < at.length; k++) {
-            at[k] = new IntList();
-        }
-        for (int p = 0; p < nodes; p++) {
-            if (a[p] >= 0) {
-                at[a[p]].add(2 * p);
-            }
-            if (b[p] >= 0) {
-                at[b[p]].add(2 * p + 1);
-            }
-        }
-        IntList found = new IntList();
-        for (int body = 0; body < at.length; body++) {
-            for (int k = 0; k < at[body].size; k++) {
-                for (int m = k + 1; m < at[body].size; m++) {
-                    int p = at[body].values[k];
-                    int q = at[body].values[m];
-                    found.add(4 * factor.block(q >> 1, p >> 1));
-                    found.add(J * (q >> 1) + 6 * (q & 1));
-                    found.add(J * (p >> 1) + 6 * (p & 1));
-                }
-            }
-        }
-        return Arrays.copyOf(found.values, found.size);
+    private int[] blocks(int[] those) {
+        return IntStream.of(those).map(local -> local < 0 ? -1 : State.BLOCK * bodies.values[local]).toArray();
     }
 
     private int[] others() {
@@ -284,16 +219,6 @@ final class Island implements Serializable {
 
     private int[] where(IntPredicate what) {
         return IntStream.range(0, constraints.length).filter(what).toArray();
-    }
-
-    private boolean[] angles() {
-        boolean[] found = new boolean[2 * nodes];
-        for (int k = 0; k < constraints.length; k++) {
-            for (int row = 0; row < constraints[k].getRows(); row++) {
-                found[2 * firstNode[k] + row] = constraints[k].isAngle(row);
-            }
-        }
-        return found;
     }
 
     /** Evaluates C, J and J̇ ẋ at the positions and velocities of the state vectors. */
@@ -319,7 +244,7 @@ final class Island implements Serializable {
             }
         }
         if (turns.isCarried()) {
-            rows.carry(state.carry().lowX(), pins);
+            rows.carry(state.carry().lowX(), pins, c);
         }
         for (int k : switched) {
             factor.rest(firstNode[k], !((Switched) constraints[k]).isOnNow);

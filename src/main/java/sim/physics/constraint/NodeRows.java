@@ -10,36 +10,46 @@ import sim.physics.motion.State;
  * empty, and nodes of motors and stops that do not act, are left out.
  */
 final class NodeRows implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
-    private static final int J = Island.J;
+    private static final int J = NodeLayout.J;
 
-    private final Island island;
+    /** J, by nodes as {@link NodeLayout} has them, and the blocks of their bodies; −1 for what cannot move. */
+    private final double[] j;
 
-    /** W J, laid out as {@link Island#j}. */
+    private final int[] blockA;
+    private final int[] blockB;
+    private final BlockFactor factor;
+    private final int nodes;
+
+    /** W J, laid out as J. */
     private final double[] weighted;
 
     /** Where two nodes that share a body add to A: block, nodes, sides (0 or 6), and the body's block. */
     private final int[] shared;
 
-    NodeRows(Island island, int[] shared) {
-        this.island = island;
+    NodeRows(double[] j, int[] blockA, int[] blockB, BlockFactor factor, int[] shared) {
+        this.j = j;
+        this.blockA = blockA;
+        this.blockB = blockB;
+        this.factor = factor;
         this.shared = shared;
-        weighted = new double[J * island.nodes];
+        nodes = blockA.length;
+        weighted = new double[J * nodes];
     }
 
     /** The diagonal blocks of A; rows that are zero get a 1. */
     void diagonal(double[] w, double[] d) {
-        for (int p = 0; p < island.nodes; p++) {
-            int rows = island.factor.rows(p);
+        for (int p = 0; p < nodes; p++) {
+            int rows = factor.rows(p);
             d[3 * p] = 0;
             d[3 * p + 1] = 0;
             d[3 * p + 2] = 0;
-            if (rows > 0 && island.blockA[p] >= 0) {
-                add(w, island.blockA[p], J * p, rows, d, 3 * p);
+            if (rows > 0 && blockA[p] >= 0) {
+                add(w, blockA[p], J * p, rows, d, 3 * p);
             }
-            if (rows > 0 && island.blockB[p] >= 0) {
-                add(w, island.blockB[p], J * p + 6, rows, d, 3 * p);
+            if (rows > 0 && blockB[p] >= 0) {
+                add(w, blockB[p], J * p + 6, rows, d, 3 * p);
             }
             d[3 * p] = d[3 * p] == 0 ? 1 : d[3 * p];
             d[3 * p + 2] = d[3 * p + 2] == 0 ? 1 : d[3 * p + 2];
@@ -48,7 +58,6 @@ final class NodeRows implements Serializable {
 
     /** Weighs the rows of a node on one side, and adds their products with one another. */
     private void add(double[] w, int block, int o, int rows, double[] d, int at) {
-        double[] j = island.j;
         double mass = w[block];
         double inertia = w[block + State.THETA];
         double x = j[o];
@@ -78,7 +87,6 @@ final class NodeRows implements Serializable {
 
     /** The blocks of A below its diagonal. */
     void couple(double[] below) {
-        BlockFactor factor = island.factor;
         for (int k = 0; k < shared.length; k += 3) {
             int q = shared[k + 1];
             int p = shared[k + 2];
@@ -91,7 +99,6 @@ final class NodeRows implements Serializable {
     }
 
     private void couple(double[] below, int e, int q, int p, int rowsQ, int rowsP) {
-        double[] j = island.j;
         double x = weighted[q];
         double y = weighted[q + 1];
         double turn = weighted[q + 2];
@@ -111,12 +118,11 @@ final class NodeRows implements Serializable {
     }
 
     /** Adds to C what rounding has left of the positions, but for the nodes of pins, which have done so themselves. */
-    void carry(double[] low, PinRows pins) {
-        double[] j = island.j;
-        for (int p = 0; p < island.nodes; p++) {
-            for (int k = 0; k < island.factor.rows(p) && !pins.isAt(p); k++) {
+    void carry(double[] low, PinRows pins, double[] c) {
+        for (int p = 0; p < nodes; p++) {
+            for (int k = 0; k < factor.rows(p) && !pins.isAt(p); k++) {
                 int o = J * p + 3 * k;
-                island.c[2 * p + k] += product(j, o, low, island.blockA[p]) + product(j, o + 6, low, island.blockB[p]);
+                c[2 * p + k] += product(j, o, low, blockA[p]) + product(j, o + 6, low, blockB[p]);
             }
         }
     }
@@ -127,18 +133,17 @@ final class NodeRows implements Serializable {
 
     /** −(J u + g) into {@code right}. */
     void residual(double[] u, double[] g, double[] right) {
-        double[] j = island.j;
-        for (int p = 0; p < island.nodes; p++) {
-            int rows = island.factor.rows(p);
+        for (int p = 0; p < nodes; p++) {
+            int rows = factor.rows(p);
             double r0 = g == null ? 0 : g[2 * p];
             double r1 = g == null ? 0 : g[2 * p + 1];
             int o = J * p;
-            int s = island.blockA[p];
+            int s = blockA[p];
             if (s >= 0 && rows > 0) {
                 r0 += j[o] * u[s] + j[o + 1] * u[s + 1] + j[o + 2] * u[s + 2];
                 r1 += rows == 1 ? 0 : j[o + 3] * u[s] + j[o + 4] * u[s + 1] + j[o + 5] * u[s + 2];
             }
-            s = island.blockB[p];
+            s = blockB[p];
             if (s >= 0 && rows > 0) {
                 r0 += j[o + 6] * u[s] + j[o + 7] * u[s + 1] + j[o + 8] * u[s + 2];
                 r1 += rows == 1 ? 0 : j[o + 9] * u[s] + j[o + 10] * u[s + 1] + j[o + 11] * u[s + 2];
@@ -150,19 +155,18 @@ final class NodeRows implements Serializable {
 
     /** u += W Jᵀ λ, (37) and (40). */
     void apply(double[] w, double[] lambda, double[] u) {
-        for (int p = 0; p < island.nodes; p++) {
-            int rows = island.factor.rows(p);
-            if (rows > 0 && island.blockA[p] >= 0) {
-                push(w, island.blockA[p], J * p, rows, lambda[2 * p], lambda[2 * p + 1], u);
+        for (int p = 0; p < nodes; p++) {
+            int rows = factor.rows(p);
+            if (rows > 0 && blockA[p] >= 0) {
+                push(w, blockA[p], J * p, rows, lambda[2 * p], lambda[2 * p + 1], u);
             }
-            if (rows > 0 && island.blockB[p] >= 0) {
-                push(w, island.blockB[p], J * p + 6, rows, lambda[2 * p], lambda[2 * p + 1], u);
+            if (rows > 0 && blockB[p] >= 0) {
+                push(w, blockB[p], J * p + 6, rows, lambda[2 * p], lambda[2 * p + 1], u);
             }
         }
     }
 
     private void push(double[] w, int s, int o, int rows, double l0, double l1, double[] u) {
-        double[] j = island.j;
         if (rows == 1) {
             u[s] += w[s] * (j[o] * l0);
             u[s + 1] += w[s + 1] * (j[o + 1] * l0);

@@ -43,6 +43,12 @@ final class Pivots implements Serializable {
     private int strays;
     private double noise;
 
+    /** What rows get of what they ask for, by their pivots, or those of the same rows with other masses; null if all of it. */
+    private double[] shares;
+
+    private double half;
+    private Pivots judge;
+
     Pivots(int rows) {
         size = new double[rows];
         isRedundant = new boolean[rows];
@@ -64,7 +70,7 @@ final class Pivots implements Serializable {
         weak = 0;
         beside = 0;
         strays = 0;
-        return Math.max(least, BESIDE);
+        return judge == null ? Math.max(least, BESIDE) : Double.POSITIVE_INFINITY;
     }
 
     /** Makes the pivots of rows that are always redundant small, whatever they are. */
@@ -77,9 +83,35 @@ final class Pivots implements Serializable {
         }
     }
 
+    /**
+     * Takes note of what rows are to get of what they ask for: next to nothing, if they depend on others, and nearly all otherwise.
+     *
+     * @param part rows with a pivot of this part of their diagonal get half
+     */
+    void judge(double part) {
+        half = part;
+        shares = shares == null ? new double[size.length] : shares;
+        Arrays.fill(shares, 1);
+    }
+
+    /** Gives rows the shares that others have noted, as what follows was found with them; all of it if these are null. */
+    void obey(Pivots others) {
+        judge = others;
+    }
+
     /** The inverse of a small pivot; 0 if it is redundant. */
     double invert(double pivot, int k) {
-        beside++;
+        double share = 1;
+        if (half > 0) {
+            double part = pivot / size[k];
+            share = part > NOISE ? part * part / (part * part + half * half) : 0;
+            shares[k] = share;
+        } else if (judge != null) {
+            share = judge.shares[k];
+        }
+        if (!(pivot > Math.max(noise, BESIDE) * size[k])) {
+            beside++;
+        }
         if (!(pivot > Math.max(noise, WEAK) * size[k])) {
             weak++;
         }
@@ -87,7 +119,7 @@ final class Pivots implements Serializable {
             near++;
         }
         if (pivot > noise * size[k]) {
-            return 1 / pivot;
+            return share / pivot;
         }
         if (lasting > 0 && size[k] == Double.POSITIVE_INFINITY && pivot > NEAR * whole[k]) {
             strays++;

@@ -12,7 +12,7 @@ import sim.physics.motion.State;
 
 /** The bonds of {@link TieTrees}: a joint each, with the motor of its angle if it is a pin, from the tips of trees to their roots. */
 final class TieBonds implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     private static final int BLOCK = State.BLOCK;
     private static final int ROWS = Equations.ROWS;
@@ -39,6 +39,9 @@ final class TieBonds implements Serializable {
     private int[] bonds = {};
     private double[] data = {};
 
+    /** By bond: the size of the smaller one of its bodies that can move. */
+    private double[] sizes = {};
+
     TieBonds(State state, TieEquations equations, PinImpulses pins) {
         this.state = state;
         this.equations = equations;
@@ -49,11 +52,17 @@ final class TieBonds implements Serializable {
     void clear(int count) {
         bonds = new int[ENDS * count];
         data = new double[TreeRows.STRIDE * count];
+        sizes = new double[count];
     }
 
     /** The body of a bond. */
     int child(int k) {
         return bonds[ENDS * k];
+    }
+
+    /** The other body of a bond, −1 for what cannot move. */
+    int parent(int k) {
+        return bonds[ENDS * k + PARENT];
     }
 
     /** The place of the pin of a bond, −1 for none. */
@@ -64,6 +73,22 @@ final class TieBonds implements Serializable {
     /** That of its other constraint, −1 for none. */
     int tie(int k) {
         return bonds[ENDS * k + TIE];
+    }
+
+    /** The values of bonds, as {@link TreeRows} lays them out. */
+    double[] data() {
+        return data;
+    }
+
+    /** The rows of a bond, with those of motors that may not act. */
+    int rows(int k) {
+        return (pin(k) >= 0 ? 2 : 0) + (tie(k) >= 0 ? equations.rows[tie(k)] : 0);
+    }
+
+    /** Whether a row of a bond is one between angles. */
+    boolean isAngle(int k, int row) {
+        int ofTie = pin(k) >= 0 ? row - 2 : row;
+        return ofTie >= 0 && equations.ties[tie(k)].isAngle(ofTie);
     }
 
     /** Takes a tree, with its root at the last of its places. */
@@ -78,6 +103,7 @@ final class TieBonds implements Serializable {
             bonds[o + TIE] = bond.tie;
             bonds[o + UP] = places.getOrDefault(bond.parent, -1);
             bonds[o + GROUND] = bond.ground;
+            sizes[k] = Math.min(size(bond.child), bond.parent < 0 ? Double.POSITIVE_INFINITY : size(bond.parent));
             places.put(bond.child, k);
         }
     }
@@ -177,7 +203,7 @@ final class TieBonds implements Serializable {
         }
     }
 
-    /** Adds energies: of what the rows of a bond are off, and of all that they have to do with. */
+    /** Adds energies: of what the rows of a bond are off, of what their impulses give, and of all that they have to do with. */
     void measure(int k, double[] off) {
         int parent = bonds[ENDS * k + PARENT];
         int other = parent < 0 ? bonds[ENDS * k + GROUND] : parent;
@@ -221,6 +247,14 @@ final class TieBonds implements Serializable {
         }
         for (int k = to - 1; k >= from; k--) {
             TreeRows.solve(d, TreeRows.STRIDE * k, up(k), state.v(), bonds[ENDS * k]);
+            push(k, state.w().values());
+            book(k, impulse);
+        }
+    }
+
+    /** Takes note of what bonds have given, which was not given by {@link #give}. */
+    void book(int from, int to, double[] impulse) {
+        for (int k = from; k < to; k++) {
             push(k, state.w().values());
             book(k, impulse);
         }
@@ -332,8 +366,12 @@ final class TieBonds implements Serializable {
         return widest;
     }
 
+    /** The size of a body. */
+    double size(int body) {
+        return state.body(body / BLOCK).getShape().boundingRadius();
+    }
+
     private double size(int k, int row) {
-        int pin = bonds[ENDS * k + PIN];
-        return pin >= 0 ? pins.size(pin) : equations.size(bonds[ENDS * k + TIE], row);
+        return isAngle(k, row) ? 1 : sizes[k];
     }
 }

@@ -12,7 +12,7 @@ import java.util.Set;
 import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
-/** Finds what hangs together by joints without a loop, beginning with what hangs in the world: of two bodies, one joint, and the motor of their angle if that is a pin. */
+/** Finds what hangs together by joints, beginning with what hangs in the world, and whether that has loops: of a joint, the motor of its angle, too, if that is a pin. */
 final class TieForest {
     private static final int BLOCK = State.BLOCK;
 
@@ -33,6 +33,11 @@ final class TieForest {
             this.tie = tie;
         }
 
+        /** Whether this is no joint, but the body of a tree that nothing holds. */
+        boolean isRoot() {
+            return pin < 0 && tie < 0;
+        }
+
         /** One of a body that nothing holds. */
         static Bond root(int body) {
             return new Bond(body, -1, -1, -1, -1);
@@ -48,8 +53,11 @@ final class TieForest {
 
     private final Set<Integer> seen = new HashSet<>();
 
-    /** What was found: trees, each from the root on. */
+    /** What was found: trees, each from the root on; of those with loops, the bonds that close them come last. */
     final List<List<Bond>> trees = new ArrayList<>();
+
+    /** Of each, whether it has loops. */
+    final List<Boolean> haveLoops = new ArrayList<>();
 
     TieForest(State state, TieEquations equations, PinImpulses pins, int awakePins) {
         this.state = state;
@@ -120,7 +128,7 @@ final class TieForest {
 
     private void walk(Bond root, int few) {
         List<Bond> tree = new ArrayList<>();
-        boolean isTree = true;
+        List<Bond> closing = new ArrayList<>();
         tree.add(root);
         seen.add(root.child);
         for (int n = 0; n < tree.size(); n++) {
@@ -132,7 +140,7 @@ final class TieForest {
                 bond.isUsed = true;
                 int other = bond.child == body ? bond.parent : bond.child;
                 if (other < 0 || !seen.add(other)) {
-                    isTree = false;
+                    closing.add(bond);
                     continue;
                 }
                 bond.child = other;
@@ -140,8 +148,13 @@ final class TieForest {
                 tree.add(bond);
             }
         }
-        if (isTree && tree.size() >= few) {
+        if (tree.size() + closing.size() >= few) {
+            if (!closing.isEmpty() && tree.get(0).isRoot()) {
+                tree.remove(0);
+            }
+            tree.addAll(closing);
             trees.add(tree);
+            haveLoops.add(!closing.isEmpty());
         }
     }
 

@@ -13,15 +13,15 @@ import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 
 /**
- * Joints that hang together without a loop, and the motors of their angles, solved at once from the tips to the root and back (Featherstone, <i>Rigid
- * body dynamics algorithms</i>, 2008, chapter 7; with all coordinates of the bodies, Baraff, <i>Linear-time dynamics using Lagrange multipliers</i>, 1996):
- * before the move for places, and after it for velocities, which is RATTLE (Andersen 1983).
+ * Joints that hang together, and the motors of their angles, solved at once: from the tips of a tree to its root and back (Featherstone, <i>Rigid
+ * body dynamics algorithms</i>, 2008, chapter 7; with all coordinates of the bodies, Baraff, <i>Linear-time dynamics using Lagrange multipliers</i>, 1996), or
+ * by {@link TieLoops} if there are loops. This is done before the move for places, and after it for velocities, which is RATTLE (Andersen 1983).
  *
  * <p>In turns, what one end of a chain says gets to the other one by a joint or two in a solution. A tree is solved at once from where turns have left
  * something until they would have nothing to do. It does not yield then. Motors that push as hard as they can, stops and all else come after it, in turns; and trees of which something is touched, or lies at a stop.
  */
 public final class TieTrees implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     /** Joints of a tree from which on it is worth it: with two, turns are as good. */
     private static final int FEW = 3;
@@ -30,6 +30,9 @@ public final class TieTrees implements Serializable {
     private static final double OPEN = 1e-3;
 
     private static final double CLOSED = 1e-7;
+
+    /** What joints bear, as a part of all that their rows have to do with, from which on turns would let them sag. */
+    private static final double LOADED = 1e-2;
 
     /** How far joints may be open, relative to their smaller bodies, that are solved in turns. */
     private static final double AJAR = 1e-7;
@@ -47,6 +50,12 @@ public final class TieTrees implements Serializable {
 
     /** Steps for which a tree that has got energy for nothing among others is solved in turns. */
     private static final int PAUSE = 16;
+
+    /**
+     * How far joints with loops may send their bodies in a substep, relative to their size, or turn them: beside a pose in which they go no farther, what is off by
+     * little asks for much.
+     */
+    private static final double FAR = 0.05;
 
     private final State state;
     private final TieEquations equations;
@@ -72,6 +81,12 @@ public final class TieTrees implements Serializable {
 
     private boolean[] isSolved = {};
 
+    /** By tree: its equations if it has loops, and was solved at once; whether it has loops, and whether these are too many for that. */
+    private TieLoops[] loops = {};
+
+    private boolean[] haveLoops = {};
+    private boolean[] areTooMany = {};
+
     /** What was known of the trees of those of bodies that sleep: that they are solved at once, or for how long they are not. */
     private IdentityHashMap<Constraint, Integer> asleep = new IdentityHashMap<>();
 
@@ -80,8 +95,8 @@ public final class TieTrees implements Serializable {
 
     private boolean isJudged;
 
-    /** Energies: of what rows are off, and of all that they have to do with. */
-    private final double[] off = new double[2];
+    /** Energies: of what rows are off, of what their impulses give, and of all that they have to do with. */
+    private final double[] off = new double[3];
 
     TieTrees(State state, TieEquations equations, PinImpulses pins) {
         this.state = state;
@@ -107,7 +122,7 @@ public final class TieTrees implements Serializable {
     }
 
     /**
-     * Finds the trees. Those of which a part was solved at once are solved so again.
+     * Finds the trees, with loops or without. Those of which a part was solved at once are solved so again.
      *
      * @param all the pins
      * @param awakePins how many of them, from the first one on, are awake
@@ -125,12 +140,16 @@ public final class TieTrees implements Serializable {
         waits = new int[n];
         isTouched = new boolean[n];
         stops = forest.stops();
+        loops = new TieLoops[n];
+        haveLoops = new boolean[n];
+        areTooMany = new boolean[n];
         for (int t = 0; t < n; t++) {
             ends[t] = from(t) + forest.trees.get(t).size();
         }
         bonds.clear(n == 0 ? 0 : ends[n - 1]);
         for (int t = 0; t < n; t++) {
             bonds.put(forest.trees.get(t), ends[t] - 1);
+            haveLoops[t] = forest.haveLoops.get(t);
             boolean opens = false;
             for (TieForest.Bond bond : forest.trees.get(t)) {
                 int ofPin = bond.pin < 0 ? 0 : known.getOrDefault(all.get(bond.pin), 0);
@@ -155,7 +174,8 @@ public final class TieTrees implements Serializable {
     }
 
     /** Says whether a tree is solved at once. */
-    private void set(int t, boolean opens) {
+    private void set(int t, boolean wanted) {
+        boolean opens = wanted && (!haveLoops[t] || canOpen(t));
         isOpen[t] = opens;
         for (int k = from(t); k < ends[t]; k++) {
             if (bonds.pin(k) >= 0) {
@@ -166,6 +186,44 @@ public final class TieTrees implements Serializable {
                 isSolved[bonds.tie(k)] = false;
             }
         }
+    }
+
+    private boolean canOpen(int t) {
+        if (loops[t] == null && !areTooMany[t]) {
+            loops[t] = TieLoops.of(bonds, from(t), ends[t]);
+            areTooMany[t] = loops[t] == null;
+        }
+        return !areTooMany[t];
+    }
+
+    private void factor(int t, double open) {
+        if (haveLoops[t]) {
+            loops[t].factor(bonds.data(), state.w().values(), open);
+        } else {
+            bonds.factor(from(t), ends[t]);
+        }
+    }
+
+    /** Gives bodies what the joints of a tree ask for; nothing where that would throw them about, and turns do it for some time. */
+    private boolean give(int t, double[] impulse, double h) {
+        if (!haveLoops[t]) {
+            bonds.give(from(t), ends[t], impulse);
+            return true;
+        }
+        loops[t].solve(bonds.data());
+        if (loops[t].isFar(FAR, h)) {
+            set(t, false);
+            waits[t] = PAUSE;
+            return false;
+        }
+        book(t, impulse);
+        return true;
+    }
+
+    /** Gives bodies what the equations of joints with loops have found, and takes note of it. */
+    private void book(int t, double[] impulse) {
+        loops[t].give(bonds.data(), state.v());
+        bonds.book(from(t), ends[t], impulse);
     }
 
     private int from(int t) {
@@ -220,18 +278,24 @@ public final class TieTrees implements Serializable {
     }
 
     private void solve(int t, double[] impulse, boolean placesOnly, Softness softness, double h) {
+        double open = haveLoops[t] ? bonds.widest(from(t), ends[t]) : 0;
         bonds.read(from(t), ends[t], impulse, placesOnly, softness, h);
         if (softness.rate() > 0) {
             bonds.leave(from(t), ends[t], 1 - softness.rate() * h);
         }
-        bonds.factor(from(t), ends[t]);
-        bonds.give(from(t), ends[t], impulse);
-        for (int n = 0; n < SLIPS && !placesOnly && bonds.slip(from(t), ends[t], impulse, h); n++) {
-            bonds.read(from(t), ends[t], impulse, false, softness, h);
-            bonds.factor(from(t), ends[t]);
-            bonds.give(from(t), ends[t], impulse);
+        factor(t, open);
+        if (haveLoops[t] && softness.rate() > 0) {
+            loops[t].release(bonds.data());
+            book(t, impulse);
+            bonds.read(from(t), ends[t], impulse, placesOnly, softness, h);
         }
-        boolean isMet = stops[t].length == 0 && bonds.areMotorsMet(from(t), ends[t], impulse, h);
+        give(t, impulse, h);
+        for (int n = 0; n < SLIPS && isOpen[t] && !placesOnly && bonds.slip(from(t), ends[t], impulse, h); n++) {
+            bonds.read(from(t), ends[t], impulse, false, softness, h);
+            factor(t, open);
+            give(t, impulse, h);
+        }
+        boolean isMet = isOpen[t] && stops[t].length == 0 && bonds.areMotorsMet(from(t), ends[t], impulse, h);
         for (int k = from(t); k < ends[t]; k++) {
             if (bonds.tie(k) >= 0) {
                 isSolved[bonds.tie(k)] = isMet;
@@ -242,12 +306,11 @@ public final class TieTrees implements Serializable {
     /** Whether the speeds of a tree's rows are off by more than a part of all that they have to do with. */
     private boolean isOff(int t, double part, double[] impulse, double h) {
         bonds.read(from(t), ends[t], impulse, false, Softness.RIGID, h);
-        off[0] = 0;
-        off[1] = 0;
+        Arrays.fill(off, 0);
         for (int k = from(t); k < ends[t]; k++) {
             bonds.measure(k, off);
         }
-        return off[0] > part * part * off[1];
+        return off[0] > part * part * off[2];
     }
 
     /** Begins a step, in which it is judged once which trees are solved at once. */
@@ -258,7 +321,7 @@ public final class TieTrees implements Serializable {
     /** Finds out, before velocities are solved for the first time, which of the trees that are solved at once have something to do. */
     void ask(double[] impulse, Softness softness, double h) {
         for (int t = 0; !isJudged && softness.rate() == 0 && t < ends.length; t++) {
-            isAsked[t] = isOpen[t] && isOff(t, CLOSED, impulse, h);
+            isAsked[t] = isOpen[t] && (isOff(t, CLOSED, impulse, h) || off[1] > LOADED * LOADED * off[2]);
         }
     }
 
@@ -340,12 +403,20 @@ public final class TieTrees implements Serializable {
                     moved = moved.length < state.size() ? new boolean[Growth.length(moved.length, state.size())] : moved;
                     Arrays.fill(moved, false);
                 }
-                any = true;
-                bonds.give(from(t), ends[t], impulse);
-                bonds.move(from(t), ends[t], h, moved);
+                any |= close(t, impulse, h);
             }
         }
         return any;
+    }
+
+    private boolean close(int t, double[] impulse, double h) {
+        boolean isGiven = give(t, impulse, h);
+        if (isGiven && haveLoops[t]) {
+            loops[t].move(state.x(), h, moved);
+        } else if (isGiven) {
+            bonds.move(from(t), ends[t], h, moved);
+        }
+        return isGiven;
     }
 
     /** The bodies that were brought there. */

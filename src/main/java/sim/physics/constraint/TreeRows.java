@@ -53,7 +53,7 @@ final class TreeRows {
      * Adds squares of what the rows are off, and of what their speeds are made of and their impulses make of these, as energies: so nothing depends on units.
      *
      * @param parent −1 for the world
-     * @param to takes both
+     * @param to takes what is off, what impulses make, and all
      */
     static void measure(double[] d, int o, double[] v, double[] w, int child, int parent, double[] to) {
         double x = v[child] - (parent < 0 ? 0 : v[parent]);
@@ -73,7 +73,8 @@ final class TreeRows {
             if (yield > 0) {
                 double got = yield * d[o + GIVEN + r];
                 to[0] += d[o + ASKED + r] * d[o + ASKED + r] / yield;
-                to[1] += (all + got * got) / yield;
+                to[1] += got * got / yield;
+                to[2] += (all + got * got) / yield;
             }
         }
     }
