@@ -32,6 +32,11 @@ final class DiscPatch extends SurfacePatch {
     }
 
     @Override
+    double mostTorque() {
+        return LARGEST_TORQUE;
+    }
+
+    @Override
     void rub(double vx, double vy, double spin, double theta, double[] out) {
         double v = Math.sqrt(vx * vx + vy * vy);
         limit(v, Math.abs(spin), out);

@@ -13,6 +13,11 @@ abstract class FlatPatch extends SurfacePatch {
         super(unit);
     }
 
+    @Override
+    final double mostTorque() {
+        return spinning[2];
+    }
+
     /** To be called when the patch is made. */
     final void spin() {
         slip(0, 0, 1, spinning);

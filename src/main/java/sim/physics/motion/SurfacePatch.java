@@ -90,6 +90,14 @@ abstract class SurfacePatch implements Serializable {
         return carries(cos * x + sin * y, cos * y - sin * x, torque / limit / unit);
     }
 
+    /** The torque against a body that spins in place, for μN = 1: the most that there is. */
+    final double arm() {
+        return unit * mostTorque();
+    }
+
+    /** The same for lengths in units. */
+    abstract double mostTorque();
+
     /**
      * Adds friction for lengths in units, to an array of zeros.
      *

@@ -98,8 +98,7 @@ public final class SurfaceRows implements Serializable {
             double weight = body.getMass() * generators.surface.getGravity();
             rows[o + STATIC] = body.getSurfaceStaticFriction() * weight;
             rows[o + KINETIC] = body.getSurfaceFriction() * weight;
-            body.surfacePatch().friction(0, 0, 1, 0, out);
-            rows[o + ARM] = -out[State.THETA];
+            rows[o + ARM] = body.surfacePatch().arm();
         }
     }
 
