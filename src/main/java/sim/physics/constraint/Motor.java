@@ -180,8 +180,17 @@ public final class Motor extends Switched {
 
     @Override
     double watch(double q, double now) {
-        double unit = Math.max(scale, Math.abs(speed)) > 0 ? Math.max(scale, Math.abs(speed)) : Math.abs(now);
+        double unit = unit(now);
         return unit > 0 ? (speed - now) * Math.signum(force) / (REACHED * unit) : 0; // a brake that yields from rest
+    }
+
+    @Override
+    double slope(double change) {
+        return -change * Math.signum(force) / (REACHED * unit(Double.NaN));
+    }
+
+    private double unit(double now) {
+        return Math.max(scale, Math.abs(speed)) > 0 ? Math.max(scale, Math.abs(speed)) : Math.abs(now);
     }
 
     @Override

@@ -221,6 +221,11 @@ abstract class Switched implements Constraint {
         return sum;
     }
 
+    /** What the coordinate's rate changes by beside what accelerations do, from the last evaluation. */
+    final double curvature() {
+        return curvature;
+    }
+
     /** By how much a coordinate that is an angle changes as its bodies turn. */
     final double turn(double a, double b) {
         return row[2] * a + row[5] * b;
@@ -391,6 +396,11 @@ abstract class Switched implements Constraint {
      * A value that turns negative when the row must be decided anew, in units of what counts as reached; the row is off.
      */
     abstract double watch(double q, double speed);
+
+    /** How fast that changes where the coordinate's rate does at some rate, and nothing else is known; NaN if that does not say it. */
+    double slope(double change) {
+        return Double.NaN;
+    }
 
     /** The time until that is 0 at the speed of now; infinite if it never is, NaN if it cannot be said. */
     abstract double toGo(double q, double speed);

@@ -8,6 +8,7 @@ import java.util.List;
 import sim.physics.motion.State;
 import sim.physics.motion.SwitchedRow;
 import sim.physics.motion.SwitchedTies;
+import sim.physics.motion.Watched;
 
 /** The motors and stops of an island: which of their rows act, and when that must be decided anew. */
 final class Switches implements SwitchedTies {
@@ -381,10 +382,12 @@ final class Switches implements SwitchedTies {
         return least;
     }
 
-    /** The least time until a stop of some islands is reached. */
-    static double toGo(List<Island> islands, State state, boolean near) {
+    /** The least time until a stop of some islands is reached; says what was watched of each row. */
+    static double toGo(List<Island> islands, State state, boolean near, double[] a, Watched seen) {
         double least = Double.POSITIVE_INFINITY;
+        seen.clear();
         for (int k = 0; k < islands.size(); k++) {
+            islands.get(k).switches.near.tell(near, a, seen);
             least = Math.min(least, islands.get(k).switches.near.toGo(state, near));
         }
         return least;

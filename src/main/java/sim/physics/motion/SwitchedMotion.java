@@ -52,6 +52,9 @@ final class SwitchedMotion implements Serializable {
 
     private double[] kept = {};
 
+    /** Where the ties that are watched will be reached, by what was seen of each of them. */
+    private final Crossing crossing = new Crossing();
+
     /** Whether forces were within their bounds at both ends of the last stride, but not in between. */
     private boolean isBlurred;
 
@@ -244,19 +247,23 @@ final class SwitchedMotion implements Serializable {
     }
 
     /**
-     * Goes to where the first tie, near or not, is reached: by Newton's method from the end at hand, on motions made anew;
-     * within what is left between the last places before and behind, which are otherwise approached by the Illinois method.
+     * Goes to where the first tie, near or not, is reached: by Newton's method from the end at hand, or where that cannot be said by
+     * what was seen of each tie, on motions made anew; within what is left between the last places before and behind, which are
+     * otherwise approached by the Illinois method.
      */
     private double find(Motion motion, IntList group, double t, double low, double high, boolean near, Path path) {
         Bracket in = new Bracket(low, 1, high, ties.watch(group, near));
-        double next = high + ties.toGo(group, near);
+        crossing.begin();
+        double toGo = ties.toGo(group, near, null, crossing.at(high));
         double time = high;
         if (low == 0) {
             tied.again(group);
             in.fa = ties.watch(group, near);
+            ties.toGo(group, near, path.first, crossing.start());
         }
+        double next = Double.isNaN(toGo) ? crossing.next() : high + toGo;
         for (int k = 0; k < MOST_LOOKS && in.b - in.a > 0x1p-50 * high; k++) {
-            if (k % 4 == 3) {
+            if (k % 8 == 7) {
                 next = in.middle();
             } else if (!in.has(next)) {
                 next = in.secant();
@@ -269,7 +276,8 @@ final class SwitchedMotion implements Serializable {
             if (Math.abs(f) <= HALF) {
                 break;
             }
-            next = time + ties.toGo(group, near);
+            toGo = ties.toGo(group, near, null, crossing.at(time));
+            next = Double.isFinite(toGo) ? time + toGo : crossing.next();
             in.take(time, f);
         }
         return time;
@@ -281,6 +289,9 @@ final class SwitchedMotion implements Serializable {
         double b;
         double fa;
         double fb;
+
+        /** −1 or +1: the end that was taken last. */
+        private int last;
 
         Bracket(double a, double fa, double b, double fb) {
             this.a = a;
@@ -301,16 +312,18 @@ final class SwitchedMotion implements Serializable {
             return time > a && time < b;
         }
 
-        /** Takes a time between for one of the ends; f at the other one is halved, by the Illinois method. */
+        /** Takes a time between for one of the ends; f at the other one is halved if that stays again, by the Illinois method. */
         void take(double time, double f) {
             if (f > 0) {
                 a = time;
                 fa = f;
-                fb *= 0.5;
+                fb *= last < 0 ? HALF : 1;
+                last = -1;
             } else {
                 b = time;
                 fb = f;
-                fa *= 0.5;
+                fa *= last > 0 ? HALF : 1;
+                last = 1;
             }
         }
     }
