@@ -89,6 +89,7 @@ final class Effort implements Serializable {
         for (int k = 0; k < islands.size(); k++) {
             Island one = islands.get(k);
             one.effort.pass(one.tree == null ? 0 : one.tree.takePassed());
+            one.effort.pass(one.switches.servos == null ? 0 : one.switches.servos.takePassed());
             units += one.effort.take();
         }
         return units;

@@ -92,7 +92,7 @@ final class NearRows implements Serializable {
         if (!isAny) {
             return least;
         }
-        island.evaluate(state);
+        island.switches.measure(state);
         for (int k = 0; k < rows.length; k++) {
             if (!rows[k].isOn && reach[k] == which) {
                 watched[k] = rows[k].watch(rows[k].value(), speed(k, state.v()));

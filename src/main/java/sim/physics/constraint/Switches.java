@@ -24,6 +24,10 @@ final class Switches implements SwitchedTies {
     private final int[] nodes;
     private double[] free = {};
     final SwitchedWork work;
+
+    /** The quick way, or null. */
+    final Servos servos;
+
     private final Equations now = new Equations();
     private final NearRows near;
 
@@ -43,7 +47,7 @@ final class Switches implements SwitchedTies {
     /** −(the speed that a row keeps), 2 per node of the island. */
     private final double[] bias;
 
-    Switches(Island island) {
+    Switches(Island island, PinRows pins) {
         this.island = island;
         List<Switched> found = new ArrayList<>();
         List<Integer> at = new ArrayList<>();
@@ -56,8 +60,13 @@ final class Switches implements SwitchedTies {
         rows = found.toArray(new Switched[0]);
         nodes = at.stream().mapToInt(Integer::intValue).toArray();
         near = new NearRows(island, rows, nodes);
+        servos = Servos.of(island, pins, rows, nodes);
         work = new SwitchedWork(island, rows, nodes);
         bias = new double[2 * island.nodes];
+    }
+
+    boolean isLimited() {
+        return isLimited;
     }
 
     boolean isEmpty() {
@@ -105,6 +114,17 @@ final class Switches implements SwitchedTies {
         rows[k].yields = false;
         rows[k].force = force * rows[k].arm();
         rows[k].forceNow = rows[k].force;
+    }
+
+    /** Finds the coordinates where the bodies are now, and the rows if they depend on that. */
+    void measure(State state) {
+        if (servos == null) {
+            island.evaluate(state);
+            return;
+        }
+        for (int k = 0; k < rows.length; k++) {
+            rows[k].measure(state.x(), island.blockA[nodes[k]], island.blockB[nodes[k]]);
+        }
     }
 
     /** The island that is to be solved now: while these are frozen, that without them, if there is one. */
@@ -155,6 +175,9 @@ final class Switches implements SwitchedTies {
             s.forget();
         }
         setBias();
+        if (servos != null) {
+            servos.forgetMasses();
+        }
         if (skeleton != null) {
             skeleton.island.forget();
         }

@@ -17,11 +17,8 @@ final class SwitchedMotion implements Serializable {
 
     private static final double HALF = 0.5;
 
-    /** Part of a step in which a motor that reaches its speed is too strong to be followed over the whole step. */
-    private static final double STRONG = 1.0 / 32;
-
-    /** How much longer than it should take until then that motor is followed. */
-    private static final double AMPLE = 4;
+    /** How much longer motors are followed than it should take until one reaches its speed. */
+    private static final double AMPLE = 1.25;
 
     /** Times that near ties are let act at one start, before the path is taken as it is. */
     private static final int MOST_PRESSED = 3;
@@ -116,8 +113,7 @@ final class SwitchedMotion implements Serializable {
         }
         path.ensure(state.x().length);
         begin(motion, group, t, path);
-        double push = ties.push(group, path.stage);
-        double most = push < STRONG * limit ? AMPLE * push : limit;
+        double most = Math.min(limit, AMPLE * ties.push(group, path.stage));
         for (int tries = 0; ; tries++) {
             double length = strideUntilClear(motion, group, t, most, path);
             if (ties.watch(group, false) <= -HALF) {
