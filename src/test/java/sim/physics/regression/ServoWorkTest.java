@@ -46,6 +46,6 @@ class ServoWorkTest {
             }
             engine.step();
         }
-        assertThat(engine.getWork()).isLessThan(12_000L * STEPS);
+        assertThat(engine.getWork()).isLessThan(4_000L * STEPS);
     }
 }
