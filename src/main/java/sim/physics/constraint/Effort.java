@@ -83,6 +83,10 @@ final class Effort implements Serializable {
         isFree = yes;
     }
 
+    boolean isFree() {
+        return isFree;
+    }
+
     /** Whole units that were spent for some islands since the last call. */
     static long take(List<Island> islands) {
         long units = 0;

@@ -28,7 +28,9 @@ final class Servos implements Serializable {
 
     private final boolean[] isOnLink;
 
-    /** Blocks of the bodies of a row. */
+    /** The node of a row, and the blocks of its bodies. */
+    private final int[] node;
+
     private final int[] blockA;
 
     private final int[] blockB;
@@ -40,6 +42,7 @@ final class Servos implements Serializable {
         int n = rows.length;
         link = new int[n];
         isOnLink = new boolean[n];
+        node = nodes;
         blockA = new int[n];
         blockB = new int[n];
         for (int k = 0; k < n; k++) {
@@ -86,9 +89,51 @@ final class Servos implements Serializable {
         return begin(state, solver) && step.advance(state, loads, a, t, h);
     }
 
+    /**
+     * The accelerations with the rows that act now, and the forces of these; false if they must be found otherwise. Those of the pins are
+     * not found.
+     */
+    boolean accelerate(State state, ConstraintSolver solver, double[] a) {
+        if (!isFor(state, solver) || island.effort.isFree() || isBreakable()) {
+            return false;
+        }
+        step.clear();
+        for (int k = 0; k < rows.length; k++) {
+            if (!rows[k].isOnNow && rows[k].forceNow != 0) {
+                step.push(link[k], isOnLink[k] ? rows[k].forceNow : -rows[k].forceNow);
+            }
+        }
+        boolean isWell = true;
+        for (int k = 0; k < rows.length && isWell; k++) {
+            isWell = !rows[k].isOnNow || step.hold(link[k], Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+        }
+        if (!isWell || !step.accelerate(state, a)) {
+            return false;
+        }
+        island.switches.measure(state);
+        for (int k = 0; k < rows.length; k++) {
+            double torque = rows[k].isOnNow ? step.holds(link[k]) : 0;
+            island.lambda[2 * node[k]] = isOnLink[k] ? torque : -torque;
+        }
+        return true;
+    }
+
+    /** Whether somebody may want to know what the pins bear. */
+    private boolean isBreakable() {
+        boolean yes = false;
+        for (Constraint one : island.constraints) {
+            yes |= one instanceof Joint joint && joint.isBreakable();
+        }
+        return yes;
+    }
+
+    private boolean isFor(State state, ConstraintSolver solver) {
+        return solver.isDirect() && !DirectSolver.isSpread(island, state.w().values());
+    }
+
     /** Tells the tree what its pins do; false if that is nothing for it. */
     private boolean begin(State state, ConstraintSolver solver) {
-        if (!solver.isDirect() || DirectSolver.isSpread(island, state.w().values())) {
+        if (!isFor(state, solver)) {
             return false;
         }
         step.clear();

@@ -274,6 +274,17 @@ final class Switches implements SwitchedTies {
 
     /** Finds accelerations; returns whether a row that acted was out of its bounds, or one that did not will have to. */
     private boolean solveOnce(State state, ConstraintSolver solver, double[] a, boolean all) {
+        if (servos == null || !servos.accelerate(state, solver, a)) {
+            solveAll(state, solver, a);
+        }
+        boolean changed = false;
+        for (int k = 0; k < rows.length && isLimited && (all || !changed); k++) {
+            changed |= rows[k].isOnNow ? limit(rows[k], island.lambda[2 * nodes[k]]) : rows[k].isOn && holds(k, a);
+        }
+        return changed;
+    }
+
+    private void solveAll(State state, ConstraintSolver solver, double[] a) {
         double[] w = state.w().values();
         island.evaluate(state);
         for (int k = 0; k < rows.length; k++) {
@@ -282,11 +293,6 @@ final class Switches implements SwitchedTies {
             }
         }
         solver.accelerate(island, state, a);
-        boolean changed = false;
-        for (int k = 0; k < rows.length && isLimited && (all || !changed); k++) {
-            changed |= rows[k].isOnNow ? limit(rows[k], island.lambda[2 * nodes[k]]) : rows[k].isOn && holds(k, a);
-        }
-        return changed;
     }
 
     /** Whether a row is to act again that was overloaded: with the force of its bound, its coordinate would go that way. */

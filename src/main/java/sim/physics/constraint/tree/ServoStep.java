@@ -114,6 +114,32 @@ public final class ServoStep implements Serializable {
     }
 
     /**
+     * The torque of what holds a link, as it was found last.
+     *
+     * @param link one that is held
+     * @return on the link, without what was given
+     */
+    public double holds(int link) {
+        return servos.holds(link);
+    }
+
+    /**
+     * Finds the accelerations of the links.
+     *
+     * @param state where they are
+     * @param a has those of each body as if it were alone, x″, y″, θ″ by block; gets those that it has
+     * @return false if the general code must find them
+     */
+    public boolean accelerate(State state, double[] a) {
+        if (!step.begin(state)) {
+            return false;
+        }
+        servos.accelerations(a);
+        island.step();
+        return true;
+    }
+
+    /**
      * Advances the tree under a uniform field.
      *
      * @param state its vectors are changed, if all is well

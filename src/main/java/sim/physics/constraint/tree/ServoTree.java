@@ -56,6 +56,9 @@ final class ServoTree implements Serializable {
     private final double[] least;
     private final double[] most;
 
+    /** By link that is held: the torque at its near pin that was found last. */
+    private final double[] needed;
+
     /** Whether all that is held in the step was held by no more than that. */
     private boolean isWithin;
 
@@ -68,6 +71,7 @@ final class ServoTree implements Serializable {
         isHeld = new boolean[n];
         least = new double[n];
         most = new double[n];
+        needed = new double[n];
         for (int k = 1; k < n; k++) {
             int j = tree.parent[k];
             boolean isRightBehind = j == k - 1;
@@ -93,6 +97,11 @@ final class ServoTree implements Serializable {
         least[link] = torque[link] + from;
         most[link] = torque[link] + to;
         return isNew;
+    }
+
+    /** The torque at the near pin of a link that is held there, as it was found last, without what was given. */
+    double holds(int link) {
+        return needed[link] - torque[link];
     }
 
     /** Begins a step. */
@@ -246,10 +255,31 @@ final class ServoTree implements Serializable {
             }
             double along = a[o + SX] * a[o + AX] + a[o + SY] * a[o + AY];
             if (isHeld[k]) {
-                double needed = along + a[o + H] * before - a[o + TAU];
-                isWithin &= needed >= least[k] && needed <= most[k];
+                needed[k] = along + a[o + H] * before - a[o + TAU];
+                isWithin &= needed[k] >= least[k] && needed[k] <= most[k];
             }
             turned[k] = isHeld[k] ? before : a[o + TAU] - along;
+        }
+    }
+
+    /**
+     * The accelerations where the links are.
+     *
+     * @param a has those of each link as if it were alone, x″, y″, θ″ by block; gets those that it has
+     */
+    void accelerations(double[] a) {
+        double[] l = tree.link;
+        double[] turned = alpha[0];
+        eliminate(a, 0, 0);
+        spread(turned);
+        for (int k = 0, p = 0; k < tree.links; k++, p += PinTree.STRIDE) {
+            int b = tree.block[k];
+            double dx = l[p + PinTree.COS] * l[p + PinTree.DX] - l[p + PinTree.SIN] * l[p + PinTree.DY];
+            double dy = l[p + PinTree.SIN] * l[p + PinTree.DX] + l[p + PinTree.COS] * l[p + PinTree.DY];
+            double square = l[p + PinTree.TURNING] * l[p + PinTree.TURNING];
+            a[b] = node[STRIDE * k + AX] - square * dx - turned[k] * dy;
+            a[b + 1] = node[STRIDE * k + AY] - square * dy + turned[k] * dx;
+            a[b + State.THETA] = turned[k];
         }
     }
 
