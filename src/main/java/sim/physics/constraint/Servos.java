@@ -50,6 +50,7 @@ final class Servos implements Serializable {
             blockB[k] = island.blockB[nodes[k]];
             link[k] = step.link(blockA[k], blockB[k]);
             isOnLink[k] = link[k] >= 0 && step.is(link[k], blockA[k]);
+            rows[k].turn();
         }
     }
 
@@ -118,6 +119,33 @@ final class Servos implements Serializable {
         return true;
     }
 
+    /** Gives the bodies the velocities that the rows which act now ask for, as {@link Projection#settle} does; false if that must do it. */
+    boolean settle(State state, ConstraintSolver solver) {
+        if (!isFor(state, solver)) {
+            return false;
+        }
+        double[] bias = island.switches.bias();
+        boolean isSettled = true;
+        boolean isWell = true;
+        step.clear();
+        for (int k = 0; k < rows.length && isWell; k++) {
+            if (rows[k].isOnNow) {
+                double turning = turning(state, blockA[k]);
+                double other = turning(state, blockB[k]);
+                double wanted = -bias[2 * node[k]];
+                double missing = wanted - (turning - other);
+                isSettled &= Math.abs(missing) <= Projection.ROUNDING * (Math.abs(turning) + Math.abs(other) + Math.abs(wanted));
+                isWell = step.hold(link[k], Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+                step.jump(link[k], isOnLink[k] ? missing : -missing);
+            }
+        }
+        return isWell && (isSettled || step.jump(state));
+    }
+
+    private static double turning(State state, int block) {
+        return block < 0 ? 0 : state.v()[block + State.THETA];
+    }
+
     /** Whether somebody may want to know what the pins bear. */
     private boolean isBreakable() {
         boolean yes = false;
@@ -161,8 +189,8 @@ final class Servos implements Serializable {
         double first = a < 0 ? row.getBodyA().getAngle() : state.x()[a + State.THETA];
         double second = b < 0 ? Joint.angle(row.getBodyB()) : state.x()[b + State.THETA];
         double gap = row.gap(gear.open(first, second));
-        double turning = a < 0 ? 0 : state.v()[a + State.THETA];
-        double other = b < 0 ? 0 : state.v()[b + State.THETA];
+        double turning = turning(state, a);
+        double other = turning(state, b);
         double slip = turning - other - row.target();
         return Math.abs(gap) <= CLOSED * (1 + Math.abs(first) + Math.abs(second))
                 && Math.abs(slip) <= SLIP * (Math.abs(turning) + Math.abs(other) + Math.abs(row.target()));

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.constraint;
 
+import java.util.Arrays;
 import java.util.Objects;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -219,6 +220,14 @@ abstract class Switched implements Constraint {
             sum += (blockA < 0 ? 0 : row[k] * v[blockA + k]) + (blockB < 0 ? 0 : row[3 + k] * v[blockB + k]);
         }
         return sum;
+    }
+
+    /** Says what the row is of a coordinate that is the turn of one body against the other one, wherever these are. */
+    final void turn() {
+        Arrays.fill(row, 0);
+        row[State.THETA] = 1;
+        row[State.BLOCK + State.THETA] = -1;
+        curvature = 0;
     }
 
     /** What the coordinate's rate changes by beside what accelerations do, from the last evaluation. */

@@ -433,7 +433,7 @@ final class Switches implements SwitchedTies {
 
     /** Decides which rows act; returns whether some row asks for another speed than there is. */
     boolean decide(State state, double time) {
-        island.evaluate(state);
+        measure(state);
         near.decided();
         boolean hits = false;
         for (int k = 0; k < rows.length; k++) {

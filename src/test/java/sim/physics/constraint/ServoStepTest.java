@@ -48,7 +48,7 @@ class ServoStepTest {
                 Body shin = link(0.1, 0.5, x + 0.05, -0.9);
                 engine.add(new PinJoint(shin, thigh, x, -0.65));
                 drive(shin, thigh, torque);
-                engine.add(Limit.angle(shin, thigh, -0.02, 0.05));
+                engine.add(Limit.angle(shin, thigh, -0.02, 0.05, 0.5 * (k % 2)));
             }
             Body tail = link(0.6, 0.1, 1.3, 0);
             engine.add(new PinJoint(trunk, tail, 1, 0));

@@ -24,6 +24,11 @@ public final class ServoStep implements Serializable {
     private final ServoTree servos;
     private final TreeHost island;
 
+    /** The links where the last step began, as long as that is known. */
+    private double[] start = {};
+
+    private boolean isStartKnown;
+
     /** Null until other forces than uniform fields act. */
     private TreeLoads loaded;
 
@@ -78,6 +83,7 @@ public final class ServoStep implements Serializable {
 
     /** Masses may have changed. */
     public void forgetMasses() {
+        isStartKnown = false;
         step.forgetMasses();
     }
 
@@ -131,12 +137,72 @@ public final class ServoStep implements Serializable {
      * @return false if the general code must find them
      */
     public boolean accelerate(State state, double[] a) {
-        if (!step.begin(state)) {
+        if (!begin(state)) {
             return false;
         }
         servos.accelerations(a);
         island.step();
         return true;
+    }
+
+    /**
+     * Lets the velocity of a link that is held jump.
+     *
+     * @param link number
+     * @param rate by how much, beside that of the link before it
+     */
+    public void jump(int link, double rate) {
+        servos.jump(link, rate);
+    }
+
+    /**
+     * Changes the velocities as little as what is held, and jumps, asks for.
+     *
+     * @param state its velocities are changed
+     * @return false if the general code must change them
+     */
+    public boolean jump(State state) {
+        if (!begin(state)) {
+            return false;
+        }
+        if (tree.isFree) {
+            tree.places.locate();
+        }
+        servos.jump();
+        tree.places.place();
+        if (tree.isFree) {
+            tree.places.shift(0, 0, 0, 0);
+        }
+        tree.places.scatterVelocities(state);
+        tree.forget();
+        isStartKnown = false;
+        return true;
+    }
+
+    private boolean isAtStart(State state) {
+        boolean yes = true;
+        for (int k = 0, o = 0; k < tree.links && yes; k++, o += PinTree.STRIDE) {
+            int b = tree.block[k];
+            for (int c = 0; c < State.BLOCK; c++) {
+                yes &= start[o + PinTree.X + c] == state.x()[b + c] && start[o + PinTree.U + c] == state.v()[b + c];
+            }
+        }
+        return yes;
+    }
+
+    /** Takes the state over; false if it is not one for the tree. Where the last step began is where many begin, to find out how long it is to be. */
+    private boolean begin(State state) {
+        if (isStartKnown && isAtStart(state)) {
+            System.arraycopy(start, 0, tree.link, 0, start.length);
+            return true;
+        }
+        isStartKnown = step.begin(state);
+        if (isStartKnown) {
+            start = start.length == 0 ? new double[tree.link.length] : start;
+            System.arraycopy(tree.link, 0, start, 0, start.length);
+            servos.forgetFirst();
+        }
+        return isStartKnown;
     }
 
     /**
@@ -150,14 +216,14 @@ public final class ServoStep implements Serializable {
      */
     public boolean advance(State state, double gx, double gy, double h) {
         boolean isDone = false;
-        for (int parts = 1; !isDone && parts <= MOST_PARTS && step.begin(state); parts *= 2) {
+        for (int parts = 1; !isDone && parts <= MOST_PARTS && begin(state); parts *= 2) {
             servos.begin();
             if (tree.isFree) {
                 tree.places.locate();
             }
             isDone = true;
             for (int k = 0; k < parts && isDone; k++) {
-                isDone = isMade(gx, gy, h / parts);
+                isDone = isMade(gx, gy, h / parts, k == 0);
             }
             if (!isDone) {
                 tree.forget();
@@ -177,8 +243,13 @@ public final class ServoStep implements Serializable {
         return isDone;
     }
 
-    private boolean isMade(double gx, double gy, double part) {
-        for (int stage = 0; stage < TreeLoads.STAGES - 1; stage++) {
+    private boolean isMade(double gx, double gy, double part, boolean isFirst) {
+        if (isFirst) {
+            servos.first(gx, gy, TreeLoads.NODE[1] * part);
+        } else {
+            servos.forgetFirst();
+        }
+        for (int stage = isFirst ? 1 : 0; stage < TreeLoads.STAGES - 1; stage++) {
             servos.eliminate(null, gx, gy);
             servos.accelerate(stage, TreeLoads.NODE[stage + 1] * part);
         }
@@ -204,8 +275,9 @@ public final class ServoStep implements Serializable {
     public boolean advance(State state, Loads loads, double[] a, double t, double h) {
         loaded = loaded == null ? new ServoLoads(tree, servos) : loaded;
         boolean isDone = false;
-        for (int parts = 1; !isDone && parts <= MOST_PARTS && step.begin(state); parts *= 2) {
+        for (int parts = 1; !isDone && parts <= MOST_PARTS && begin(state); parts *= 2) {
             servos.begin();
+            servos.forgetFirst();
             loaded.keep(state);
             isDone = true;
             for (int k = 0; k < parts && isDone; k++) {

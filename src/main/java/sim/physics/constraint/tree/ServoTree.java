@@ -62,6 +62,20 @@ final class ServoTree implements Serializable {
     /** Whether all that is held in the step was held by no more than that. */
     private boolean isWithin;
 
+    /** By link that is held: by how much its angle is to change beside that of the link before it, where velocities jump; and 0 then, else 1. */
+    private final double[] jump;
+
+    private double moving = 1;
+
+    /** What the first stage of the last step was found with, and what held then; whether its accelerations are there still. */
+    private final double[] firstTorque;
+
+    private final boolean[] wereHeld;
+    private final double[] firstNeeded;
+    private double firstX;
+    private double firstY;
+    private boolean isFirstKnown;
+
     ServoTree(PinTree tree) {
         this.tree = tree;
         int n = tree.links;
@@ -72,6 +86,10 @@ final class ServoTree implements Serializable {
         least = new double[n];
         most = new double[n];
         needed = new double[n];
+        jump = new double[n];
+        firstTorque = new double[n];
+        wereHeld = new boolean[n];
+        firstNeeded = new double[n];
         for (int k = 1; k < n; k++) {
             int j = tree.parent[k];
             boolean isRightBehind = j == k - 1;
@@ -97,6 +115,11 @@ final class ServoTree implements Serializable {
         least[link] = torque[link] + from;
         most[link] = torque[link] + to;
         return isNew;
+    }
+
+    /** Lets the velocity of a link that is held jump by a rate, beside that of the link before it. */
+    void jump(int link, double rate) {
+        jump[link] = rate;
     }
 
     /** The torque at the near pin of a link that is held there, as it was found last, without what was given. */
@@ -142,7 +165,7 @@ final class ServoTree implements Serializable {
         double m = l[p + PinTree.MASS];
         double dx = m * (cos * l[p + PinTree.DX] - sin * l[p + PinTree.DY]);
         double dy = m * (sin * l[p + PinTree.DX] + cos * l[p + PinTree.DY]);
-        double square = l[p + PinTree.TURNING] * l[p + PinTree.TURNING];
+        double square = moving * (l[p + PinTree.TURNING] * l[p + PinTree.TURNING]);
         node[o + M00] = m;
         node[o + M01] = 0;
         node[o + M11] = m;
@@ -172,12 +195,10 @@ final class ServoTree implements Serializable {
         int o = STRIDE * k;
         int j = STRIDE * tree.parent[k];
         double omega = tree.link[PinTree.STRIDE * tree.parent[k] + PinTree.TURNING];
-        double square = omega * omega;
+        double square = moving * (omega * omega);
         double ex = a[o + EX];
         double ey = a[o + EY];
-        if (!isHeld[k]) {
-            release(k);
-        }
+        settle(k);
         double m00 = a[o + M00];
         double m01 = a[o + M01];
         double m11 = a[o + M11];
@@ -204,6 +225,18 @@ final class ServoTree implements Serializable {
         }
     }
 
+    /** What is held, and may jump, turns with the link before it; and what is not, by itself. */
+    private void settle(int k) {
+        int o = STRIDE * k;
+        if (!isHeld[k]) {
+            release(k);
+        } else if (moving == 0) {
+            node[o + QX] += node[o + SX] * jump[k];
+            node[o + QY] += node[o + SY] * jump[k];
+            node[o + TAU] -= node[o + H] * jump[k];
+        }
+    }
+
     /** The angle of a link follows from its torque: M' and q', and S/H and (T + τ)/H in the place of S and τ. */
     private void release(int k) {
         double[] a = node;
@@ -226,9 +259,7 @@ final class ServoTree implements Serializable {
     private void hang(double gx, double gy) {
         node[AX] = -gx;
         node[AY] = -gy;
-        if (!isHeld[0]) {
-            release(0);
-        }
+        settle(0);
         if (tree.isFree) {
             double m00 = node[M00];
             double m01 = node[M01];
@@ -248,7 +279,7 @@ final class ServoTree implements Serializable {
             if (k > 0) {
                 int j = tree.parent[k];
                 double omega = tree.link[PinTree.STRIDE * j + PinTree.TURNING];
-                double square = omega * omega;
+                double square = moving * (omega * omega);
                 before = turned[j];
                 a[o + AX] = a[STRIDE * j + AX] - square * a[o + EX] - before * a[o + EY];
                 a[o + AY] = a[STRIDE * j + AY] - square * a[o + EY] + before * a[o + EX];
@@ -258,7 +289,7 @@ final class ServoTree implements Serializable {
                 needed[k] = along + a[o + H] * before - a[o + TAU];
                 isWithin &= needed[k] >= least[k] && needed[k] <= most[k];
             }
-            turned[k] = isHeld[k] ? before : a[o + TAU] - along;
+            turned[k] = isHeld[k] ? before + (moving == 0 ? jump[k] : 0) : a[o + TAU] - along;
         }
     }
 
@@ -270,6 +301,7 @@ final class ServoTree implements Serializable {
     void accelerations(double[] a) {
         double[] l = tree.link;
         double[] turned = alpha[0];
+        forgetFirst();
         eliminate(a, 0, 0);
         spread(turned);
         for (int k = 0, p = 0; k < tree.links; k++, p += PinTree.STRIDE) {
@@ -283,6 +315,45 @@ final class ServoTree implements Serializable {
         }
     }
 
+    /** Lets velocities jump as little as what is held and jumps asks for; places are as before. */
+    void jump() {
+        double[] l = tree.link;
+        double[] change = alpha[0];
+        forgetFirst();
+        moving = 0;
+        eliminate(null, 0, 0);
+        spread(change);
+        moving = 1;
+        for (int k = 0, p = 0; k < tree.links; k++, p += PinTree.STRIDE) {
+            l[p + PinTree.OMEGA] += change[k];
+            l[p + PinTree.TURNING] = l[p + PinTree.OMEGA];
+        }
+    }
+
+    /** The links are elsewhere, or weigh more or less. */
+    void forgetFirst() {
+        isFirstKnown = false;
+    }
+
+    /** The first stage of a step in a uniform field; that of the last one, if it has begun where this does, and with what acts now. */
+    void first(double gx, double gy, double c) {
+        boolean isSame = isFirstKnown && gx == firstX && gy == firstY && Arrays.equals(torque, firstTorque) && Arrays.equals(isHeld, wereHeld);
+        if (!isSame) {
+            eliminate(null, gx, gy);
+            spread(alpha[0]);
+            firstX = gx;
+            firstY = gy;
+            System.arraycopy(torque, 0, firstTorque, 0, torque.length);
+            System.arraycopy(isHeld, 0, wereHeld, 0, isHeld.length);
+            System.arraycopy(needed, 0, firstNeeded, 0, needed.length);
+            isFirstKnown = true;
+        }
+        for (int k = 0; k < tree.links; k++) {
+            isWithin &= !isHeld[k] || firstNeeded[k] >= least[k] && firstNeeded[k] <= most[k];
+        }
+        turn(alpha[0], c);
+    }
+
     /**
      * That pass, and the links at the next stage: by c times the rates of this one from the start.
      *
@@ -290,8 +361,11 @@ final class ServoTree implements Serializable {
      * @param c time
      */
     void accelerate(int stage, double c) {
-        double[] now = alpha[stage];
-        spread(now);
+        spread(alpha[stage]);
+        turn(alpha[stage], c);
+    }
+
+    private void turn(double[] now, double c) {
         double[] l = tree.link;
         for (int k = 0, p = 0; k < tree.links; k++, p += PinTree.STRIDE) {
             double angle = l[p + PinTree.ANGLE] + c * l[p + PinTree.TURNING];
