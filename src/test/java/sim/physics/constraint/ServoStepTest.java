@@ -11,6 +11,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
 import sim.physics.motion.Gravity;
@@ -99,6 +100,54 @@ class ServoStepTest {
                 assertThat(a.getAngle()).as("angle of %d, torque %g", k, torque).isCloseTo(b.getAngle(), within(1e-6));
             }
         }
+    }
+
+    /** Two rods on a pin in the world, the second of which swings between stops of the first. */
+    private static final class Rods {
+        final PhysicsEngine engine = new PhysicsEngine();
+        final Body first = engine.add(new Body(new Rectangle(1, 0.1)).at(0.5, 0));
+        final Body second = engine.add(new Body(new Rectangle(1, 0.1)).at(1.5, 0).moving(0, 1, 2));
+        final Limit stops;
+
+        Rods(double restitution) {
+            engine.setTimeStep(1.0 / 240);
+            engine.add(new PinJoint(first, 0, 0));
+            engine.add(new PinJoint(second, first, 1, 0));
+            stops = engine.add(Limit.angle(second, first, -0.1, 0.1, restitution));
+        }
+
+        double angularMomentum() {
+            double sum = 0;
+            for (Body b : List.of(first, second)) {
+                sum += b.getMass() * (b.getX() * b.getVelocityY() - b.getY() * b.getVelocityX()) + b.getInertia() * b.getAngularVelocity();
+            }
+            return sum;
+        }
+    }
+
+    /** A stop turns the rate by its restitution, the pin in the world takes no angular momentum, and energy goes by 1 − e² of what the rate has. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.5, 1})
+    void aStopThatIsHitTurnsTheRate(double restitution) {
+        Rods rods = new Rods(restitution);
+        double momentum = rods.angularMomentum();
+        double rate = rods.stops.getRate();
+        double energy = rods.engine.kineticEnergy();
+        int hits = 0;
+        while (hits == 0) {
+            rate = rods.stops.getRate();
+            energy = rods.engine.kineticEnergy();
+            rods.engine.step();
+            hits += rods.stops.getRate() < 0.99 * rate ? 1 : 0;
+        }
+        assertThat(rods.stops.getRate()).isCloseTo(-restitution * rate, within(0.02)); // as it turns within the step
+        assertThat(rods.angularMomentum()).isCloseTo(momentum, within(1e-9));
+        // of the energy of two inertias that turn against one another, at fixed angular momentum about the pin
+        double c = 1 / 3.0 * rods.second.getMass() + 0.1 * 0.1 / 12 * rods.second.getMass();
+        double b = c + rods.second.getMass() * 0.5 * Math.cos(0.1);
+        double a = 2 * c + rods.second.getMass() * (1 + Math.cos(0.1));
+        double lost = 0.5 * (c - b * b / a) * rate * rate * (1 - restitution * restitution);
+        assertThat(energy - rods.engine.kineticEnergy()).isCloseTo(lost, within(0.002 * energy));
     }
 
     /** What is within a free creature gives it no momentum. */
