@@ -168,6 +168,12 @@ public final class Motor extends Switched {
         return Double.NaN;
     }
 
+    /** Whether an impact has turned what its coordinate lacks: it would push away from its speed. */
+    @Override
+    boolean isStruck(double q, double now, double time) {
+        return !isOn && force * (speed - now) < 0;
+    }
+
     @Override
     double least() {
         return -limit;
@@ -185,8 +191,8 @@ public final class Motor extends Switched {
     }
 
     @Override
-    double slope(double change) {
-        return -change * Math.signum(force) / (REACHED * unit(Double.NaN));
+    double slope(double q, double now, double change) {
+        return -change * Math.signum(force) / (REACHED * unit(now));
     }
 
     private double unit(double now) {

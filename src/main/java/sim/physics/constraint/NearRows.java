@@ -104,11 +104,12 @@ final class NearRows implements Serializable {
     }
 
     /** Says what was watched last, by row, and how fast it changes at some accelerations. */
-    void tell(boolean near, double[] a, Watched seen) {
+    void tell(State state, boolean near, double[] a, Watched seen) {
         byte which = near ? NEAR : FAR;
         for (int k = 0; k < rows.length; k++) {
             boolean isSeen = !rows[k].isOn && reach[k] == which;
-            double rate = isSeen && a != null ? rows[k].slope(speed(k, a) + rows[k].curvature()) : Double.NaN;
+            double change = isSeen && a != null ? speed(k, a) + rows[k].curvature() : Double.NaN;
+            double rate = isSeen ? rows[k].slope(rows[k].value(), speed(k, state.v()), change) : Double.NaN;
             seen.take(isSeen ? watched[k] : Double.NaN, rate);
         }
     }

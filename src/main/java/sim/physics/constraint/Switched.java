@@ -222,6 +222,22 @@ abstract class Switched implements Constraint {
         return sum;
     }
 
+    /** Whether the coordinate of another row is the same, 1, or the same the other way, −1; else 0. */
+    final int sense(Switched other) {
+        Constraint one = coordinate;
+        Constraint two = other.coordinate;
+        boolean isRail = one instanceof Travel && two instanceof Travel && ((Travel) one).rail == ((Travel) two).rail;
+        if (one == two || isRail) {
+            return 1;
+        }
+        boolean areTurns = one instanceof GearJoint && two instanceof GearJoint && ((GearJoint) one).getRatio() == ((GearJoint) two).getRatio();
+        if (areTurns && getBodyA() == other.getBodyA() && getBodyB() == other.getBodyB()) {
+            return 1;
+        }
+        boolean isBack = areTurns && getBodyA() == other.getBodyB() && getBodyB() == other.getBodyA() && ((GearJoint) one).getRatio() == -1;
+        return isBack ? -1 : 0;
+    }
+
     /** Says what the row is of a coordinate that is the turn of one body against the other one, wherever these are. */
     final void turn() {
         Arrays.fill(row, 0);
@@ -391,7 +407,7 @@ abstract class Switched implements Constraint {
      */
     abstract double decide(double q, double speed, double time);
 
-    /** Whether the row would have another speed at once: an impact on other stops drives it against its own. */
+    /** Whether it is to be decided again: an impact on other stops has driven a stop against its own, or a motor past its speed. */
     boolean isStruck(double q, double speed, double time) {
         return false;
     }
@@ -406,10 +422,15 @@ abstract class Switched implements Constraint {
      */
     abstract double watch(double q, double speed);
 
-    /** How fast that changes where the coordinate's rate does at some rate, and nothing else is known; NaN if that does not say it. */
-    double slope(double change) {
-        return Double.NaN;
-    }
+    /**
+     * How fast that changes.
+     *
+     * @param q the coordinate
+     * @param speed its rate
+     * @param change how fast that changes; NaN if nobody knows
+     * @return NaN if that is not known then
+     */
+    abstract double slope(double q, double speed, double change);
 
     /** The time until that is 0 at the speed of now; infinite if it never is, NaN if it cannot be said. */
     abstract double toGo(double q, double speed);

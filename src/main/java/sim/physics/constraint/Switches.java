@@ -44,6 +44,8 @@ final class Switches implements SwitchedTies {
 
     private boolean isOverloaded;
 
+    private final StoppedMotors stopped;
+
     /** −(the speed that a row keeps), 2 per node of the island. */
     private final double[] bias;
 
@@ -63,6 +65,7 @@ final class Switches implements SwitchedTies {
         servos = Servos.of(island, pins, rows, nodes);
         work = new SwitchedWork(island, rows, nodes);
         bias = new double[2 * island.nodes];
+        stopped = new StoppedMotors(rows, nodes);
     }
 
     boolean isLimited() {
@@ -416,7 +419,7 @@ final class Switches implements SwitchedTies {
         double least = Double.POSITIVE_INFINITY;
         seen.clear();
         for (int k = 0; k < islands.size(); k++) {
-            islands.get(k).switches.near.tell(near, a, seen);
+            islands.get(k).switches.near.tell(state, near, a, seen);
             least = Math.min(least, islands.get(k).switches.near.toGo(state, near));
         }
         return least;
@@ -443,10 +446,11 @@ final class Switches implements SwitchedTies {
             bias[2 * nodes[k]] = Double.isNaN(must) ? rows[k].isOn ? -rows[k].target() : 0 : -must;
             hits |= rows[k].isOnNow;
         }
+        stopped.giveWay(bias);
         return hits;
     }
 
-    /** Whether an impact that was just decided has driven other rows against their stops. */
+    /** Whether an impact that was just decided has driven other rows against their stops, or motors past their speeds. */
     boolean isStruck(State state, double time) {
         boolean yes = false;
         for (int k = 0; k < rows.length && !yes; k++) {

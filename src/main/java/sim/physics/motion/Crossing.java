@@ -14,6 +14,9 @@ final class Crossing implements Serializable {
     /** Times of which the values are kept, beside the start. */
     private static final int MOST = 5;
 
+    /** Part of what a value falls up to which the cubic does not say whether it is negative. */
+    private static final double BARELY = 0.02;
+
     private final double[] times = new double[MOST];
     private final Watched[] seen = new Watched[MOST];
     private int count;
@@ -46,6 +49,12 @@ final class Crossing implements Serializable {
         return first;
     }
 
+    /** The same, with what was seen at time 0. */
+    void beginAgain() {
+        count = 0;
+        hasFirst = true;
+    }
+
     /** What takes note of the values at a time; the oldest but those of the start are forgotten. */
     Watched at(double time) {
         if (count == MOST) {
@@ -57,6 +66,30 @@ final class Crossing implements Serializable {
         }
         times[count] = time;
         return seen[count++];
+    }
+
+    /**
+     * When a value seems to have been negative that is not so at the start, nor at the end where it was seen last: where the cubic through both
+     * is least; infinite if there is none.
+     */
+    double dip(double length) {
+        Watched last = seen[count - 1];
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < last.size; k++) {
+            if (first.values[k] > 0 && last.values[k] > 0 && first.rates[k] < 0 && last.rates[k] > 0) {
+                least = Math.min(least, dip(first.values[k], first.rates[k], last.values[k], last.rates[k], length));
+            }
+        }
+        return least;
+    }
+
+    private static double dip(double from, double falls, double to, double rises, double length) {
+        double mean = (to - from) / length;
+        double square = 3 * (falls + rises - 2 * mean);
+        double half = 3 * mean - 2 * falls - rises; // of what is linear in the rate, falls + 2 half u + square u²
+        double u = -falls / (half + Math.sqrt(half * half - square * falls));
+        double depth = from + length * u * (falls + u * (half + u * square / 3));
+        return depth < BARELY * (from - depth) ? u * length : Double.POSITIVE_INFINITY;
     }
 
     /** The first time at which one of the values should be zero that have been seen to change their sign; infinite if none has. */

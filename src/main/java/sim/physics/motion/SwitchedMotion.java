@@ -25,6 +25,9 @@ final class SwitchedMotion implements Serializable {
 
     private static final int MOST_LOOKS = 60;
 
+    /** Ties that are looked for which were reached and left again within one path. */
+    private static final int MOST_DIPS = 4;
+
     /** Changes of what acts at the start of a path; with more the forces are at their bounds by rounding only. */
     private static final int MOST_CHANGES = 100;
 
@@ -51,6 +54,9 @@ final class SwitchedMotion implements Serializable {
 
     /** Where the ties that are watched will be reached, by what was seen of each of them. */
     private final Crossing crossing = new Crossing();
+
+    /** What was watched at the start of a path. */
+    private double startWatch;
 
     /** Whether forces were within their bounds at both ends of the last stride, but not in between. */
     private boolean isBlurred;
@@ -115,10 +121,7 @@ final class SwitchedMotion implements Serializable {
         begin(motion, group, t, path);
         double most = Math.min(limit, AMPLE * ties.push(group, path.stage));
         for (int tries = 0; ; tries++) {
-            double length = strideUntilClear(motion, group, t, most, path);
-            if (ties.watch(group, false) <= -HALF) {
-                length = find(motion, group, t, 0, length, false, path);
-            }
+            double length = strideUntilReached(motion, group, t, most, path);
             if (tries == MOST_PRESSED || ties.watch(group, true) > -HALF) {
                 return length;
             }
@@ -151,9 +154,37 @@ final class SwitchedMotion implements Serializable {
         path.knowsFirst = false;
         path.takeFirst(group);
         tied.setStartKnown(motion.getIntegrator() instanceof RungeKutta4);
+        crossing.begin();
+        startWatch = ties.watch(group, false);
+        ties.toGo(group, false, path.first, crossing.start());
         if (observer != null) {
             observer.decided(group);
         }
+    }
+
+    /** A stride to where the first tie is reached that was not within reach; also one which is left again before the stride ends. */
+    private double strideUntilReached(Motion motion, IntList group, double t, double limit, Path path) {
+        double length = strideUntilClear(motion, group, t, limit, path);
+        if (ties.watch(group, false) <= -HALF) {
+            length = find(motion, group, t, 0, length, false, path);
+        }
+        for (int k = 0; k < MOST_DIPS; k++) {
+            crossing.beginAgain();
+            ties.toGo(group, false, null, crossing.at(length));
+            double dip = crossing.dip(length);
+            if (!(dip < length)) {
+                return length;
+            }
+            tied.again(group);
+            tied.advance(motion, group, t, dip, path);
+            if (ties.watch(group, false) > -HALF) {
+                tied.again(group);
+                tied.advance(motion, group, t, length, path);
+                return length;
+            }
+            length = find(motion, group, t, 0, dip, false, path);
+        }
+        return length;
     }
 
     /**
@@ -249,14 +280,14 @@ final class SwitchedMotion implements Serializable {
      */
     private double find(Motion motion, IntList group, double t, double low, double high, boolean near, Path path) {
         Bracket in = new Bracket(low, 1, high, ties.watch(group, near));
-        crossing.begin();
+        if (low == 0) {
+            in.fa = startWatch;
+            crossing.beginAgain();
+        } else {
+            crossing.begin();
+        }
         double toGo = ties.toGo(group, near, null, crossing.at(high));
         double time = high;
-        if (low == 0) {
-            tied.again(group);
-            in.fa = ties.watch(group, near);
-            ties.toGo(group, near, path.first, crossing.start());
-        }
         double next = Double.isNaN(toGo) ? crossing.next() : high + toGo;
         for (int k = 0; k < MOST_LOOKS && in.b - in.a > 0x1p-50 * high; k++) {
             if (k % 8 == 7) {
