@@ -50,7 +50,7 @@ final class Servos implements Serializable {
             blockB[k] = island.blockB[nodes[k]];
             link[k] = step.link(blockA[k], blockB[k]);
             isOnLink[k] = link[k] >= 0 && step.is(link[k], blockA[k]);
-            rows[k].turn();
+            rows[k].turn(blockA[k], blockB[k]);
         }
     }
 

@@ -238,11 +238,11 @@ abstract class Switched implements Constraint {
         return isBack ? -1 : 0;
     }
 
-    /** Says what the row is of a coordinate that is the turn of one body against the other one, wherever these are. */
-    final void turn() {
+    /** Says what the row is of a coordinate that is the turn of one body against the other one, wherever these are; blocks are −1 for what cannot move. */
+    final void turn(int blockA, int blockB) {
         Arrays.fill(row, 0);
-        row[State.THETA] = 1;
-        row[State.BLOCK + State.THETA] = -1;
+        row[State.THETA] = blockA < 0 ? 0 : 1;
+        row[State.BLOCK + State.THETA] = blockB < 0 ? 0 : -1;
         curvature = 0;
     }
 
