@@ -14,8 +14,11 @@ import sim.physics.motion.State;
 public final class ServoStep implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** What the stages may disagree about, as in {@link TreeStep}, and the most parts in which a rougher step is made. */
-    private static final double ROUGH = 0.0125;
+    /**
+     * What the stages may disagree about, as in {@link TreeStep}, and the most parts in which a rougher step is made. Less than there: strong servos
+     * turn links to and fro within a step, and the work that they do is no better known than the way.
+     */
+    private static final double ROUGH = 5e-4;
 
     private static final int MOST_PARTS = 16;
 
