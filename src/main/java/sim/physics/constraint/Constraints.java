@@ -15,10 +15,10 @@ import sim.physics.motion.State;
 import sim.physics.motion.SwitchedTies;
 import sim.physics.motion.TiedCoordinates;
 import sim.physics.motion.Ties;
+import sim.physics.motion.Watched;
 
 /**
- * The constraints of an engine, the write-up's chapter <i>Constrained Dynamics</i>: it keeps their islands and gives the
- * integrators the accelerations of (37).
+ * The constraints of an engine, the write-up's chapter <i>Constrained Dynamics</i>: their islands, and the accelerations of (37).
  */
 public final class Constraints implements Ties, Serializable {
     private static final long serialVersionUID = 3L;
@@ -456,8 +456,8 @@ public final class Constraints implements Ties, Serializable {
     }
 
     @Override
-    public double toGo(IntList bodies, boolean near) {
-        return Switches.toGo(of(bodies), state, near);
+    public double toGo(IntList bodies, boolean near, double[] a, Watched seen) {
+        return Switches.toGo(of(bodies), state, near, a, seen);
     }
 
     @Override

@@ -83,12 +83,17 @@ final class Effort implements Serializable {
         isFree = yes;
     }
 
+    boolean isFree() {
+        return isFree;
+    }
+
     /** Whole units that were spent for some islands since the last call. */
     static long take(List<Island> islands) {
         long units = 0;
         for (int k = 0; k < islands.size(); k++) {
             Island one = islands.get(k);
             one.effort.pass(one.tree == null ? 0 : one.tree.takePassed());
+            one.effort.pass(one.switches.servos == null ? 0 : one.switches.servos.takePassed());
             units += one.effort.take();
         }
         return units;

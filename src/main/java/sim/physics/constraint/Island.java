@@ -165,7 +165,7 @@ final class Island implements Serializable {
         tree = onlyPins && !isMoved ? pins.tree() : null;
         chain = onlyPins && !isMoved && tree == null ? pins.chain() : null;
         rigid = isMoved ? null : RigidStep.of(this);
-        switches = new Switches(this);
+        switches = new Switches(this, pins);
         invariants = new Invariants(this);
         shake = new Shake(this);
         passage = new Passage(this);

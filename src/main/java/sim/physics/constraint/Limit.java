@@ -262,6 +262,13 @@ public final class Limit extends Switched {
     }
 
     @Override
+    double slope(double q, double now, double change) {
+        double below = (q - least(lower)) / reach(least(lower));
+        double above = (most(upper) - q) / reach(most(upper));
+        return below < above ? now / reach(least(lower)) : -now / reach(most(upper));
+    }
+
+    @Override
     double toGo(double q, double now) {
         double way = now > 0 ? most(upper) - q : least(lower) - q;
         return watch(q, now) < 0 && way / now > 0 ? Double.NaN : now == 0 ? Double.POSITIVE_INFINITY : way / now;

@@ -168,6 +168,12 @@ public final class Motor extends Switched {
         return Double.NaN;
     }
 
+    /** Whether an impact has turned what its coordinate lacks: it would push away from its speed. */
+    @Override
+    boolean isStruck(double q, double now, double time) {
+        return !isOn && force * (speed - now) < 0;
+    }
+
     @Override
     double least() {
         return -limit;
@@ -180,8 +186,17 @@ public final class Motor extends Switched {
 
     @Override
     double watch(double q, double now) {
-        double unit = Math.max(scale, Math.abs(speed)) > 0 ? Math.max(scale, Math.abs(speed)) : Math.abs(now);
+        double unit = unit(now);
         return unit > 0 ? (speed - now) * Math.signum(force) / (REACHED * unit) : 0; // a brake that yields from rest
+    }
+
+    @Override
+    double slope(double q, double now, double change) {
+        return -change * Math.signum(force) / (REACHED * unit(now));
+    }
+
+    private double unit(double now) {
+        return Math.max(scale, Math.abs(speed)) > 0 ? Math.max(scale, Math.abs(speed)) : Math.abs(now);
     }
 
     @Override

@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import sim.physics.motion.State;
+import sim.physics.motion.Watched;
 
 /** Which motors and stops of an island that do not act are within reach of acting, and which of these are pressed. */
 final class NearRows implements Serializable {
@@ -28,12 +29,16 @@ final class NearRows implements Serializable {
 
     private int holds;
 
+    /** What was watched last, by row. */
+    private final double[] watched;
+
     NearRows(Island island, Switched[] rows, int[] nodes) {
         this.island = island;
         this.rows = rows;
         this.nodes = nodes;
         reach = new byte[rows.length];
         hasLeft = new boolean[rows.length];
+        watched = new double[rows.length];
     }
 
     /** It was decided anew which act. */
@@ -87,15 +92,26 @@ final class NearRows implements Serializable {
         if (!isAny) {
             return least;
         }
-        island.evaluate(state);
+        island.switches.measure(state);
         for (int k = 0; k < rows.length; k++) {
             if (!rows[k].isOn && reach[k] == which) {
-                double watched = rows[k].watch(rows[k].value(), speed(k, state.v()));
-                hasLeft[k] |= near && watched > 1;
-                least = Math.min(least, watched);
+                watched[k] = rows[k].watch(rows[k].value(), speed(k, state.v()));
+                hasLeft[k] |= near && watched[k] > 1;
+                least = Math.min(least, watched[k]);
             }
         }
         return least;
+    }
+
+    /** Says what was watched last, by row, and how fast it changes at some accelerations. */
+    void tell(State state, boolean near, double[] a, Watched seen) {
+        byte which = near ? NEAR : FAR;
+        for (int k = 0; k < rows.length; k++) {
+            boolean isSeen = !rows[k].isOn && reach[k] == which;
+            double change = isSeen && a != null ? speed(k, a) + rows[k].curvature() : Double.NaN;
+            double rate = isSeen ? rows[k].slope(rows[k].value(), speed(k, state.v()), change) : Double.NaN;
+            seen.take(isSeen ? watched[k] : Double.NaN, rate);
+        }
     }
 
     /** The least time until such a row must be; NaN if a motor is among those that have passed. */

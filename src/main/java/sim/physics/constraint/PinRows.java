@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.constraint.tree.ServoStep;
 import sim.physics.constraint.tree.TreeStep;
 import sim.physics.internal.Trig;
 import sim.physics.motion.Body;
@@ -90,6 +91,19 @@ final class PinRows implements Serializable {
     /** The steps of the pins if they form a tree, or null. */
     TreeStep tree() {
         return TreeStep.of(new IslandTree(island), island.a, island.b, arms);
+    }
+
+    /** The same with torques at the pins, if these are all that there is beside motors and stops. */
+    ServoStep servos() {
+        int[] a = new int[pins.length];
+        int[] b = new int[pins.length];
+        double[] ends = new double[4 * pins.length];
+        for (int k = 0; k < pins.length; k++) {
+            a[k] = island.a[pins[k]];
+            b[k] = island.b[pins[k]];
+            System.arraycopy(arms, 4 * pins[k], ends, 4 * k, 4);
+        }
+        return ServoStep.of(new IslandTree(island), a, b, ends);
     }
 
     /** The steps of the pins if they form a chain, or null. */

@@ -347,9 +347,11 @@ final class Projection implements Serializable {
         boolean isStruck = true;
         for (int k = 0; k < MOST_IMPACTS && isStruck && island.switches.decide(state, time); k++) {
             hits = true;
-            island.evaluate(state);
-            solver.prepare(island, state.w().values());
-            settle(island, state, solver);
+            if (island.switches.servos == null || !island.switches.servos.settle(state, solver)) {
+                island.evaluate(state);
+                solver.prepare(island, state.w().values());
+                settle(island, state, solver);
+            }
             isStruck = island.switches.isStruck(state, time);
         }
         return hits;

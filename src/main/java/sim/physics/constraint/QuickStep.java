@@ -29,6 +29,9 @@ final class QuickStep {
         if (one.skeleton != null) {
             return one.skeleton.advance(solver, gx, gy, h);
         }
+        if (one.switches.servos != null) {
+            return one.switches.servos.advance(state, solver, gx, gy, h);
+        }
         return one.tree != null
                 ? isFit(one, state, solver) && one.tree.advance(state, gx, gy, h)
                 : one.chain != null && one.chain.advance(state, solver, gx, gy, h);
@@ -42,6 +45,9 @@ final class QuickStep {
         }
         if (one.skeleton != null) {
             return one.skeleton.advance(solver, loads, a, t, h);
+        }
+        if (one.switches.servos != null) {
+            return one.switches.servos.advance(state, solver, loads, a, t, h);
         }
         return one.tree != null
                 ? advanceTree(one, state, solver, loads, a, t, h)

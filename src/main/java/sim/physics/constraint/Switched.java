@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.constraint;
 
+import java.util.Arrays;
 import java.util.Objects;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
@@ -221,6 +222,35 @@ abstract class Switched implements Constraint {
         return sum;
     }
 
+    /** Whether the coordinate of another row is the same, 1, or the same the other way, −1; else 0. */
+    final int sense(Switched other) {
+        Constraint one = coordinate;
+        Constraint two = other.coordinate;
+        boolean isRail = one instanceof Travel && two instanceof Travel && ((Travel) one).rail == ((Travel) two).rail;
+        if (one == two || isRail) {
+            return 1;
+        }
+        boolean areTurns = one instanceof GearJoint && two instanceof GearJoint && ((GearJoint) one).getRatio() == ((GearJoint) two).getRatio();
+        if (areTurns && getBodyA() == other.getBodyA() && getBodyB() == other.getBodyB()) {
+            return 1;
+        }
+        boolean isBack = areTurns && getBodyA() == other.getBodyB() && getBodyB() == other.getBodyA() && ((GearJoint) one).getRatio() == -1;
+        return isBack ? -1 : 0;
+    }
+
+    /** Says what the row is of a coordinate that is the turn of one body against the other one, wherever these are; blocks are −1 for what cannot move. */
+    final void turn(int blockA, int blockB) {
+        Arrays.fill(row, 0);
+        row[State.THETA] = blockA < 0 ? 0 : 1;
+        row[State.BLOCK + State.THETA] = blockB < 0 ? 0 : -1;
+        curvature = 0;
+    }
+
+    /** What the coordinate's rate changes by beside what accelerations do, from the last evaluation. */
+    final double curvature() {
+        return curvature;
+    }
+
     /** By how much a coordinate that is an angle changes as its bodies turn. */
     final double turn(double a, double b) {
         return row[2] * a + row[5] * b;
@@ -377,7 +407,7 @@ abstract class Switched implements Constraint {
      */
     abstract double decide(double q, double speed, double time);
 
-    /** Whether the row would have another speed at once: an impact on other stops drives it against its own. */
+    /** Whether it is to be decided again: an impact on other stops has driven a stop against its own, or a motor past its speed. */
     boolean isStruck(double q, double speed, double time) {
         return false;
     }
@@ -391,6 +421,16 @@ abstract class Switched implements Constraint {
      * A value that turns negative when the row must be decided anew, in units of what counts as reached; the row is off.
      */
     abstract double watch(double q, double speed);
+
+    /**
+     * How fast that changes.
+     *
+     * @param q the coordinate
+     * @param speed its rate
+     * @param change how fast that changes; NaN if nobody knows
+     * @return NaN if that is not known then
+     */
+    abstract double slope(double q, double speed, double change);
 
     /** The time until that is 0 at the speed of now; infinite if it never is, NaN if it cannot be said. */
     abstract double toGo(double q, double speed);

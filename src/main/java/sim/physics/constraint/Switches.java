@@ -8,6 +8,7 @@ import java.util.List;
 import sim.physics.motion.State;
 import sim.physics.motion.SwitchedRow;
 import sim.physics.motion.SwitchedTies;
+import sim.physics.motion.Watched;
 
 /** The motors and stops of an island: which of their rows act, and when that must be decided anew. */
 final class Switches implements SwitchedTies {
@@ -23,6 +24,10 @@ final class Switches implements SwitchedTies {
     private final int[] nodes;
     private double[] free = {};
     final SwitchedWork work;
+
+    /** The quick way, or null. */
+    final Servos servos;
+
     private final Equations now = new Equations();
     private final NearRows near;
 
@@ -39,10 +44,12 @@ final class Switches implements SwitchedTies {
 
     private boolean isOverloaded;
 
+    private final StoppedMotors stopped;
+
     /** −(the speed that a row keeps), 2 per node of the island. */
     private final double[] bias;
 
-    Switches(Island island) {
+    Switches(Island island, PinRows pins) {
         this.island = island;
         List<Switched> found = new ArrayList<>();
         List<Integer> at = new ArrayList<>();
@@ -55,8 +62,14 @@ final class Switches implements SwitchedTies {
         rows = found.toArray(new Switched[0]);
         nodes = at.stream().mapToInt(Integer::intValue).toArray();
         near = new NearRows(island, rows, nodes);
+        servos = Servos.of(island, pins, rows, nodes);
         work = new SwitchedWork(island, rows, nodes);
         bias = new double[2 * island.nodes];
+        stopped = new StoppedMotors(rows, nodes);
+    }
+
+    boolean isLimited() {
+        return isLimited;
     }
 
     boolean isEmpty() {
@@ -104,6 +117,17 @@ final class Switches implements SwitchedTies {
         rows[k].yields = false;
         rows[k].force = force * rows[k].arm();
         rows[k].forceNow = rows[k].force;
+    }
+
+    /** Finds the coordinates where the bodies are now, and the rows if they depend on that. */
+    void measure(State state) {
+        if (servos == null) {
+            island.evaluate(state);
+            return;
+        }
+        for (int k = 0; k < rows.length; k++) {
+            rows[k].measure(state.x(), island.blockA[nodes[k]], island.blockB[nodes[k]]);
+        }
     }
 
     /** The island that is to be solved now: while these are frozen, that without them, if there is one. */
@@ -154,6 +178,9 @@ final class Switches implements SwitchedTies {
             s.forget();
         }
         setBias();
+        if (servos != null) {
+            servos.forgetMasses();
+        }
         if (skeleton != null) {
             skeleton.island.forget();
         }
@@ -250,6 +277,17 @@ final class Switches implements SwitchedTies {
 
     /** Finds accelerations; returns whether a row that acted was out of its bounds, or one that did not will have to. */
     private boolean solveOnce(State state, ConstraintSolver solver, double[] a, boolean all) {
+        if (servos == null || !servos.accelerate(state, solver, a)) {
+            solveAll(state, solver, a);
+        }
+        boolean changed = false;
+        for (int k = 0; k < rows.length && isLimited && (all || !changed); k++) {
+            changed |= rows[k].isOnNow ? limit(rows[k], island.lambda[2 * nodes[k]]) : rows[k].isOn && holds(k, a);
+        }
+        return changed;
+    }
+
+    private void solveAll(State state, ConstraintSolver solver, double[] a) {
         double[] w = state.w().values();
         island.evaluate(state);
         for (int k = 0; k < rows.length; k++) {
@@ -258,11 +296,6 @@ final class Switches implements SwitchedTies {
             }
         }
         solver.accelerate(island, state, a);
-        boolean changed = false;
-        for (int k = 0; k < rows.length && isLimited && (all || !changed); k++) {
-            changed |= rows[k].isOnNow ? limit(rows[k], island.lambda[2 * nodes[k]]) : rows[k].isOn && holds(k, a);
-        }
-        return changed;
     }
 
     /** Whether a row is to act again that was overloaded: with the force of its bound, its coordinate would go that way. */
@@ -381,10 +414,12 @@ final class Switches implements SwitchedTies {
         return least;
     }
 
-    /** The least time until a stop of some islands is reached. */
-    static double toGo(List<Island> islands, State state, boolean near) {
+    /** The least time until a stop of some islands is reached; says what was watched of each row. */
+    static double toGo(List<Island> islands, State state, boolean near, double[] a, Watched seen) {
         double least = Double.POSITIVE_INFINITY;
+        seen.clear();
         for (int k = 0; k < islands.size(); k++) {
+            islands.get(k).switches.near.tell(state, near, a, seen);
             least = Math.min(least, islands.get(k).switches.near.toGo(state, near));
         }
         return least;
@@ -401,7 +436,7 @@ final class Switches implements SwitchedTies {
 
     /** Decides which rows act; returns whether some row asks for another speed than there is. */
     boolean decide(State state, double time) {
-        island.evaluate(state);
+        measure(state);
         near.decided();
         boolean hits = false;
         for (int k = 0; k < rows.length; k++) {
@@ -411,10 +446,11 @@ final class Switches implements SwitchedTies {
             bias[2 * nodes[k]] = Double.isNaN(must) ? rows[k].isOn ? -rows[k].target() : 0 : -must;
             hits |= rows[k].isOnNow;
         }
+        stopped.giveWay(bias);
         return hits;
     }
 
-    /** Whether an impact that was just decided has driven other rows against their stops. */
+    /** Whether an impact that was just decided has driven other rows against their stops, or motors past their speeds. */
     boolean isStruck(State state, double time) {
         boolean yes = false;
         for (int k = 0; k < rows.length && !yes; k++) {

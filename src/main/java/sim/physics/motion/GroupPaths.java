@@ -122,6 +122,14 @@ final class GroupPaths {
         to[where + 2] = from[at + 2];
     }
 
+    /** Copies the blocks of a group. */
+    static void copy(IntList group, double[] from, double[] to) {
+        for (int k = 0; k < group.size; k++) {
+            int b = State.BLOCK * group.values[k];
+            copy(from, b, to, b);
+        }
+    }
+
     /** Gives all bodies of a group a value. */
     static void set(double[] values, IntList group, double value) {
         if (group.isRow()) {

@@ -158,6 +158,29 @@ public final class Path implements Serializable {
         }
     }
 
+    /** The cubics from places and velocities to where bodies are now; the last is the reciprocal of the time. */
+    void join(IntList bodies, double[] fromX, double[] fromV, State state, double per) {
+        double[] x = state.x();
+        double[] v = state.v();
+        for (int k = 0; k < bodies.size; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            cubicPer(b, (x[b] - fromX[b]) * per, fromV[b], v[b], per);
+            cubicPer(b + 1, (x[b + 1] - fromX[b + 1]) * per, fromV[b + 1], v[b + 1], per);
+            cubicPer(b + 2, (x[b + 2] - fromX[b + 2]) * per, fromV[b + 2], v[b + 2], per);
+        }
+    }
+
+    /** The same where the ends are too near for a difference of places: by the accelerations at the start, which are known; none if there is no time. */
+    void joinBriefly(IntList bodies, double[] fromV, State state, double h) {
+        for (int k = 0; k < bodies.size && h != 0; k++) {
+            int b = State.BLOCK * bodies.values[k];
+            for (int end = b + State.BLOCK; b < end; b++) {
+                a[b] = 0.5 * first[b];
+                j[b] = ((state.v()[b] - fromV[b]) / h - first[b]) / (3 * h);
+            }
+        }
+    }
+
     /** The path is a straight line. */
     void straight(int b) {
         a[b] = 0;

@@ -17,16 +17,16 @@ final class SwitchedMotion implements Serializable {
 
     private static final double HALF = 0.5;
 
-    /** Part of a step in which a motor that reaches its speed is too strong to be followed over the whole step. */
-    private static final double STRONG = 1.0 / 32;
-
-    /** How much longer than it should take until then that motor is followed. */
-    private static final double AMPLE = 4;
+    /** How much longer motors are followed than it should take until one reaches its speed. */
+    private static final double AMPLE = 1.25;
 
     /** Times that near ties are let act at one start, before the path is taken as it is. */
     private static final int MOST_PRESSED = 3;
 
     private static final int MOST_LOOKS = 60;
+
+    /** Ties that are looked for which were reached and left again within one path. */
+    private static final int MOST_DIPS = 4;
 
     /** Changes of what acts at the start of a path; with more the forces are at their bounds by rounding only. */
     private static final int MOST_CHANGES = 100;
@@ -51,6 +51,12 @@ final class SwitchedMotion implements Serializable {
     private double[] decided = {};
 
     private double[] kept = {};
+
+    /** Where the ties that are watched will be reached, by what was seen of each of them. */
+    private final Crossing crossing = new Crossing();
+
+    /** What was watched at the start of a path. */
+    private double startWatch;
 
     /** Whether forces were within their bounds at both ends of the last stride, but not in between. */
     private boolean isBlurred;
@@ -113,13 +119,9 @@ final class SwitchedMotion implements Serializable {
         }
         path.ensure(state.x().length);
         begin(motion, group, t, path);
-        double push = ties.push(group, path.stage);
-        double most = push < STRONG * limit ? AMPLE * push : limit;
+        double most = Math.min(limit, AMPLE * ties.push(group, path.stage));
         for (int tries = 0; ; tries++) {
-            double length = strideUntilClear(motion, group, t, most, path);
-            if (ties.watch(group, false) <= -HALF) {
-                length = find(motion, group, t, 0, length, false, path);
-            }
+            double length = strideUntilReached(motion, group, t, most, path);
             if (tries == MOST_PRESSED || ties.watch(group, true) > -HALF) {
                 return length;
             }
@@ -152,9 +154,37 @@ final class SwitchedMotion implements Serializable {
         path.knowsFirst = false;
         path.takeFirst(group);
         tied.setStartKnown(motion.getIntegrator() instanceof RungeKutta4);
+        crossing.begin();
+        startWatch = ties.watch(group, false);
+        ties.toGo(group, false, path.first, crossing.start());
         if (observer != null) {
             observer.decided(group);
         }
+    }
+
+    /** A stride to where the first tie is reached that was not within reach; also one which is left again before the stride ends. */
+    private double strideUntilReached(Motion motion, IntList group, double t, double limit, Path path) {
+        double length = strideUntilClear(motion, group, t, limit, path);
+        if (ties.watch(group, false) <= -HALF) {
+            length = find(motion, group, t, 0, length, false, path);
+        }
+        for (int k = 0; k < MOST_DIPS; k++) {
+            crossing.beginAgain();
+            ties.toGo(group, false, null, crossing.at(length));
+            double dip = crossing.dip(length);
+            if (!(dip < length)) {
+                return length;
+            }
+            tied.again(group);
+            tied.advance(motion, group, t, dip, path);
+            if (ties.watch(group, false) > -HALF) {
+                tied.again(group);
+                tied.advance(motion, group, t, length, path);
+                return length;
+            }
+            length = find(motion, group, t, 0, dip, false, path);
+        }
+        return length;
     }
 
     /**
@@ -244,19 +274,23 @@ final class SwitchedMotion implements Serializable {
     }
 
     /**
-     * Goes to where the first tie, near or not, is reached: by Newton's method from the end at hand, on motions made anew;
-     * within what is left between the last places before and behind, which are otherwise approached by the Illinois method.
+     * Goes to where the first tie, near or not, is reached: by Newton's method from the end at hand, or where that cannot be said by
+     * what was seen of each tie, on motions made anew; within what is left between the last places before and behind, which are
+     * otherwise approached by the Illinois method.
      */
     private double find(Motion motion, IntList group, double t, double low, double high, boolean near, Path path) {
         Bracket in = new Bracket(low, 1, high, ties.watch(group, near));
-        double next = high + ties.toGo(group, near);
-        double time = high;
         if (low == 0) {
-            tied.again(group);
-            in.fa = ties.watch(group, near);
+            in.fa = startWatch;
+            crossing.beginAgain();
+        } else {
+            crossing.begin();
         }
+        double toGo = ties.toGo(group, near, null, crossing.at(high));
+        double time = high;
+        double next = Double.isNaN(toGo) ? crossing.next() : high + toGo;
         for (int k = 0; k < MOST_LOOKS && in.b - in.a > 0x1p-50 * high; k++) {
-            if (k % 4 == 3) {
+            if (k % 8 == 7) {
                 next = in.middle();
             } else if (!in.has(next)) {
                 next = in.secant();
@@ -269,7 +303,8 @@ final class SwitchedMotion implements Serializable {
             if (Math.abs(f) <= HALF) {
                 break;
             }
-            next = time + ties.toGo(group, near);
+            toGo = ties.toGo(group, near, null, crossing.at(time));
+            next = Double.isFinite(toGo) ? time + toGo : crossing.next();
             in.take(time, f);
         }
         return time;
@@ -281,6 +316,9 @@ final class SwitchedMotion implements Serializable {
         double b;
         double fa;
         double fb;
+
+        /** −1 or +1: the end that was taken last. */
+        private int last;
 
         Bracket(double a, double fa, double b, double fb) {
             this.a = a;
@@ -301,16 +339,18 @@ final class SwitchedMotion implements Serializable {
             return time > a && time < b;
         }
 
-        /** Takes a time between for one of the ends; f at the other one is halved, by the Illinois method. */
+        /** Takes a time between for one of the ends; f at the other one is halved if that stays again, by the Illinois method. */
         void take(double time, double f) {
             if (f > 0) {
                 a = time;
                 fa = f;
-                fb *= 0.5;
+                fb *= last < 0 ? HALF : 1;
+                last = -1;
             } else {
                 b = time;
                 fb = f;
-                fa *= 0.5;
+                fa *= last > 0 ? HALF : 1;
+                last = 1;
             }
         }
     }

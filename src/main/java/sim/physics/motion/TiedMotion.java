@@ -101,8 +101,10 @@ final class TiedMotion implements Serializable {
      * @return how long
      */
     double advanceUntilSwitch(Motion motion, IntList group, double t, double tau, double limit, Path path) {
+        boolean isSwitched = ties.isSwitched(group);
+        isRefused &= !isSwitched; // of the whole step that was known, and not of its parts
         try {
-            return ties.isSwitched(group)
+            return isSwitched
                     ? switched.advance(motion, group, t, tau, limit, path)
                     : stride(motion, group, t, limit, path);
         } finally {
@@ -124,8 +126,8 @@ final class TiedMotion implements Serializable {
     }
 
     void again(IntList group) {
-        copy(group, startX, state.x());
-        copy(group, startV, state.v());
+        GroupPaths.copy(group, startX, state.x());
+        GroupPaths.copy(group, startV, state.v());
     }
 
     /** Advances a group by at most a time, as far as the integrator does at once; returns how far. */
@@ -156,7 +158,7 @@ final class TiedMotion implements Serializable {
                 done = stride == left ? length : done + stride;
             }
         } else if (advanceInParts(motion, group, t, length, path) == 1 && Math.abs(length) < SHORT * trajectories.h()) {
-            return; // the integrator's own path: the ends are too near for a difference
+            return; // it has its path: the ends are too near for a difference
         }
         join(group, length, path);
     }
@@ -191,8 +193,8 @@ final class TiedMotion implements Serializable {
 
     private void begin(IntList group) {
         ensure();
-        copy(group, state.x(), startX);
-        copy(group, state.v(), startV);
+        GroupPaths.copy(group, state.x(), startX);
+        GroupPaths.copy(group, state.v(), startV);
     }
 
     private void ensure() {
@@ -208,15 +210,7 @@ final class TiedMotion implements Serializable {
 
     /** The cubics from the start to where the bodies are now. */
     private void join(IntList group, double length, Path path) {
-        double[] x = state.x();
-        double[] v = state.v();
-        double per = 1 / length;
-        for (int k = 0; k < group.size; k++) {
-            int b = State.BLOCK * group.values[k];
-            path.cubicPer(b, (x[b] - startX[b]) * per, startV[b], v[b], per);
-            path.cubicPer(b + 1, (x[b + 1] - startX[b + 1]) * per, startV[b + 1], v[b + 1], per);
-            path.cubicPer(b + 2, (x[b + 2] - startX[b + 2]) * per, startV[b + 2], v[b + 2], per);
-        }
+        path.join(group, startX, startV, state, 1 / length);
     }
 
     /**
@@ -241,8 +235,8 @@ final class TiedMotion implements Serializable {
      * shorter: there it goes on until the end, or creeps all of the way. Returns how far.
      */
     private double chosenStride(Motion motion, IntList group, double t, double length, Path path) {
-        copy(group, state.x(), strideX);
-        copy(group, state.v(), strideV);
+        GroupPaths.copy(group, state.x(), strideX);
+        GroupPaths.copy(group, state.v(), strideV);
         int most = ties.halvings(group, MOST_HALVINGS, false);
         TiedCoordinates tied = most < 0 ? null : coordinates(motion, group, path);
         if (tied != null) {
@@ -273,16 +267,16 @@ final class TiedMotion implements Serializable {
             }
             most = piece == 0 || spare == 0 ? -1 : most;
         }
-        copy(group, strideX, state.x());
-        copy(group, strideV, state.v());
+        GroupPaths.copy(group, strideX, state.x());
+        GroupPaths.copy(group, strideV, state.v());
         creep(motion, group, t, length, path);
         return length;
     }
 
     /** One step of a method that chooses it; 0 if none is short enough. */
     private double piece(Motion motion, IntList group, double t, double length, int most, Path path) {
-        copy(group, state.x(), pieceX);
-        copy(group, state.v(), pieceV);
+        GroupPaths.copy(group, state.x(), pieceX);
+        GroupPaths.copy(group, state.v(), pieceV);
         double limit = length;
         tears = 0;
         for (int halvings = 0; ; halvings++) {
@@ -302,8 +296,8 @@ final class TiedMotion implements Serializable {
                 requireNear(group, pieceX, pieceV);
                 return done;
             }
-            copy(group, pieceX, state.x());
-            copy(group, pieceV, state.v());
+            GroupPaths.copy(group, pieceX, state.x());
+            GroupPaths.copy(group, pieceV, state.v());
             if (isLast) {
                 return 0;
             }
@@ -383,8 +377,15 @@ final class TiedMotion implements Serializable {
         }
     }
 
-    /** Advances a group over a time, if there is a quick way; else nothing is changed, and of the path only its workspace. */
+    /**
+     * Advances a group over a step, if there is a quick way; else nothing is changed, and of the path only its workspace. Where motors and
+     * stops decide when they act, it must be seen first how far.
+     */
     boolean leap(Motion motion, IntList group, double t, double length, Path path) {
+        return !ties.isSwitched(group) && leapOn(motion, group, t, length, path);
+    }
+
+    private boolean leapOn(Motion motion, IntList group, double t, double length, Path path) {
         Generators fields = motion.generators;
         if (fly(motion, group, length, path)) {
             path.knowsFirst = true;
@@ -436,8 +437,10 @@ final class TiedMotion implements Serializable {
     }
 
     private boolean advance(Motion motion, IntList group, double t, double length, int parts, int most, Path path) {
-        if (parts == 1 && !isRefused && Math.abs(length) >= SHORT * trajectories.h()) {
-            if (leap(motion, group, t, length, path)) {
+        boolean isShort = Math.abs(length) < SHORT * trajectories.h();
+        if (parts == 1 && !isRefused && (!isShort || isStartKnown && path.knowsFirst)) {
+            if (leapOn(motion, group, t, length, path)) {
+                path.joinBriefly(group, startV, state, isShort ? length : 0);
                 return true;
             }
             isRefused = false;
@@ -486,15 +489,6 @@ final class TiedMotion implements Serializable {
             method.advanceWithoutPath(motion, state, group, t, h, path);
         } else {
             motion.getIntegrator().advance(motion, state, group, t, h, path);
-        }
-    }
-
-    private static void copy(IntList group, double[] from, double[] to) {
-        for (int k = 0; k < group.size; k++) {
-            int b = State.BLOCK * group.values[k];
-            to[b] = from[b];
-            to[b + 1] = from[b + 1];
-            to[b + 2] = from[b + 2];
         }
     }
 }

@@ -345,9 +345,11 @@ public interface Ties extends Serializable {
      *
      * @param bodies all bodies of an island, or of several and others, just watched
      * @param near which ties
+     * @param a accelerations there, null if they are not known
+     * @param seen takes what was watched of each tie
      * @return the least; negative where a stop has been passed, NaN if that cannot be said
      */
-    double toGo(IntList bodies, boolean near);
+    double toGo(IntList bodies, boolean near, double[] a, Watched seen);
 
     /**
      * An estimate of how long the ties that push will do so, at the accelerations that they cause.

@@ -88,20 +88,35 @@ class TreeLoads implements Serializable {
             if (tree.isFree) {
                 fall(stage, a);
             }
-            tree.eliminate(a);
+            eliminate(a);
             if (stage == 0 && isFirst) {
                 noteAccelerations();
             }
             if (stage < STAGES - 1) {
-                tree.accelerate(stage, NODE[stage + 1] * h);
+                accelerate(stage, NODE[stage + 1] * h);
             }
         }
-        tree.finish(h);
+        finish(h);
         tree.places.place();
         if (tree.isFree) {
             end(h);
         }
         tree.places.scatter(state, PinTree.ANGLE, PinTree.OMEGA);
+    }
+
+    /** The pass from the tips to the root. */
+    void eliminate(double[] a) {
+        tree.eliminate(a);
+    }
+
+    /** The one back, and the links at the next stage. */
+    void accelerate(int stage, double c) {
+        tree.accelerate(stage, c);
+    }
+
+    /** The same at the last stage, and the links at the end. */
+    void finish(double h) {
+        tree.finish(h);
     }
 
     /** Where the pass from the tips to the root has ended, and with nothing that the next stage needs changed. */

@@ -205,6 +205,17 @@ final class TreePlaces implements Serializable {
         }
     }
 
+    /** Writes the velocities of the links, and no places. */
+    void scatterVelocities(State state) {
+        double[] v = state.v();
+        for (int k = 0, o = 0; k < tree.links; k++, o += PinTree.STRIDE) {
+            int b = tree.block[k];
+            v[b] = tree.link[o + PinTree.U];
+            v[b + 1] = tree.link[o + PinTree.V];
+            v[b + 2] = tree.link[o + PinTree.OMEGA];
+        }
+    }
+
     /**
      * How far the pins are open at the start, and how fast they open.
      *

@@ -181,6 +181,10 @@ public final class TreeStep implements Serializable {
         return true;
     }
 
+    PinTree tree() {
+        return tree;
+    }
+
     /** {@return how many links were passed since this was asked last, to find their accelerations} */
     public long takePassed() {
         long taken = tree.passed;
