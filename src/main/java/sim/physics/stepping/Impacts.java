@@ -456,9 +456,21 @@ final class Impacts implements Serializable {
         double borne = passesOn ? Math.max(pull, points[p + LAST]) : pull;
         double part = passesOn ? rows.normals[PAIR * k + BOUNCE] : points[p + RESTORED];
         double by = part > PLASTIC ? part * Math.max(0, points[p + NORMAL] - borne) : 0;
+        by = Math.max(0, by + turned(k, p));
         points[p + NORMAL] += by;
         rows.give(k, p, state.v(), by, 0);
         return by;
+    }
+
+    /**
+     * What one point among joints gives in addition, as its normal has turned since it took: the two impulses are to give back what they took along the
+     * way between their directions, and not along the normal of now.
+     */
+    private double turned(int k, int p) {
+        double opening = rows.points[p + OPENING];
+        boolean isOne = isTied(k) && facts.parts[groups.of(k, rows)] == 1 && rows.points[p + RESTORED] > PLASTIC;
+        int o = ContactRows.TURNED * k + 2;
+        return isOne && opening < 0 ? rows.speed(k, p, state.v(), rows.turned[o], rows.turned[o + 1]) / opening : 0;
     }
 
     /**
