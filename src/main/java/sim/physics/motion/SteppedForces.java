@@ -53,6 +53,11 @@ public final class SteppedForces implements Serializable {
         return generators.driving().size() > (generators.surface == null ? 0 : 1);
     }
 
+    /** {@return whether some force on a body may change as another one moves} */
+    public boolean areCoupled() {
+        return generators.coupled;
+    }
+
     /**
      * The accelerations of all forces but friction with the plane.
      *

@@ -15,6 +15,7 @@ import static sim.physics.stepping.ContactRows.TANGENT;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
 /**
@@ -42,6 +43,8 @@ final class FreeImpacts implements Serializable {
     private double[] meets = {};
 
     private double[] velocities = {};
+
+    private final IntList goneOn = new IntList();
 
     private double h;
 
@@ -266,13 +269,15 @@ final class FreeImpacts implements Serializable {
         }
     }
 
-    /** Whether some body has gone on from where it has met something. */
-    boolean haveGoneOn() {
-        boolean yes = false;
-        for (int k = 0; !yes && k < groups.bodies; k++) {
-            yes = isOfOne(groups.blocks[k]) && time(groups.blocks[k]) < h;
+    /** {@return the bodies that forces move which have gone on from where they have met something} */
+    IntList goneOn() {
+        goneOn.clear();
+        for (int k = 0; k < groups.bodies; k++) {
+            if (isOfOne(groups.blocks[k]) && time(groups.blocks[k]) < h && !groups.areSteered[k]) {
+                goneOn.add(groups.blocks[k] / State.BLOCK);
+            }
         }
-        return yes;
+        return goneOn;
     }
 
     /**

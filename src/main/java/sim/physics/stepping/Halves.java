@@ -3,6 +3,7 @@
 package sim.physics.stepping;
 
 import java.io.Serializable;
+import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 import sim.physics.motion.Steering;
 import sim.physics.motion.SteppedForces;
@@ -105,10 +106,14 @@ final class Halves implements Serializable {
         return mean;
     }
 
-    /** Finds the forces once more, and returns those of before. */
-    double[] loadAgain(double[] a, double time) {
+    /** Finds the forces once more where these bodies have moved on, and returns those of before. */
+    double[] loadAgain(IntList bodies, double[] a, double time) {
         System.arraycopy(a, 0, half, 0, a.length);
-        load(a, time);
+        if (forces.areCoupled()) {
+            load(a, time);
+        } else {
+            forces.load(bodies, time, a);
+        }
         return half;
     }
 

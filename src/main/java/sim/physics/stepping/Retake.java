@@ -6,6 +6,7 @@ import java.io.Serializable;
 import sim.physics.constraint.StopRows;
 import sim.physics.constraint.TieRows;
 import sim.physics.internal.Freshness;
+import sim.physics.internal.IntList;
 import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
 import sim.physics.motion.SpringRows;
@@ -270,9 +271,9 @@ final class Retake implements Serializable {
         impacts.mark(balance.marks(), false);
     }
 
-    /** Whether bodies have gone on from where they met something. */
-    boolean haveGoneOn() {
-        return free.haveGoneOn();
+    /** {@return the bodies that have gone on from where they met something} */
+    IntList goneOn() {
+        return free.goneOn();
     }
 
     /** Takes note of forces, in the mean, where bodies have met, and where they have gone on from there. */

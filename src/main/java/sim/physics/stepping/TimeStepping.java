@@ -440,8 +440,9 @@ public final class TimeStepping implements Serializable {
             return;
         }
         try {
-            if (areUneven && retake.haveGoneOn()) {
-                retake.reloadBounced(mean, halves.loadAgain(a, end), a);
+            IntList others = areUneven ? retake.goneOn() : null;
+            if (others != null && others.size > 0) {
+                retake.reloadBounced(mean, halves.loadAgain(others, a, end), a);
             }
         } finally {
             retake.endBounces();
