@@ -53,12 +53,15 @@ public final class StopRows implements Serializable {
     /** What each gives back at least, once restitution has begun. */
     private double[] least = {};
 
-    /** By stop, before the substep: coordinate and its speed, and the last two accelerations while nothing pressed. */
+    /** By stop, before the substep: coordinate and its speed, and the last two accelerations while nothing pressed or struck. */
     private double[] coordinate = {};
 
     private double[] speed = {};
     private double[] gain = {};
     private double[] gainBefore = {};
+
+    /** By stop: whether something has struck in its group in this substep. */
+    private boolean[] areShaken = {};
 
     private double h;
 
@@ -103,6 +106,7 @@ public final class StopRows implements Serializable {
         speed = new double[count];
         gain = new double[count];
         gainBefore = new double[count];
+        areShaken = new boolean[count];
         met = new int[2 * count];
         areAlone = new boolean[2 * count];
         areImpacts = new boolean[count];
@@ -228,13 +232,14 @@ public final class StopRows implements Serializable {
         for (int s = 0; s < count; s++) {
             if (areImpacts[s]) {
                 double now = equations.speed(places[s], 0, state.v());
-                if (sums[2 * s] == 0 && sums[2 * s + 1] == 0) {
+                if (sums[2 * s] == 0 && sums[2 * s + 1] == 0 && !areShaken[s]) { // blows elsewhere in the machine are no pull
                     gainBefore[s] = gain[s];
                     gain[s] = (now - speed[s]) / h;
                 }
                 speed[s] = now;
                 coordinate[s] = equations.c[ROWS * places[s]];
             }
+            areShaken[s] = false;
         }
     }
 
@@ -267,7 +272,7 @@ public final class StopRows implements Serializable {
     }
 
     /**
-     * Forgets the stops that were struck in groups in which nothing has met after all.
+     * Forgets the stops that were struck in groups in which nothing has met after all, and notes in which groups something has.
      *
      * @param groups groups of bodies
      * @param counts what was struck, by group
@@ -280,6 +285,9 @@ public final class StopRows implements Serializable {
             }
         }
         metCount = left;
+        for (int s = 0; s < count; s++) {
+            areShaken[s] = areImpacts[s] && counts[group(2 * s, groups)] > 0;
+        }
     }
 
     /** The speed of a strike: forces have gone along as far as the coordinate has, to where it bounces off; that keeps the energy of the fall. */

@@ -53,6 +53,24 @@ public final class SteppedForces implements Serializable {
         return generators.driving().size() > (generators.surface == null ? 0 : 1);
     }
 
+    /** {@return whether some force on a body may change as another one is moved by forces} */
+    public boolean areCoupled() {
+        boolean any = false;
+        for (int k = 0; !any && generators.coupled && k < generators.driving().size(); k++) {
+            Generators.Entry entry = generators.driving().get(k);
+            any = entry.isCoupled && (entry.couples == null || couplesSeveral(entry.couples));
+        }
+        return any;
+    }
+
+    private static boolean couplesSeveral(List<Body> bodies) {
+        int count = 0;
+        for (int k = 0; k < bodies.size(); k++) {
+            count += bodies.get(k).isDynamic() ? 1 : 0;
+        }
+        return count > 1;
+    }
+
     /**
      * The accelerations of all forces but friction with the plane.
      *

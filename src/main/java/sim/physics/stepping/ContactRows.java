@@ -394,7 +394,7 @@ final class ContactRows implements Serializable {
     }
 
     /** The velocity of the second body at a point against that of the first one, in a direction. */
-    private double speed(int k, int p, double[] v, double dx, double dy) {
+    double speed(int k, int p, double[] v, double dx, double dy) {
         int a = State.BLOCK * first(k);
         int b = State.BLOCK * second(k);
         double ux = v[b] - points[p + BY] * v[b + 2] - v[a] + points[p + AY] * v[a + 2];

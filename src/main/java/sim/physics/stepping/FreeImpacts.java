@@ -15,6 +15,7 @@ import static sim.physics.stepping.ContactRows.TANGENT;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
 /**
@@ -42,6 +43,8 @@ final class FreeImpacts implements Serializable {
     private double[] meets = {};
 
     private double[] velocities = {};
+
+    private final IntList goneOn = new IntList();
 
     private double h;
 
@@ -73,7 +76,7 @@ final class FreeImpacts implements Serializable {
      * Finds these groups, and takes back what their bodies were given.
      *
      * @param before where the bodies were, and their velocities after all that forces give in the substep
-     * @param a accelerations by forces
+     * @param a accelerations by forces, in the mean
      * @param step the step
      * @param substep the substep
      */
@@ -262,6 +265,41 @@ final class FreeImpacts implements Serializable {
             if (has(row)) {
                 follow(row);
                 bear(row);
+            }
+        }
+    }
+
+    /** {@return the bodies that forces move which have gone on from where they have met something} */
+    IntList goneOn() {
+        goneOn.clear();
+        for (int k = 0; k < groups.bodies; k++) {
+            if (isOfOne(groups.blocks[k]) && time(groups.blocks[k]) < h && !groups.areSteered[k]) {
+                goneOn.add(groups.blocks[k] / State.BLOCK);
+            }
+        }
+        return goneOn;
+    }
+
+    /**
+     * Lets bodies part as they do under the forces of the way on which they have gone on, where these have changed: with those of the way that they did not
+     * go, springs would throw them ever faster. The impulses of the contacts do that: what forces give is that of the same times for all bodies, or momentum
+     * would not be kept.
+     *
+     * @param mean accelerations by forces that have acted in the substep
+     * @param then those of where bodies have met
+     * @param now those of where they are now
+     */
+    void reload(double[] mean, double[] then, double[] now) {
+        for (int n = 0; n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
+            for (int p = rows.begin(row); has(row) && p < rows.end(row); p += STRIDE) {
+                if (rows.points[p + NORMAL] > 0 && rows.points[p + RESTORED] != Impacts.PLASTIC) {
+                    double left = Math.max(0, h - Math.min(meets(rows.first(row)), meets(rows.second(row))));
+                    double more = 0.5 * (rows.opening(row, p, then) + rows.opening(row, p, now)) - rows.opening(row, p, mean);
+                    double by = Math.max(-rows.points[p + NORMAL], left * more * rows.points[p + NORMAL_MASS]);
+                    rows.points[p + NORMAL] += by;
+                    rows.give(row, p, state.v(), by, 0);
+                }
             }
         }
     }

@@ -3,6 +3,7 @@
 package sim.physics.stepping;
 
 import java.io.Serializable;
+import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 import sim.physics.motion.Steering;
 import sim.physics.motion.SteppedForces;
@@ -22,6 +23,8 @@ final class Halves implements Serializable {
 
     /** Velocities before; later, the half of what is given; later, accelerations before. */
     private double[] half = {};
+
+    private double[] mean = {};
 
     Halves(State state, Poses poses, SteppedForces forces) {
         this.state = state;
@@ -86,6 +89,32 @@ final class Halves implements Serializable {
             v[b + 1] += half[b + 1];
             v[b + 2] += half[b + 2];
         }
+    }
+
+    /** {@return accelerations in the mean of a substep in which forces have been reloaded} */
+    double[] mean(double[] a) {
+        if (mean.length < a.length) {
+            mean = new double[a.length];
+        }
+        System.arraycopy(a, 0, mean, 0, a.length);
+        for (int k = 0; k < poses.awake.size; k++) {
+            int b = State.BLOCK * poses.awake.values[k];
+            mean[b] = 0.5 * (half[b] + a[b]);
+            mean[b + 1] = 0.5 * (half[b + 1] + a[b + 1]);
+            mean[b + 2] = 0.5 * (half[b + 2] + a[b + 2]);
+        }
+        return mean;
+    }
+
+    /** Finds the forces once more where these bodies have moved on, and returns those of before. */
+    double[] loadAgain(IntList bodies, double[] a, double time) {
+        System.arraycopy(a, 0, half, 0, a.length);
+        if (forces.areCoupled()) {
+            load(a, time);
+        } else {
+            forces.load(bodies, time, a);
+        }
+        return half;
     }
 
     /** Forces that change within the step: their second half is that of where the bodies have gone. */

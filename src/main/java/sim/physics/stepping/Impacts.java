@@ -228,6 +228,7 @@ final class Impacts implements Serializable {
                 boolean takesPart = isTied(k) && rows.points[p + NORMAL] > 0 || isPlastic(k) && isClosed(k, p, h);
                 rows.points[p + RESTORED] = takesPart ? Math.max(PLASTIC, restored) : restored;
                 if (rows.points[p + RESTORED] > 0) {
+                    facts.parts[groups.of(k, rows)]++;
                     met.add(k);
                     met.add(p);
                 }
@@ -306,10 +307,14 @@ final class Impacts implements Serializable {
         }
     }
 
-    /** Without friction the two laws say the same, and Poisson's keeps the energy also where turns among joints do not reach their end. */
+    /**
+     * Without friction the two laws say the same, and Poisson's keeps the energy also where turns among joints do not reach their end. Of several points
+     * among joints, Newton's would give energy: what has passed a wave on would have to part from where that came from as fast as it met it.
+     */
     private boolean isAlone(int k) {
         int group = groups.of(k, rows);
-        return facts.isLoaded(group) || facts.counts[group] == 1 && (rows.normals[PAIR * k + FRICTION] > 0 || !isTied(k));
+        boolean isOneOfTied = isTied(k) && facts.parts[group] > 1;
+        return facts.isLoaded(group) && !isOneOfTied || facts.counts[group] == 1 && (rows.normals[PAIR * k + FRICTION] > 0 || !isTied(k));
     }
 
     /** Ends a substep: what an impact gave is no guess for the next one; what bears something may bear as much as before. */
@@ -443,14 +448,37 @@ final class Impacts implements Serializable {
         }
     }
 
-    /** Gives a part of what a point has taken once more. What forces alone give in the step does not bounce. */
+    /** Gives a part of what a point has taken once more. What forces alone give in the step does not bounce, nor what it has borne before. */
     private double restore(int k, int p) {
         double[] points = rows.points;
+        boolean passesOn = passesOn(k, p);
         double pull = free.has(k) ? 0 : (substep - time(p)) * Math.max(0, -points[p + FORCED]) * points[p + NORMAL_MASS];
-        double by = points[p + RESTORED] > PLASTIC ? points[p + RESTORED] * Math.max(0, points[p + NORMAL] - pull) : 0;
+        double borne = passesOn ? Math.max(pull, points[p + LAST]) : pull;
+        double part = passesOn ? rows.normals[PAIR * k + BOUNCE] : points[p + RESTORED];
+        double by = part > PLASTIC ? part * Math.max(0, points[p + NORMAL] - borne) : 0;
+        by = Math.max(0, by + turned(k, p));
         points[p + NORMAL] += by;
         rows.give(k, p, state.v(), by, 0);
         return by;
+    }
+
+    /**
+     * What one point among joints gives in addition, as its normal has turned since it took: the two impulses are to give back what they took along the
+     * way between their directions, and not along the normal of now.
+     */
+    private double turned(int k, int p) {
+        double opening = rows.points[p + OPENING];
+        boolean isOne = isTied(k) && facts.parts[groups.of(k, rows)] == 1 && rows.points[p + RESTORED] > PLASTIC;
+        int o = ContactRows.TURNED * k + 2;
+        return isOne && opening < 0 ? rows.speed(k, p, state.v(), rows.turned[o], rows.turned[o + 1]) / opening : 0;
+    }
+
+    /**
+     * Whether a point among joints lies and passes on what others strike. It gives its part, too: that all do keeps the energy, and if only those do that have
+     * struck, what bounces away is what all had that lay behind it.
+     */
+    private boolean passesOn(int k, int p) {
+        return rows.points[p + RESTORED] == PLASTIC && rows.mayBounce(k) && isTied(k) && facts.giveBack[groups.of(k, rows)];
     }
 
     /** What restitution gives rubs as what compression has taken, within a bound of its own; whether something has changed. */

@@ -22,6 +22,9 @@ final class MetGroups implements Serializable {
     /** The number of points and stops that have met in the substep, and whether one of them gives something back. */
     int[] counts = {};
 
+    /** The number of points that have part in that, whether they have met or lie there. */
+    int[] parts = {};
+
     boolean[] giveBack = {};
 
     /** Whether joints or springs tie bodies, and whether joints do. */
@@ -49,6 +52,7 @@ final class MetGroups implements Serializable {
         if (counts.length < groups.count) {
             int n = groups.slots.length;
             counts = new int[n];
+            parts = new int[n];
             giveBack = new boolean[n];
             areTied = new boolean[n];
             areJoined = new boolean[n];
@@ -73,6 +77,7 @@ final class MetGroups implements Serializable {
     /** Begins a substep. */
     void open() {
         Arrays.fill(counts, 0, groups.count, 0);
+        Arrays.fill(parts, 0, groups.count, 0);
         Arrays.fill(giveBack, 0, groups.count, false);
         Arrays.fill(fastest, 0, groups.count, 0);
         Arrays.fill(loads, 0, groups.count, 0);

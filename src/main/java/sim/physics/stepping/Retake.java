@@ -6,6 +6,7 @@ import java.io.Serializable;
 import sim.physics.constraint.StopRows;
 import sim.physics.constraint.TieRows;
 import sim.physics.internal.Freshness;
+import sim.physics.internal.IntList;
 import sim.physics.internal.OpenGroups;
 import sim.physics.internal.Softness;
 import sim.physics.motion.SpringRows;
@@ -219,17 +220,18 @@ final class Retake implements Serializable {
      * Lets bodies that have met in a substep bounce. What compression has taken, restitution gives once more, in part: of what meets at the same time, joints
      * included, that keeps the energy of elastic bodies, as v⁺ = 2 v − v⁻ is the mirror image of v⁻ in the projection v.
      *
-     * @param a accelerations by forces
+     * @param mean accelerations by forces in the substep, in the mean
      * @param step the step, in which forces make what is no bounce
      * @param h substep
+     * @return whether something has met, for which {@link #endBounces} is to be called
      */
-    void bounce(double[] a, double step, double h) {
+    boolean bounce(double[] mean, double step, double h) {
         StopRows stops = ties.stops();
         if (!impacts.find(step, h, balance.speeds(), stops)) {
-            return;
+            return false;
         }
-        bounced.bound(balance, a, h);
-        free.begin(balance, a, step, h);
+        bounced.bound(balance, mean, h);
+        free.begin(balance, mean, step, h);
         impacts.dropMissed();
         boolean[] marks = balance.marks();
         impacts.mark(marks, true);
@@ -259,9 +261,24 @@ final class Retake implements Serializable {
         }
         ties.putBack(marks, bounced.shares());
         bounced.forget(null);
-        free.end(balance, a);
+        free.end(balance, mean);
+        return true;
+    }
+
+    /** Ends the bounces of a substep. */
+    void endBounces() {
         impacts.end();
-        impacts.mark(marks, false);
+        impacts.mark(balance.marks(), false);
+    }
+
+    /** {@return the bodies that have gone on from where they met something} */
+    IntList goneOn() {
+        return free.goneOn();
+    }
+
+    /** Takes note of forces, in the mean, where bodies have met, and where they have gone on from there. */
+    void reloadBounced(double[] mean, double[] then, double[] now) {
+        free.reload(mean, then, now);
     }
 
     /** Compresses what has met in turn with its joints; what that throws about, over-relaxed as it is, gets no more energy than it may have. */

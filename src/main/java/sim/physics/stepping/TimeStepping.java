@@ -424,11 +424,28 @@ public final class TimeStepping implements Serializable {
             ties.add();
         }
         if (bounces) {
-            retake.bounce(a, h, d);
+            bounce(a, end, d);
         }
         contacts.add();
         if (isTied) {
             ties.stops().note();
+        }
+    }
+
+    /** What bounces within the substep goes another way than forces that change have been asked for. */
+    private void bounce(double[] a, double end, double d) {
+        boolean areUneven = forces.areUneven();
+        double[] mean = areUneven ? halves.mean(a) : a;
+        if (!retake.bounce(mean, h, d)) {
+            return;
+        }
+        try {
+            IntList others = areUneven ? retake.goneOn() : null;
+            if (others != null && others.size > 0) {
+                retake.reloadBounced(mean, halves.loadAgain(others, a, end), a);
+            }
+        } finally {
+            retake.endBounces();
         }
     }
 
