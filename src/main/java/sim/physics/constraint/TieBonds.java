@@ -5,8 +5,10 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import sim.physics.internal.Softness;
 import sim.physics.motion.State;
 
@@ -53,6 +55,8 @@ final class TieBonds implements Serializable {
         bonds = new int[ENDS * count];
         data = new double[TreeRows.STRIDE * count];
         sizes = new double[count];
+        joints = count;
+        this.count = count;
     }
 
     /** The body of a bond. */
@@ -82,13 +86,66 @@ final class TieBonds implements Serializable {
 
     /** The rows of a bond, with those of motors that may not act. */
     int rows(int k) {
-        return (pin(k) >= 0 ? 2 : 0) + (tie(k) >= 0 ? equations.rows[tie(k)] : 0);
+        return (pin(k) >= 0 || tie(k) == CONTACT ? 2 : 0) + (tie(k) >= 0 ? equations.rows[tie(k)] : 0);
+    }
+
+    /** Marks the bodies of bonds. */
+    void mark(int from, int to, boolean[] marks) {
+        for (int k = from; k < to; k++) {
+            marks[child(k) / BLOCK] = true;
+        }
+    }
+
+    /** Whether joints leave their bodies no way to move against one another, and against what cannot move, if some of them are held by that; by the number of their rows. */
+    boolean isStructure(int from, int to) {
+        Set<Integer> bodies = new HashSet<>();
+        int all = 0;
+        boolean isHeld = false;
+        for (int k = from; k < to; k++) {
+            bodies.add(child(k));
+            bodies.add(parent(k));
+            int rows = pin(k) >= 0 ? 2 : rows(k);
+            all += rows;
+            isHeld |= rows > 0 && parent(k) < 0;
+        }
+        bodies.remove(-1);
+        return all >= BLOCK * (isHeld ? bodies.size() : bodies.size() - 1);
     }
 
     /** Whether a row of a bond is one between angles. */
     boolean isAngle(int k, int row) {
         int ofTie = pin(k) >= 0 ? row - 2 : row;
-        return ofTie >= 0 && equations.ties[tie(k)].isAngle(ofTie);
+        return ofTie >= 0 && tie(k) >= 0 && equations.ties[tie(k)].isAngle(ofTie);
+    }
+
+    /** A point of a contact in place of a constraint. */
+    static final int CONTACT = -2;
+
+    /** How many bonds are of joints, and how many there are. */
+    private int joints;
+
+    private int count;
+
+    /** Forgets contacts. */
+    void clearContacts() {
+        count = joints;
+    }
+
+    /** Takes a point of a contact: two rows that a body has with another one, −1 for what cannot move; returns its place. */
+    int addContact(int child, int parent) {
+        if (ENDS * (count + 1) > bonds.length) {
+            bonds = Arrays.copyOf(bonds, 2 * ENDS * (count + 1));
+            data = Arrays.copyOf(data, 2 * TreeRows.STRIDE * (count + 1));
+        }
+        int o = ENDS * count;
+        bonds[o] = child;
+        bonds[o + PARENT] = parent;
+        bonds[o + PIN] = -1;
+        bonds[o + TIE] = CONTACT;
+        bonds[o + UP] = -1;
+        bonds[o + GROUND] = -1;
+        Arrays.fill(data, TreeRows.STRIDE * count, TreeRows.STRIDE * (count + 1), 0);
+        return count++;
     }
 
     /** Takes a tree, with its root at the last of its places. */

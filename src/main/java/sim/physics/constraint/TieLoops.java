@@ -55,38 +55,38 @@ final class TieLoops implements Serializable {
     private final double[] change;
 
     /** Makes the equations of bonds; null if there are so many joints around a body, or so many loops, that turns are better. */
-    static TieLoops of(TieBonds bonds, int from, int to) {
-        int[] around = new int[to - from];
-        int[] bodies = bodies(bonds, from, to);
+    static TieLoops of(TieBonds bonds, int[] those) {
+        int[] bodies = bodies(bonds, those);
+        int[] around = new int[bodies.length];
         int most = 0;
-        for (int k = from; k < to; k++) {
+        for (int k : those) {
             most = Math.max(most, ++around[Arrays.binarySearch(bodies, bonds.child(k))]);
             most = bonds.parent(k) < 0 ? most : Math.max(most, ++around[Arrays.binarySearch(bodies, bonds.parent(k))]);
         }
-        TieLoops loops = most > HUB ? null : new TieLoops(bonds, from, to);
+        TieLoops loops = most > HUB ? null : new TieLoops(bonds, those);
         return loops == null || loops.factor.work() > (long) FILL * loops.bonds.length ? null : loops;
     }
 
-    private TieLoops(TieBonds those, int from, int to) {
-        bodies = bodies(those, from, to);
+    private TieLoops(TieBonds those, int[] ids) {
+        bodies = bodies(those, ids);
         sizes = Arrays.stream(bodies).mapToDouble(those::size).toArray();
-        int n = to - from;
+        int n = ids.length;
         int[] a = new int[n];
         int[] b = new int[n];
         int[] count = new int[n];
         for (int k = 0; k < n; k++) {
-            a[k] = Arrays.binarySearch(bodies, those.child(from + k));
-            b[k] = those.parent(from + k) < 0 ? -1 : Arrays.binarySearch(bodies, those.parent(from + k));
-            count[k] = those.rows(from + k);
+            a[k] = Arrays.binarySearch(bodies, those.child(ids[k]));
+            b[k] = those.parent(ids[k]) < 0 ? -1 : Arrays.binarySearch(bodies, those.parent(ids[k]));
+            count[k] = those.rows(ids[k]);
         }
-        NodeLayout layout = new NodeLayout(a, b, count, (k, row) -> those.isAngle(from + k, row), bodies.length);
+        NodeLayout layout = new NodeLayout(a, b, count, (k, row) -> those.isAngle(ids[k], row), bodies.length);
         factor = layout.factor;
         bonds = new int[layout.nodes];
         first = new int[layout.nodes];
         isMotor = new boolean[layout.nodes];
         for (int k = 0; k < n; k++) {
             for (int p = layout.firstNode[k]; p < layout.firstNode[k + 1]; p++) {
-                bonds[p] = from + layout.order[k];
+                bonds[p] = ids[layout.order[k]];
                 first[p] = 2 * (p - layout.firstNode[k]);
                 isMotor[p] = first[p] > 0 && those.pin(bonds[p]) >= 0;
             }
@@ -105,9 +105,9 @@ final class TieLoops implements Serializable {
         rows = new NodeRows(j, blocks(layout.a), blocks(layout.b), factor, layout.shared(bodies.length));
     }
 
-    private static int[] bodies(TieBonds those, int from, int to) {
+    private static int[] bodies(TieBonds those, int[] ids) {
         IntList found = new IntList();
-        for (int k = from; k < to; k++) {
+        for (int k : ids) {
             found.add(those.child(k));
             if (those.parent(k) >= 0) {
                 found.add(those.parent(k));
@@ -179,7 +179,7 @@ final class TieLoops implements Serializable {
             right[2 * p] = isMotor[p] ? 0 : -d[o];
             right[2 * p + 1] = first[p] > 0 ? 0 : -d[o + 1];
         }
-        apply();
+        apply(d);
     }
 
     /** Finds what the bodies are to get, so that rows have what they ask for. */
@@ -190,10 +190,16 @@ final class TieLoops implements Serializable {
             right[2 * p + 1] = factor.rows(p) > 1 ? d[o + 1] : 0;
         }
         factor.solve(right);
-        apply();
+        apply(d);
     }
 
-    private void apply() {
+    /** Takes note of impulses, and of what bodies get by them. */
+    private void apply(double[] d) {
+        for (int p = 0; p < bonds.length; p++) {
+            int o = TreeRows.STRIDE * bonds[p] + TreeRows.GIVEN + first[p];
+            d[o] = right[2 * p];
+            d[o + 1] = first[p] > 0 ? d[o + 1] : right[2 * p + 1];
+        }
         Arrays.fill(change, 0);
         rows.apply(masses, right, change);
     }
@@ -208,13 +214,8 @@ final class TieLoops implements Serializable {
         return yes;
     }
 
-    /** Gives the bodies that, and takes note of it. */
-    void give(double[] d, double[] v) {
-        for (int p = 0; p < bonds.length; p++) {
-            int o = TreeRows.STRIDE * bonds[p] + TreeRows.GIVEN + first[p];
-            d[o] = right[2 * p];
-            d[o + 1] = first[p] > 0 ? d[o + 1] : right[2 * p + 1];
-        }
+    /** Gives the bodies that. */
+    void give(double[] v) {
         add(1, v);
     }
 

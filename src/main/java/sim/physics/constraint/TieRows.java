@@ -91,7 +91,7 @@ public final class TieRows implements Serializable {
             return false;
         }
         version = constraints.grouping();
-        Map<Constraint, Integer> known = trees.known(order.pins);
+        trees.note(order.pins);
         Map<Constraint, Before> before = new IdentityHashMap<>();
         for (int k = 0; k < equations.ties.length; k++) {
             before.put(equations.ties[k], new Before(record(k), equations.blocks[2 * k], equations.blocks[2 * k + 1]));
@@ -110,7 +110,8 @@ public final class TieRows implements Serializable {
             }
         }
         gather(order.others, before, changed);
-        trees.gather(order.pins, order.awakePins, known);
+        trees.gather(order.pins, order.awakePins);
+        trees.pressed().gather(impulse);
         for (Before gone : before.values()) {
             change(changed, gone.first, gone.second);
         }
@@ -172,7 +173,7 @@ public final class TieRows implements Serializable {
         pinImpulses.gather(List.of(), 0);
         held.gather();
         turning.gather(List.of(), 0);
-        trees.gather(List.of(), 0, Map.of());
+        trees.gather(List.of(), 0);
         version = -1;
     }
 

@@ -5,9 +5,8 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.stream.IntStream;
 import sim.physics.internal.Growth;
 import sim.physics.internal.Softness;
 import sim.physics.motion.State;
@@ -18,7 +17,8 @@ import sim.physics.motion.State;
  * by {@link TieLoops} if there are loops. This is done before the move for places, and after it for velocities, which is RATTLE (Andersen 1983).
  *
  * <p>In turns, what one end of a chain says gets to the other one by a joint or two in a solution. A tree is solved at once from where turns have left
- * something until they would have nothing to do. It does not yield then. Motors that push as hard as they can, stops and all else come after it, in turns; and trees of which something is touched, or lies at a stop.
+ * something until they would have nothing to do. It does not yield then. Motors that push as hard as they can, stops and all else come after it, in turns. So do
+ * trees of which something is touched, or lies at a stop; but structures, whose joints hold all where it is, would sag ({@link PressedTrees}).
  */
 public final class TieTrees implements Serializable {
     private static final long serialVersionUID = 2L;
@@ -31,8 +31,8 @@ public final class TieTrees implements Serializable {
 
     private static final double CLOSED = 1e-7;
 
-    /** What joints bear, as a part of all that their rows have to do with, from which on turns would let them sag. */
-    private static final double LOADED = 1e-2;
+    /** What joints bear, as a part of all that their rows have to do with, in energies, from which on turns would let them sag. */
+    private static final double LOADED = 1e-4;
 
     /** How far joints may be open, relative to their smaller bodies, that are solved in turns. */
     private static final double AJAR = 1e-7;
@@ -42,8 +42,10 @@ public final class TieTrees implements Serializable {
 
     private static final double WIDE = 0.05;
 
-    /** What is kept of a tree that is solved at once. */
-    private static final int AT_ONCE = -1;
+    /** How far joints are open, relative to their smaller bodies, of a tree that is solved at once though it is touched; and what its joints bear, in energies. */
+    private static final double SAGGING = 1e-4;
+
+    private static final double HEAVY = 0.5;
 
     /** How often a tree is solved anew in which motors would have to give more than they can. */
     private static final int SLIPS = 4;
@@ -61,6 +63,7 @@ public final class TieTrees implements Serializable {
     private final TieEquations equations;
     private final PinImpulses pins;
     private final TieBonds bonds;
+    private final PressedTrees pressed;
 
     /** By tree: the end of its bonds, whether it is solved at once, and whether that had something to do in this step. */
     private int[] ends = {};
@@ -81,14 +84,21 @@ public final class TieTrees implements Serializable {
 
     private boolean[] isSolved = {};
 
+    /** By tree: whether it is solved at once with what touches it, and whether it is to be from the next step on. */
+    private boolean[] isPressed = {};
+
+    private boolean[] isSagging = {};
+
+    /** By tree: whether its joints leave its bodies no way to move. */
+    private boolean[] isStructure = {};
+
     /** By tree: its equations if it has loops, and was solved at once; whether it has loops, and whether these are too many for that. */
     private TieLoops[] loops = {};
 
     private boolean[] haveLoops = {};
     private boolean[] areTooMany = {};
 
-    /** What was known of the trees of those of bodies that sleep: that they are solved at once, or for how long they are not. */
-    private IdentityHashMap<Constraint, Integer> asleep = new IdentityHashMap<>();
+    private final KnownTrees known = new KnownTrees();
 
     /** By body: whether it was brought onto its joints. */
     private boolean[] moved = {};
@@ -103,22 +113,25 @@ public final class TieTrees implements Serializable {
         this.equations = equations;
         this.pins = pins;
         bonds = new TieBonds(state, equations, pins);
+        pressed = new PressedTrees(state, this, bonds);
     }
 
-    /** {@return what is known of the trees of constraints, before others are taken: {@link #AT_ONCE}, or for how long they are solved in turns} */
-    Map<Constraint, Integer> known(List<PinJoint> all) {
-        Map<Constraint, Integer> known = asleep;
+    /** Takes note of what is known of the trees of constraints, before others are taken. */
+    void note(List<PinJoint> all) {
         for (int t = 0; t < ends.length; t++) {
-            for (int k = from(t); (isOpen[t] || waits[t] > 0) && k < ends[t]; k++) {
+            for (int k = from(t); note(t) != 0 && k < ends[t]; k++) {
                 if (bonds.pin(k) >= 0) {
-                    known.put(all.get(bonds.pin(k)), isOpen[t] ? AT_ONCE : waits[t]);
+                    known.put(all.get(bonds.pin(k)), note(t));
                 }
                 if (bonds.tie(k) >= 0) {
-                    known.put(equations.ties[bonds.tie(k)], isOpen[t] ? AT_ONCE : waits[t]);
+                    known.put(equations.ties[bonds.tie(k)], note(t));
                 }
             }
         }
-        return known;
+    }
+
+    private int note(int t) {
+        return isPressed[t] || isSagging[t] ? KnownTrees.PRESSED : isOpen[t] ? KnownTrees.AT_ONCE : waits[t];
     }
 
     /**
@@ -126,9 +139,8 @@ public final class TieTrees implements Serializable {
      *
      * @param all the pins
      * @param awakePins how many of them, from the first one on, are awake
-     * @param known what is known of them
      */
-    void gather(List<PinJoint> all, int awakePins, Map<Constraint, Integer> known) {
+    void gather(List<PinJoint> all, int awakePins) {
         TieForest forest = new TieForest(state, equations, pins, awakePins);
         forest.find(FEW);
         int n = forest.trees.size();
@@ -141,6 +153,9 @@ public final class TieTrees implements Serializable {
         isTouched = new boolean[n];
         stops = forest.stops();
         loops = new TieLoops[n];
+        isPressed = new boolean[n];
+        isSagging = new boolean[n];
+        isStructure = new boolean[n];
         haveLoops = new boolean[n];
         areTooMany = new boolean[n];
         for (int t = 0; t < n; t++) {
@@ -150,27 +165,25 @@ public final class TieTrees implements Serializable {
         for (int t = 0; t < n; t++) {
             bonds.put(forest.trees.get(t), ends[t] - 1);
             haveLoops[t] = forest.haveLoops.get(t);
-            boolean opens = false;
-            for (TieForest.Bond bond : forest.trees.get(t)) {
-                int ofPin = bond.pin < 0 ? 0 : known.getOrDefault(all.get(bond.pin), 0);
-                int ofTie = bond.tie < 0 ? 0 : known.getOrDefault(equations.ties[bond.tie], 0);
-                opens |= Math.min(ofPin, ofTie) == AT_ONCE;
-                waits[t] = Math.max(waits[t], Math.max(ofPin, ofTie));
-            }
-            set(t, opens && waits[t] == 0);
+            isStructure[t] = bonds.isStructure(from(t), ends[t]);
+            recall(t, forest.trees.get(t), all);
         }
-        keep(all, awakePins, known);
-    }
-
-    private void keep(List<PinJoint> all, int awakePins, Map<Constraint, Integer> known) {
-        asleep = new IdentityHashMap<>();
         List<Constraint> others = new ArrayList<>(all.subList(awakePins, all.size()));
         others.addAll(Arrays.asList(equations.ties).subList(equations.count(), equations.ties.length));
-        for (Constraint other : others) {
-            if (known.containsKey(other)) {
-                asleep.put(other, known.get(other));
-            }
+        known.keep(others);
+    }
+
+    private void recall(int t, List<TieForest.Bond> tree, List<PinJoint> all) {
+        boolean opens = false;
+        for (TieForest.Bond bond : tree) {
+            int ofPin = bond.pin < 0 ? 0 : known.of(all.get(bond.pin));
+            int ofTie = bond.tie < 0 ? 0 : known.of(equations.ties[bond.tie]);
+            opens |= Math.min(ofPin, ofTie) == KnownTrees.AT_ONCE;
+            isSagging[t] |= Math.min(ofPin, ofTie) == KnownTrees.PRESSED;
+            waits[t] = Math.max(waits[t], Math.max(ofPin, ofTie));
         }
+        isSagging[t] &= waits[t] == 0;
+        set(t, opens && !isSagging[t] && waits[t] == 0);
     }
 
     /** Says whether a tree is solved at once. */
@@ -190,7 +203,7 @@ public final class TieTrees implements Serializable {
 
     private boolean canOpen(int t) {
         if (loops[t] == null && !areTooMany[t]) {
-            loops[t] = TieLoops.of(bonds, from(t), ends[t]);
+            loops[t] = TieLoops.of(bonds, IntStream.range(from(t), ends[t]).toArray());
             areTooMany[t] = loops[t] == null;
         }
         return !areTooMany[t];
@@ -212,8 +225,7 @@ public final class TieTrees implements Serializable {
         }
         loops[t].solve(bonds.data());
         if (loops[t].isFar(FAR, h)) {
-            set(t, false);
-            waits[t] = PAUSE;
+            pause(t);
             return false;
         }
         book(t, impulse);
@@ -222,12 +234,8 @@ public final class TieTrees implements Serializable {
 
     /** Gives bodies what the equations of joints with loops have found, and takes note of it. */
     private void book(int t, double[] impulse) {
-        loops[t].give(bonds.data(), state.v());
+        loops[t].give(state.v());
         bonds.book(from(t), ends[t], impulse);
-    }
-
-    private int from(int t) {
-        return t == 0 ? 0 : ends[t - 1];
     }
 
     /** Whether a constraint that is no pin does not yield. */
@@ -255,11 +263,7 @@ public final class TieTrees implements Serializable {
      * @param marks by body
      */
     public void markOpen(boolean[] marks) {
-        for (int t = 0; t < ends.length; t++) {
-            for (int k = from(t); isOpen[t] && k < ends[t]; k++) {
-                marks[bonds.child(k) / State.BLOCK] = true;
-            }
-        }
+        IntStream.range(0, ends.length).filter(t -> isOpen[t]).forEach(t -> bonds.mark(from(t), ends[t], marks));
     }
 
     /**
@@ -271,7 +275,7 @@ public final class TieTrees implements Serializable {
      */
     void solve(double[] impulse, boolean[] marks, boolean placesOnly, Softness softness, double h) {
         for (int t = 0; t < ends.length; t++) {
-            if (isOpen[t] && (marks == null || marks[bonds.child(from(t)) / State.BLOCK])) {
+            if (isOpen[t] && !isPressed[t] && (marks == null || marks[bonds.child(from(t)) / State.BLOCK])) {
                 solve(t, impulse, placesOnly, softness, h);
             }
         }
@@ -321,7 +325,7 @@ public final class TieTrees implements Serializable {
     /** Finds out, before velocities are solved for the first time, which of the trees that are solved at once have something to do. */
     void ask(double[] impulse, Softness softness, double h) {
         for (int t = 0; !isJudged && softness.rate() == 0 && t < ends.length; t++) {
-            isAsked[t] = isOpen[t] && (isOff(t, CLOSED, impulse, h) || off[1] > LOADED * LOADED * off[2]);
+            isAsked[t] = isOpen[t] && (isOff(t, CLOSED, impulse, h) || off[1] > LOADED * off[2]);
         }
     }
 
@@ -333,14 +337,38 @@ public final class TieTrees implements Serializable {
         isJudged = true;
         for (int t = 0; t < ends.length; t++) {
             double widest = bonds.widest(from(t), ends[t]);
-            boolean isCalm = waits[t] == 0 && !isTouched[t] && !isStopped(t, impulse) && widest < WIDE && bonds.areSlow(from(t), ends[t], TURN / h);
+            boolean isCalm = waits[t] == 0 && !isStopped(t, impulse) && widest < WIDE && bonds.areSlow(from(t), ends[t], TURN / h);
             waits[t] = Math.max(0, waits[t] - 1);
-            if (isOpen[t]) {
+            if (isTouched[t]) {
+                boolean isHeavy = isStructure[t] && isCalm && (isPressed[t] || widest > SAGGING) && bears(t, HEAVY, impulse, h);
+                isSagging[t] = isHeavy && !isPressed[t];
+                if (isOpen[t] && !(isHeavy && isAsked[t])) {
+                    shut(t);
+                }
+            } else if (isOpen[t]) {
                 set(t, isAsked[t] && isCalm);
             } else if (isCalm) {
                 set(t, widest >= AJAR || isOff(t, OPEN, impulse, h));
             }
         }
+    }
+
+    /** Whether what joints bear is so much of all that their rows have to do with. */
+    private boolean bears(int t, double part, double[] impulse, double h) {
+        isOff(t, 0, impulse, h);
+        return off[1] > part * off[2];
+    }
+
+    /** Has a tree solved in turns. */
+    private void shut(int t) {
+        set(t, false);
+        isPressed[t] = false;
+    }
+
+    /** The same for some time. */
+    void pause(int t) {
+        shut(t);
+        waits[t] = PAUSE;
     }
 
     /** Whether a stop bears something: it yields, and what presses on it has to. */
@@ -350,6 +378,50 @@ public final class TieTrees implements Serializable {
             yes |= impulse[Equations.ROWS * stop] != 0 || impulse[Equations.ROWS * stop + 1] != 0;
         }
         return yes;
+    }
+
+    /** Begins a step in which it is known what touches what: trees that sag under it are solved with it. */
+    void press() {
+        for (int t = 0; t < ends.length; t++) {
+            if (isSagging[t]) {
+                isSagging[t] = false;
+                set(t, true);
+                isPressed[t] = isOpen[t] && isTouched[t];
+            }
+        }
+    }
+
+    /** Whether a tree is solved with what touches it. */
+    boolean isPressed(int t) {
+        return isPressed[t];
+    }
+
+    /** How many trees there are. */
+    int count() {
+        return ends.length;
+    }
+
+    /** The bonds of a tree: from this one to that before {@link #end}. */
+    int from(int t) {
+        return t == 0 ? 0 : ends[t - 1];
+    }
+
+    int end(int t) {
+        return ends[t];
+    }
+
+    /** {@return the trees that are solved with what touches them} */
+    public PressedTrees pressed() {
+        return pressed;
+    }
+
+    /**
+     * Marks the bodies of trees that are solved with what touches them.
+     *
+     * @param marks by body
+     */
+    public void markPressed(boolean[] marks) {
+        IntStream.range(0, ends.length).filter(t -> isPressed[t] || isSagging[t]).forEach(t -> bonds.mark(from(t), ends[t], marks));
     }
 
     /** {@return whether there is any tree} */
@@ -369,7 +441,8 @@ public final class TieTrees implements Serializable {
             for (int k = from(t); k < ends[t]; k++) {
                 isTouched[t] |= marks[bonds.child(k) / State.BLOCK];
             }
-            if (isTouched[t] && isOpen[t]) {
+            isPressed[t] &= isTouched[t];
+            if (isTouched[t] && isOpen[t] && !isPressed[t]) {
                 set(t, false);
             }
         }
@@ -383,8 +456,7 @@ public final class TieTrees implements Serializable {
     public void close(boolean[] marks) {
         for (int t = 0; t < ends.length; t++) {
             if (marks[bonds.child(from(t)) / State.BLOCK]) {
-                set(t, false);
-                waits[t] = PAUSE;
+                pause(t);
             }
         }
     }
@@ -403,7 +475,7 @@ public final class TieTrees implements Serializable {
                     moved = moved.length < state.size() ? new boolean[Growth.length(moved.length, state.size())] : moved;
                     Arrays.fill(moved, false);
                 }
-                any |= close(t, impulse, h);
+                any |= isPressed[t] ? pressed.close(t, h, moved) : close(t, impulse, h);
             }
         }
         return any;

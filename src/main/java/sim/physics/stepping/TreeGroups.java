@@ -43,6 +43,13 @@ final class TreeGroups implements Serializable {
                 those[g] &= bodies[groups.blocks[k] / State.BLOCK];
             }
         }
+        Arrays.fill(bodies, false);
+        ties.trees().markPressed(bodies);
+        for (int g = 0; g < groups.count; g++) {
+            for (int k = groups.begins[g]; k < groups.begins[g + 1]; k++) {
+                those[g] |= bodies[groups.blocks[k] / State.BLOCK];
+            }
+        }
     }
 
     /** Whether there may be any. */

@@ -6,6 +6,7 @@ import java.io.Serializable;
 import sim.physics.constraint.TieRows;
 import sim.physics.internal.Softness;
 import sim.physics.motion.SpringRows;
+import sim.physics.motion.State;
 import sim.physics.motion.SteppedForces;
 import sim.physics.motion.SurfaceRows;
 
@@ -28,10 +29,13 @@ final class Turn implements Serializable {
 
     private boolean isRubbed;
 
-    Turn(SteppedForces forces, TieRows ties, ContactRows rows, ContactSolver contacts, Newcomers newcomers) {
+    private final PressingContacts pressing;
+
+    Turn(State state, SteppedForces forces, TieRows ties, ContactRows rows, ContactSolver contacts, Newcomers newcomers) {
         surface = forces.surface();
         springs = forces.springs();
         this.ties = ties;
+        pressing = new PressingContacts(state, ties.trees().pressed(), rows);
         this.rows = rows;
         this.contacts = contacts;
         this.newcomers = newcomers;
@@ -41,6 +45,9 @@ final class Turn implements Serializable {
     void begin(boolean isTied) {
         this.isTied = isTied;
         isRubbed = !surface.isEmpty();
+        if (isTied) {
+            pressing.begin();
+        }
         if (newcomers.any()) {
             newcomers.find(rows, ties, springs);
         }
@@ -81,6 +88,9 @@ final class Turn implements Serializable {
             ties.solve(joint, d);
         }
         contacts.solve(contact, regains, d);
+        if (isTied) {
+            pressing.solve(joint, d);
+        }
         for (int m = 1; newcomers.any() && m < COLD; m++) {
             solveNew(joint, contact, regains, d);
         }

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.constraint;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import sim.physics.internal.IntList;
+import sim.physics.internal.Softness;
+import sim.physics.motion.State;
+
+/**
+ * Trees of joints that bear what touches them, with loops or without, solved at once together with their contacts: after contacts have had their turns, which are
+ * to keep the speeds that they have then. A contact is a bond of two rows, one along its normal and one along its tangent.
+ */
+public final class PressedTrees implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Where the values of a bond begin: J of the child and of the parent, by rows of three, and what was given. */
+    public static final int CHILD = TreeRows.CHILD;
+
+    /** J of the parent. */
+    public static final int PARENT = TreeRows.PARENT;
+
+    /** What the rows have been given by the last solution. */
+    public static final int GIVEN = TreeRows.GIVEN;
+
+    /** The part of what joints are open that is regained in a substep: what bears much is not lifted at once. */
+    private static final double REGAINED = 0.1;
+
+    /** How far bodies may go in a substep, relative to their size; see {@link TieTrees}. */
+    private static final double FAR = 0.2;
+
+    private final State state;
+    private final TieTrees trees;
+    private final TieBonds bonds;
+
+    /** By tree: its equations, and the bonds that are contacts. */
+    private TieLoops[] loops = {};
+
+    private IntList[] contacts = {};
+
+    /** By body: its tree, −1 for none. */
+    private int[] treeOf = {};
+
+    private double[] impulse = {};
+
+    PressedTrees(State state, TieTrees trees, TieBonds bonds) {
+        this.state = state;
+        this.trees = trees;
+        this.bonds = bonds;
+    }
+
+    /** Takes the impulses of joints that are no pins. */
+    void gather(double[] impulse) {
+        this.impulse = impulse;
+    }
+
+    /**
+     * Begins a step.
+     *
+     * @return whether there are such trees
+     */
+    public boolean begin() {
+        trees.press();
+        boolean any = false;
+        for (int t = 0; t < trees.count(); t++) {
+            if (trees.isPressed(t)) {
+                if (!any) {
+                    clear();
+                }
+                any = true;
+                for (int k = trees.from(t); k < trees.end(t); k++) {
+                    treeOf[bonds.child(k) / State.BLOCK] = t;
+                }
+            }
+        }
+        return any;
+    }
+
+    private void clear() {
+        treeOf = treeOf.length < state.size() ? new int[state.size()] : treeOf;
+        Arrays.fill(treeOf, -1);
+        loops = new TieLoops[trees.count()];
+        contacts = new IntList[trees.count()];
+        bonds.clearContacts();
+    }
+
+    /**
+     * The tree of a body.
+     *
+     * @param body its index
+     * @return the number of a tree that is solved with what touches it, −1 for none
+     */
+    public int treeOf(int body) {
+        return treeOf[body];
+    }
+
+    /**
+     * Adds a point of a contact.
+     *
+     * @param tree the tree that is touched
+     * @param child a body that can move
+     * @param parent the other one, −1 for one that cannot
+     * @return its place among the bonds
+     */
+    public int add(int tree, int child, int parent) {
+        contacts[tree] = contacts[tree] == null ? new IntList() : contacts[tree];
+        int bond = bonds.addContact(State.BLOCK * child, parent < 0 ? -1 : State.BLOCK * parent);
+        contacts[tree].add(bond);
+        return bond;
+    }
+
+    /** Makes the equations, when all contacts were added. */
+    public void make() {
+        for (int t = 0; t < trees.count(); t++) {
+            if (trees.isPressed(t)) {
+                IntStream joints = IntStream.range(trees.from(t), trees.end(t));
+                IntStream points = contacts[t] == null ? IntStream.empty() : Arrays.stream(contacts[t].values, 0, contacts[t].size);
+                loops[t] = TieLoops.of(bonds, IntStream.concat(joints, points).toArray());
+                if (loops[t] == null) {
+                    trees.pause(t);
+                }
+            }
+        }
+    }
+
+    /** {@return number of trees} */
+    public int count() {
+        return trees.count();
+    }
+
+    /**
+     * Whether a tree is solved with what touches it.
+     *
+     * @param tree its number
+     * @return so or not
+     */
+    public boolean isPressed(int tree) {
+        return trees.isPressed(tree);
+    }
+
+    /**
+     * The values of bonds.
+     *
+     * @return those of all; those of one begin at {@link #begin(int)}
+     */
+    public double[] values() {
+        return bonds.data();
+    }
+
+    /**
+     * Where the values of a bond begin.
+     *
+     * @param bond its place
+     * @return the first one
+     */
+    public static int begin(int bond) {
+        return TreeRows.STRIDE * bond;
+    }
+
+    /**
+     * Finds what a tree's joints ask for, and its contacts take for that.
+     *
+     * @param tree its number
+     * @param softness whether places are regained
+     * @param h substep
+     * @return whether it may be given; else turns do it for some time
+     */
+    public boolean solve(int tree, Softness softness, double h) {
+        boolean regains = softness.rate() > 0;
+        Softness slow = regains ? new Softness(REGAINED / h, softness.mass(), softness.impulse()) : softness;
+        int from = trees.from(tree);
+        int end = trees.end(tree);
+        double open = bonds.widest(from, end);
+        bonds.read(from, end, impulse, false, slow, h);
+        if (regains) {
+            bonds.leave(from, end, 1 - REGAINED);
+        }
+        loops[tree].factor(bonds.data(), state.w().values(), open);
+        loops[tree].solve(bonds.data());
+        return isNear(tree, h);
+    }
+
+    private boolean isNear(int tree, double h) {
+        boolean isFar = loops[tree].isFar(FAR, h);
+        if (isFar) {
+            trees.pause(tree);
+        }
+        return !isFar;
+    }
+
+    /**
+     * Gives the bodies of a tree, and what touches it, what was found.
+     *
+     * @param tree its number
+     */
+    public void give(int tree) {
+        loops[tree].give(state.v());
+        bonds.book(trees.from(tree), trees.end(tree), impulse);
+    }
+
+    /** Brings bodies where joints wanted them, along with what touches them; see {@link TieTrees#straighten}. */
+    boolean close(int tree, double h, boolean[] marks) {
+        loops[tree].solve(bonds.data());
+        boolean isNear = isNear(tree, h);
+        if (isNear) {
+            give(tree);
+            loops[tree].move(state.x(), h, marks);
+        }
+        return isNear;
+    }
+}

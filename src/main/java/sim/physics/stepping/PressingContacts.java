@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import static sim.physics.stepping.ContactRows.AX;
+import static sim.physics.stepping.ContactRows.AY;
+import static sim.physics.stepping.ContactRows.BX;
+import static sim.physics.stepping.ContactRows.BY;
+import static sim.physics.stepping.ContactRows.FRICTION;
+import static sim.physics.stepping.ContactRows.NORMAL;
+import static sim.physics.stepping.ContactRows.PAIR;
+import static sim.physics.stepping.ContactRows.STRIDE;
+import static sim.physics.stepping.ContactRows.TANGENT;
+
+import java.io.Serializable;
+import java.util.Arrays;
+import sim.physics.constraint.PressedTrees;
+import sim.physics.internal.IntList;
+import sim.physics.internal.Softness;
+import sim.physics.motion.State;
+
+/**
+ * The contacts of what bears loads with its joints ({@link PressedTrees}). In turns with them, what is light under what is heavy takes as many turns as the ratio of the
+ * two. So when contacts have had theirs, those that press keep their speeds, and joints are solved with them: what would pull is left out, and what would rub more
+ * than it may.
+ */
+final class PressingContacts implements Serializable {
+    private static final long serialVersionUID = 1L;
+
+    /** Solutions in which a contact may be left out. */
+    private static final int ROUNDS = 4;
+
+    /** What counts as all that friction can give. */
+    private static final double ALL = 1 - 1e-9;
+
+    /** Of a point: its pair, its place, its bond, its tree, and whether its child is the second body. */
+    private static final int SIZE = 5;
+
+    private final State state;
+    private final PressedTrees trees;
+    private final ContactRows rows;
+    private final IntList points = new IntList();
+    private boolean any;
+
+    PressingContacts(State state, PressedTrees trees, ContactRows rows) {
+        this.state = state;
+        this.trees = trees;
+        this.rows = rows;
+    }
+
+    /** Begins a step. */
+    void begin() {
+        points.clear();
+        any = trees.begin();
+        for (int k = 0; any && k < rows.count; k++) {
+            int tree = Math.max(trees.treeOf(rows.first(k)), trees.treeOf(rows.second(k)));
+            if (tree >= 0) {
+                add(k, tree);
+            }
+        }
+        if (any) {
+            trees.make();
+        }
+    }
+
+    private void add(int k, int tree) {
+        int a = rows.first(k);
+        int b = rows.second(k);
+        boolean isSecond = moves(b);
+        for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+            points.add(k);
+            points.add(p);
+            points.add(trees.add(tree, isSecond ? b : a, isSecond && moves(a) ? a : -1));
+            points.add(tree);
+            points.add(isSecond ? 1 : 0);
+        }
+    }
+
+    private boolean moves(int body) {
+        return state.w().values()[State.BLOCK * body] > 0 && state.body(body).isDynamic();
+    }
+
+    /** Solves all such trees. */
+    void solve(Softness softness, double h) {
+        for (int tree = 0; any && tree < trees.count(); tree++) {
+            if (trees.isPressed(tree)) {
+                solve(tree, softness, h);
+            }
+        }
+    }
+
+    private void solve(int tree, Softness softness, double h) {
+        for (int n = 0; n < points.size; n += SIZE) {
+            if (points.values[n + 3] == tree) {
+                read(n);
+            }
+        }
+        boolean isFound = trees.solve(tree, softness, h);
+        for (int round = 1; isFound && round < ROUNDS && drops(tree); round++) {
+            isFound = trees.solve(tree, softness, h);
+        }
+        if (isFound) {
+            trees.give(tree);
+            for (int n = 0; n < points.size; n += SIZE) {
+                if (points.values[n + 3] == tree) {
+                    book(n);
+                }
+            }
+        }
+    }
+
+    /** Takes J of a point: of its normal if it presses, and of its tangent if it sticks. */
+    private void read(int n) {
+        double[] d = trees.values();
+        double[] q = rows.points;
+        int pair = PAIR * points.values[n];
+        int p = points.values[n + 1];
+        int o = PressedTrees.begin(points.values[n + 2]);
+        Arrays.fill(d, o, PressedTrees.begin(points.values[n + 2] + 1), 0);
+        if (q[p + NORMAL] > 0) {
+            boolean isSecond = points.values[n + 4] == 1;
+            int first = o + (isSecond ? PressedTrees.PARENT : PressedTrees.CHILD);
+            int second = o + (isSecond ? PressedTrees.CHILD : PressedTrees.PARENT);
+            double nx = rows.normals[pair];
+            double ny = rows.normals[pair + 1];
+            put(d, first, -nx, -ny, q[p + AX], q[p + AY]);
+            put(d, second, nx, ny, q[p + BX], q[p + BY]);
+            if (Math.abs(q[p + TANGENT]) < ALL * rows.normals[pair + FRICTION] * q[p + NORMAL]) {
+                put(d, first + State.BLOCK, ny, -nx, q[p + AX], q[p + AY]);
+                put(d, second + State.BLOCK, -ny, nx, q[p + BX], q[p + BY]);
+            }
+        }
+    }
+
+    private static void put(double[] d, int o, double x, double y, double armX, double armY) {
+        d[o] = x;
+        d[o + 1] = y;
+        d[o + 2] = armX * y - armY * x;
+    }
+
+    /** Leaves out what would pull, and friction that would be more than there is; whether there was such a thing. */
+    private boolean drops(int tree) {
+        double[] d = trees.values();
+        boolean any = false;
+        for (int n = 0; n < points.size; n += SIZE) {
+            int p = points.values[n + 1];
+            int o = PressedTrees.begin(points.values[n + 2]);
+            double given = d[o + PressedTrees.GIVEN];
+            double normal = rows.points[p + NORMAL] + given;
+            boolean pulls = given != 0 && normal < 0;
+            double rubbed = d[o + PressedTrees.GIVEN + 1];
+            boolean slips = rubbed != 0 && Math.abs(rows.points[p + TANGENT] + rubbed) * ALL > rows.normals[PAIR * points.values[n] + FRICTION] * normal;
+            if (points.values[n + 3] == tree && (pulls || slips)) {
+                any = true;
+                int from = pulls ? 0 : State.BLOCK;
+                Arrays.fill(d, o + PressedTrees.CHILD + from, o + PressedTrees.CHILD + 2 * State.BLOCK, 0);
+                Arrays.fill(d, o + PressedTrees.PARENT + from, o + PressedTrees.PARENT + 2 * State.BLOCK, 0);
+            }
+        }
+        return any;
+    }
+
+    /** Takes note of what a point has given, as far as it may. */
+    private void book(int n) {
+        int p = points.values[n + 1];
+        int o = PressedTrees.begin(points.values[n + 2]) + PressedTrees.GIVEN;
+        double[] q = rows.points;
+        q[p + NORMAL] = Math.max(0, q[p + NORMAL] + trees.values()[o]);
+        double most = rows.normals[PAIR * points.values[n] + FRICTION] * q[p + NORMAL];
+        q[p + TANGENT] = Math.max(-most, Math.min(most, q[p + TANGENT] + trees.values()[o + 1]));
+    }
+}

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.constraint.Motor;
+import sim.physics.constraint.PinJoint;
+import sim.physics.constraint.SlotJoint;
+import sim.physics.constraint.WeldJoint;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.response.LastingContact;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+
+/** Time stepping: structures bear what lies on them, stands on them or drives over them. In turns they gave way to it, and lifts and beams fell down. */
+class SteppedStructureTest {
+    private static final double G = 9.81;
+    private static final long BEARING = 2;
+    private static final long LOAD = 4;
+
+    private static PhysicsEngine falling() {
+        PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
+        engine.add(new Gravity(0, -G));
+        return engine;
+    }
+
+    private static Body bar(PhysicsEngine engine, double x0, double y0, double x1, double y1) {
+        Body bar = Stepped.rough(new Body(new Rectangle(Math.hypot(x1 - x0, y1 - y0), 0.1)));
+        bar.setMass(1);
+        bar.setCollisionGroup(1, 0);
+        return engine.add(bar.at((x0 + x1) / 2, (y0 + y1) / 2, Math.atan2(y1 - y0, x1 - x0)));
+    }
+
+    private static void pin(PhysicsEngine engine, Body a, Body b, double x, double y) {
+        engine.add(new PinJoint(a, b, x, y));
+    }
+
+    private static Body load(PhysicsEngine engine, double mass, double x, double y) {
+        Body load = Stepped.rough(new Body(new Rectangle(0.5, 0.5)));
+        load.setMass(mass);
+        return engine.add(load.at(x, y));
+    }
+
+    /** {@return the platform of a lift of three pairs of crossed bars, as flat as 0.2 rad} */
+    private static Body lift(PhysicsEngine engine) {
+        double width = 2 * Math.cos(0.2);
+        double height = 2 * Math.sin(0.2);
+        Body up = null;
+        Body down = null;
+        for (int k = 0; k < 3; k++) {
+            Body rising = bar(engine, 0, k * height, width, (k + 1) * height);
+            Body falling = bar(engine, width, k * height, 0, (k + 1) * height);
+            pin(engine, rising, falling, width / 2, (k + 0.5) * height);
+            pin(engine, rising, down, 0, k * height);
+            pin(engine, falling, up, width, k * height);
+            up = rising;
+            down = falling;
+        }
+        Body platform = Stepped.rough(engine.add(new Body(new Rectangle(2.2, 0.1)).at(width / 2, 3 * height)));
+        platform.setMass(2);
+        pin(engine, platform, down, 0, 3 * height);
+        engine.add(new SlotJoint(up, platform, width, 3 * height, 1, 0));
+        return platform;
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {2, 22})
+    void aLiftBearsABox(double mass) {
+        PhysicsEngine engine = falling();
+        Body platform = lift(engine);
+        double height = platform.getY();
+        Body box = load(engine, mass, platform.getX(), height + 0.3);
+        Stepped.run(engine, 600);
+        assertThat(platform.getY()).isCloseTo(height, within(1e-4));
+        assertThat(box.getY()).isCloseTo(height + 0.3, within(1e-3));
+        assertThat(engine.contacts(box).stream().mapToDouble(LastingContact::normalForce).sum()).isCloseTo(mass * G, within(5e-3 * mass * G));
+        Body other = load(engine, mass, platform.getX() - 0.6, height + 0.31);
+        Stepped.run(engine, 600);
+        assertThat(platform.getY()).isCloseTo(height, within(1e-4));
+        assertThat(other.getY()).isCloseTo(height + 0.3, within(1e-3));
+    }
+
+    /** A beam of welded boxes, held at one end, with a box on the other. */
+    @Test
+    void aBeamBearsABox() {
+        PhysicsEngine engine = falling();
+        Body last = null;
+        for (int k = 0; k < 10; k++) {
+            Body box = Stepped.rough(engine.add(new Body(new Rectangle(1, 0.5)).at(k + 0.5, 0)));
+            engine.add(new WeldJoint(box, last, k, 0));
+            last = box;
+        }
+        Body box = load(engine, 0.5, 9.5, 0.5);
+        Stepped.run(engine, 600);
+        assertThat(last.getY()).isCloseTo(0, within(1e-4));
+        assertThat(box.getX()).isCloseTo(9.5, within(0.01));
+        assertThat(box.getY()).isCloseTo(0.5, within(1e-3));
+    }
+
+    /** A girder of triangles, under a car of as much as seven and forty of its bars. In turns it sagged by a half and more of its height. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 6})
+    void aCarDrivesOverAGirder(double mass) {
+        PhysicsEngine engine = falling();
+        List<Body> deck = girder(engine);
+        for (int side = -1; side <= 1; side += 2) {
+            Body bank = Stepped.rough(engine.add(Body.fixed(new Rectangle(6, 1)).at(4 + 7 * side, -0.45)));
+            bank.setCollisionGroup(BEARING, LOAD);
+        }
+        Body chassis = new Body(new Rectangle(1.2, 0.3));
+        chassis.setMass(4 * mass);
+        chassis.setCollisionGroup(1, 0);
+        engine.add(chassis.at(-2, 0.35));
+        for (double x : new double[] {-2.4, -1.6}) {
+            Body wheel = Stepped.rough(new Body(new Circle(0.2)));
+            wheel.setMass(mass);
+            wheel.setCollisionGroup(LOAD, BEARING);
+            engine.add(wheel.at(x, 0.25));
+            pin(engine, chassis, wheel, x, 0.25);
+            engine.add(Motor.turning(wheel, chassis, -8, 20 * mass));
+        }
+        double lowest = 0;
+        for (int k = 0; k < 600; k++) {
+            engine.step();
+            for (Body chord : deck) {
+                lowest = Math.min(lowest, chord.getY());
+            }
+        }
+        assertThat(chassis.getX()).isGreaterThan(10);
+        assertThat(lowest).isGreaterThan(-0.01);
+    }
+
+    private static List<Body> girder(PhysicsEngine engine) {
+        List<Body> deck = new ArrayList<>();
+        Body lastDown = null;
+        for (int k = 0; k < 8; k++) {
+            Body chord = bar(engine, k, 0, k + 1, 0);
+            chord.setCollisionGroup(BEARING, LOAD);
+            Body up = bar(engine, k, 0, k + 0.5, 1);
+            Body down = bar(engine, k + 0.5, 1, k + 1, 0);
+            pin(engine, up, chord, k, 0);
+            pin(engine, up, down, k + 0.5, 1);
+            pin(engine, down, chord, k + 1, 0);
+            pin(engine, chord, k == 0 ? null : deck.get(k - 1), k, 0);
+            if (k > 0) {
+                Body top = bar(engine, k - 0.5, 1, k + 0.5, 1);
+                pin(engine, top, lastDown, k - 0.5, 1);
+                pin(engine, top, up, k + 0.5, 1);
+            }
+            deck.add(chord);
+            lastDown = down;
+        }
+        engine.add(new SlotJoint(deck.get(7), null, 8, 0, 1, 0));
+        return deck;
+    }
+}
