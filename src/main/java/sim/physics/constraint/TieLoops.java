@@ -42,10 +42,9 @@ final class TieLoops implements Serializable {
     private final BlockFactor factor;
     private final double[] right;
 
-    /** The same with bodies of mass 1, which tells the pose from the masses; null until some pivot is small. And whether some was in the last solution. */
+    /** The same with bodies of mass 1, which tells the pose from the masses; null until some pivot is small. */
     private BlockFactor even;
 
-    private boolean isWeak;
     private final boolean[] isAngle;
 
     /** By body: inverse masses, those of bodies of mass 1 and their size, and what the last solution has given them. */
@@ -140,22 +139,17 @@ final class TieLoops implements Serializable {
         for (int k = 0; k < bodies.length; k++) {
             System.arraycopy(w, bodies[k], masses, BLOCK * k, BLOCK);
         }
-        boolean wasWeak = isWeak;
-        if (wasWeak) {
+        eliminate(null);
+        if (factor.pivots.isBeside()) {
             judge(open);
-        }
-        eliminate();
-        if (isWeak && !wasWeak) {
-            judge(open);
-            eliminate();
+            eliminate(even.pivots);
         }
     }
 
-    private void eliminate() {
-        factor.pivots.obey(isWeak ? even.pivots : null);
+    private void eliminate(Pivots shares) {
+        factor.pivots.obey(shares);
         assemble(factor, masses);
         factor.factor(0, Pivots.NOISE, true);
-        isWeak = factor.pivots.isBeside();
     }
 
     /** Finds which rows depend on others, or nearly so, whatever the masses are. */

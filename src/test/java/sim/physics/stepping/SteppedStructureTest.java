@@ -89,6 +89,39 @@ class SteppedStructureTest {
         assertThat(other.getY()).isCloseTo(height + 0.3, within(1e-3));
     }
 
+    /** What falls, comes to rest and goes far away changes no bit of it, though what hangs together is found anew. */
+    @Test
+    void whatIsFarAwayChangesNothing() {
+        List<Body> alone = new ArrayList<>();
+        List<Body> among = new ArrayList<>();
+        for (List<Body> those : List.of(alone, among)) {
+            PhysicsEngine engine = falling();
+            List<Body> others = new ArrayList<>();
+            for (int k = 0; those == among && k < 5; k++) {
+                Body other = engine.add(new Body(new Circle(0.3)).at(100 + k, 3 + k));
+                others.add(other);
+                if (k > 0) {
+                    pin(engine, other, others.get(k - 1), 99.5 + k, 2.5 + k);
+                }
+            }
+            engine.add(Body.fixed(new Rectangle(20, 1)).at(100, -1));
+            Body platform = lift(engine);
+            those.add(platform);
+            those.add(load(engine, 15, platform.getX(), platform.getY() + 0.4));
+            for (int k = 0; k < 300; k++) {
+                if (k == 100 && those == among) {
+                    engine.remove(others.get(2));
+                }
+                engine.step();
+            }
+        }
+        for (int k = 0; k < 2; k++) {
+            assertThat(among.get(k).getX()).isEqualTo(alone.get(k).getX());
+            assertThat(among.get(k).getY()).isEqualTo(alone.get(k).getY());
+            assertThat(among.get(k).getAngle()).isEqualTo(alone.get(k).getAngle());
+        }
+    }
+
     /** A beam of welded boxes, held at one end, with a box on the other. */
     @Test
     void aBeamBearsABox() {
