@@ -31,14 +31,18 @@ public final class PressedTrees implements Serializable {
     /** How far bodies may go in a substep, relative to their size; see {@link TieTrees}. */
     private static final double FAR = 0.2;
 
+    /** Of a contact: bond, child, parent. */
+    private static final int POINT = 3;
+
     private final State state;
     private final TieTrees trees;
     private final TieBonds bonds;
 
-    /** By tree: its equations, and the bonds that are contacts. */
+    /** By tree: its equations; and its contacts, each by its bond and its bodies, of now and of when the equations were made. */
     private TieLoops[] loops = {};
 
     private IntList[] contacts = {};
+    private IntList[] made = {};
 
     /** By body: its tree, −1 for none. */
     private int[] treeOf = {};
@@ -51,9 +55,13 @@ public final class PressedTrees implements Serializable {
         this.bonds = bonds;
     }
 
-    /** Takes the impulses of joints that are no pins. */
+    /** Takes the impulses of joints that are no pins; trees are others. */
     void gather(double[] impulse) {
         this.impulse = impulse;
+        int n = trees.count();
+        loops = new TieLoops[n];
+        contacts = new IntList[n];
+        made = new IntList[n];
     }
 
     /**
@@ -70,6 +78,8 @@ public final class PressedTrees implements Serializable {
                     clear();
                 }
                 any = true;
+                contacts[t] = contacts[t] == null ? new IntList() : contacts[t];
+                contacts[t].clear();
                 for (int k = trees.from(t); k < trees.end(t); k++) {
                     treeOf[bonds.child(k) / State.BLOCK] = t;
                 }
@@ -81,8 +91,6 @@ public final class PressedTrees implements Serializable {
     private void clear() {
         treeOf = treeOf.length < state.size() ? new int[state.size()] : treeOf;
         Arrays.fill(treeOf, -1);
-        loops = new TieLoops[trees.count()];
-        contacts = new IntList[trees.count()];
         bonds.clearContacts();
     }
 
@@ -105,24 +113,37 @@ public final class PressedTrees implements Serializable {
      * @return its place among the bonds
      */
     public int add(int tree, int child, int parent) {
-        contacts[tree] = contacts[tree] == null ? new IntList() : contacts[tree];
         int bond = bonds.addContact(State.BLOCK * child, parent < 0 ? -1 : State.BLOCK * parent);
         contacts[tree].add(bond);
+        contacts[tree].add(child);
+        contacts[tree].add(parent);
         return bond;
     }
 
-    /** Makes the equations, when all contacts were added. */
+    /** Makes the equations, when all contacts were added, unless they are those of the step before. */
     public void make() {
         for (int t = 0; t < trees.count(); t++) {
-            if (trees.isPressed(t)) {
-                IntStream joints = IntStream.range(trees.from(t), trees.end(t));
-                IntStream points = contacts[t] == null ? IntStream.empty() : Arrays.stream(contacts[t].values, 0, contacts[t].size);
-                loops[t] = TieLoops.of(bonds, IntStream.concat(joints, points).toArray());
-                if (loops[t] == null) {
-                    trees.pause(t);
-                }
+            if (trees.isPressed(t) && (loops[t] == null || !isSame(contacts[t], made[t]))) {
+                make(t);
             }
         }
+    }
+
+    private void make(int t) {
+        IntList those = contacts[t];
+        made[t] = new IntList();
+        for (int k = 0; k < those.size; k++) {
+            made[t].add(those.values[k]);
+        }
+        IntStream points = IntStream.range(0, those.size / POINT).map(k -> those.values[POINT * k]);
+        loops[t] = TieLoops.of(bonds, IntStream.concat(IntStream.range(trees.from(t), trees.end(t)), points).toArray());
+        if (loops[t] == null) {
+            trees.pause(t);
+        }
+    }
+
+    private static boolean isSame(IntList one, IntList other) {
+        return Arrays.equals(one.values, 0, one.size, other.values, 0, other.size);
     }
 
     /** {@return number of trees} */

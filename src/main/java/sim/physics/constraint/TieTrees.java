@@ -263,7 +263,9 @@ public final class TieTrees implements Serializable {
      * @param marks by body
      */
     public void markOpen(boolean[] marks) {
-        IntStream.range(0, ends.length).filter(t -> isOpen[t]).forEach(t -> bonds.mark(from(t), ends[t], marks));
+        for (int t = 0; t < ends.length; t++) {
+            bonds.mark(from(t), isOpen[t] ? ends[t] : 0, marks);
+        }
     }
 
     /**
@@ -396,8 +398,8 @@ public final class TieTrees implements Serializable {
         return isPressed[t];
     }
 
-    /** How many trees there are. */
-    int count() {
+    /** {@return number of trees} */
+    public int count() {
         return ends.length;
     }
 
@@ -421,12 +423,9 @@ public final class TieTrees implements Serializable {
      * @param marks by body
      */
     public void markPressed(boolean[] marks) {
-        IntStream.range(0, ends.length).filter(t -> isPressed[t] || isSagging[t]).forEach(t -> bonds.mark(from(t), ends[t], marks));
-    }
-
-    /** {@return whether there is any tree} */
-    public boolean exist() {
-        return ends.length > 0;
+        for (int t = 0; t < ends.length; t++) {
+            bonds.mark(from(t), isPressed[t] || isSagging[t] ? ends[t] : 0, marks);
+        }
     }
 
     /**

@@ -22,7 +22,7 @@ final class TreeGroups implements Serializable {
 
     /** Finds them. */
     void find(TieRows ties, ContactRows rows, Groups groups) {
-        any = ties.trees().exist();
+        any = ties.trees().count() > 0;
         if (!any) {
             return;
         }
