@@ -4,6 +4,9 @@ package sim.physics.stepping;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static sim.physics.stepping.Frames.G;
+import static sim.physics.stepping.Frames.falling;
+import static sim.physics.stepping.Frames.pin;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,37 +15,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.constraint.Motor;
-import sim.physics.constraint.PinJoint;
-import sim.physics.constraint.SlotJoint;
 import sim.physics.constraint.WeldJoint;
 import sim.physics.motion.Body;
-import sim.physics.motion.Gravity;
 import sim.physics.response.LastingContact;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
 /** Time stepping: structures bear what lies on them, stands on them or drives over them. In turns they gave way to it, and lifts and beams fell down. */
 class SteppedStructureTest {
-    private static final double G = 9.81;
     private static final long BEARING = 2;
     private static final long LOAD = 4;
-
-    private static PhysicsEngine falling() {
-        PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
-        engine.add(new Gravity(0, -G));
-        return engine;
-    }
-
-    private static Body bar(PhysicsEngine engine, double x0, double y0, double x1, double y1) {
-        Body bar = Stepped.rough(new Body(new Rectangle(Math.hypot(x1 - x0, y1 - y0), 0.1)));
-        bar.setMass(1);
-        bar.setCollisionGroup(1, 0);
-        return engine.add(bar.at((x0 + x1) / 2, (y0 + y1) / 2, Math.atan2(y1 - y0, x1 - x0)));
-    }
-
-    private static void pin(PhysicsEngine engine, Body a, Body b, double x, double y) {
-        engine.add(new PinJoint(a, b, x, y));
-    }
 
     private static Body load(PhysicsEngine engine, double mass, double x, double y) {
         Body load = Stepped.rough(new Body(new Rectangle(0.5, 0.5)));
@@ -50,33 +32,11 @@ class SteppedStructureTest {
         return engine.add(load.at(x, y));
     }
 
-    /** {@return the platform of a lift of three pairs of crossed bars, as flat as 0.2 rad} */
-    private static Body lift(PhysicsEngine engine) {
-        double width = 2 * Math.cos(0.2);
-        double height = 2 * Math.sin(0.2);
-        Body up = null;
-        Body down = null;
-        for (int k = 0; k < 3; k++) {
-            Body rising = bar(engine, 0, k * height, width, (k + 1) * height);
-            Body falling = bar(engine, width, k * height, 0, (k + 1) * height);
-            pin(engine, rising, falling, width / 2, (k + 0.5) * height);
-            pin(engine, rising, down, 0, k * height);
-            pin(engine, falling, up, width, k * height);
-            up = rising;
-            down = falling;
-        }
-        Body platform = Stepped.rough(engine.add(new Body(new Rectangle(2.2, 0.1)).at(width / 2, 3 * height)));
-        platform.setMass(2);
-        pin(engine, platform, down, 0, 3 * height);
-        engine.add(new SlotJoint(up, platform, width, 3 * height, 1, 0));
-        return platform;
-    }
-
     @ParameterizedTest
     @ValueSource(doubles = {2, 22})
     void aLiftBearsABox(double mass) {
         PhysicsEngine engine = falling();
-        Body platform = lift(engine);
+        Body platform = Frames.lift(engine, 3, 2);
         double height = platform.getY();
         Body box = load(engine, mass, platform.getX(), height + 0.3);
         Stepped.run(engine, 600);
@@ -105,7 +65,7 @@ class SteppedStructureTest {
                 }
             }
             engine.add(Body.fixed(new Rectangle(20, 1)).at(100, -1));
-            Body platform = lift(engine);
+            Body platform = Frames.lift(engine, 3, 2);
             those.add(platform);
             those.add(load(engine, 15, platform.getX(), platform.getY() + 0.4));
             for (int k = 0; k < 300; k++) {
@@ -144,7 +104,10 @@ class SteppedStructureTest {
     @ValueSource(doubles = {1, 6})
     void aCarDrivesOverAGirder(double mass) {
         PhysicsEngine engine = falling();
-        List<Body> deck = girder(engine);
+        List<Body> deck = Frames.girder(engine);
+        for (Body chord : deck) {
+            chord.setCollisionGroup(BEARING, LOAD);
+        }
         for (int side = -1; side <= 1; side += 2) {
             Body bank = Stepped.rough(engine.add(Body.fixed(new Rectangle(6, 1)).at(4 + 7 * side, -0.45)));
             bank.setCollisionGroup(BEARING, LOAD);
@@ -170,29 +133,5 @@ class SteppedStructureTest {
         }
         assertThat(chassis.getX()).isGreaterThan(10);
         assertThat(lowest).isGreaterThan(-0.01);
-    }
-
-    private static List<Body> girder(PhysicsEngine engine) {
-        List<Body> deck = new ArrayList<>();
-        Body lastDown = null;
-        for (int k = 0; k < 8; k++) {
-            Body chord = bar(engine, k, 0, k + 1, 0);
-            chord.setCollisionGroup(BEARING, LOAD);
-            Body up = bar(engine, k, 0, k + 0.5, 1);
-            Body down = bar(engine, k + 0.5, 1, k + 1, 0);
-            pin(engine, up, chord, k, 0);
-            pin(engine, up, down, k + 0.5, 1);
-            pin(engine, down, chord, k + 1, 0);
-            pin(engine, chord, k == 0 ? null : deck.get(k - 1), k, 0);
-            if (k > 0) {
-                Body top = bar(engine, k - 0.5, 1, k + 0.5, 1);
-                pin(engine, top, lastDown, k - 0.5, 1);
-                pin(engine, top, up, k + 0.5, 1);
-            }
-            deck.add(chord);
-            lastDown = down;
-        }
-        engine.add(new SlotJoint(deck.get(7), null, 8, 0, 1, 0));
-        return deck;
     }
 }
