@@ -384,11 +384,6 @@ final class PinImpulses implements Serializable {
         return data[STRIDE * k + IMPULSE + component];
     }
 
-    /** The size that counts for a pin. */
-    double size(int k) {
-        return data[STRIDE * k + MOST];
-    }
-
     /** Takes note of an impulse that the bodies of a pin have got. */
     void book(int k, double jx, double jy) {
         data[STRIDE * k + IMPULSE] += jx;
