@@ -96,20 +96,20 @@ final class TieBonds implements Serializable {
         }
     }
 
-    /** Whether joints leave their bodies no way to move against one another, and against what cannot move, if some of them are held by that; by the number of their rows. */
+    /** Whether joints hold their bodies where they are, by the number of their rows. */
     boolean isStructure(int from, int to) {
         Set<Integer> bodies = new HashSet<>();
-        int all = 0;
+        int rows = 0;
         boolean isHeld = false;
         for (int k = from; k < to; k++) {
             bodies.add(child(k));
             bodies.add(parent(k));
-            int rows = pin(k) >= 0 ? 2 : rows(k);
-            all += rows;
-            isHeld |= rows > 0 && parent(k) < 0;
+            int own = pin(k) >= 0 ? 2 : rows(k);
+            rows += own;
+            isHeld |= own > 0 && parent(k) < 0;
         }
         bodies.remove(-1);
-        return all >= BLOCK * (isHeld ? bodies.size() : bodies.size() - 1);
+        return isHeld && rows >= BLOCK * bodies.size();
     }
 
     /** Whether a row of a bond is one between angles. */
