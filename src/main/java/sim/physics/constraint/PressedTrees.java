@@ -49,6 +49,9 @@ public final class PressedTrees implements Serializable {
 
     private double[] impulse = {};
 
+    /** How far joints of the tree that was read last are open at most. */
+    private double open;
+
     PressedTrees(State state, TieTrees trees, TieBonds bonds) {
         this.state = state;
         this.trees = trees;
@@ -181,23 +184,32 @@ public final class PressedTrees implements Serializable {
     }
 
     /**
-     * Finds what a tree's joints ask for, and its contacts take for that.
+     * Takes what a tree's joints ask for.
      *
      * @param tree its number
      * @param softness whether places are regained
      * @param h substep
-     * @return whether it may be given; else turns do it for some time
      */
-    public boolean solve(int tree, Softness softness, double h) {
+    public void read(int tree, Softness softness, double h) {
         boolean regains = softness.rate() > 0;
         Softness slow = regains ? new Softness(REGAINED / h, softness.mass(), softness.impulse()) : softness;
         int from = trees.from(tree);
         int end = trees.end(tree);
-        double open = bonds.widest(from, end);
+        open = bonds.widest(from, end);
         bonds.read(from, end, impulse, false, slow, h);
         if (regains) {
             bonds.leave(from, end, 1 - REGAINED);
         }
+    }
+
+    /**
+     * Finds how they get that, with what contacts take.
+     *
+     * @param tree its number, which was {@linkplain #read read} last
+     * @param h substep
+     * @return whether it may be given; else turns do it for some time
+     */
+    public boolean solve(int tree, double h) {
         loops[tree].factor(bonds.data(), state.w().values(), open);
         loops[tree].solve(bonds.data());
         return isNear(tree, h);

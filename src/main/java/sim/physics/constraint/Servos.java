@@ -32,8 +32,10 @@ final class Servos implements Serializable {
     private final int[] node;
 
     private final int[] blockA;
-
     private final int[] blockB;
+
+    /** Whether some joint can break; null when it is not known. */
+    private Boolean breakable;
 
     private Servos(Island island, ServoStep step, Switched[] rows, int[] nodes) {
         this.island = island;
@@ -72,7 +74,9 @@ final class Servos implements Serializable {
         return isOne ? servos : null;
     }
 
-    void forgetMasses() {
+    /** Forgets what a body or a constraint that was written may have changed. */
+    void forget() {
+        breakable = null;
         step.forgetMasses();
     }
 
@@ -148,11 +152,8 @@ final class Servos implements Serializable {
 
     /** Whether somebody may want to know what the pins bear. */
     private boolean isBreakable() {
-        boolean yes = false;
-        for (Constraint one : island.constraints) {
-            yes |= one instanceof Joint joint && joint.isBreakable();
-        }
-        return yes;
+        breakable = breakable == null ? Grouping.isBreakable(island.inOrder) : breakable;
+        return breakable;
     }
 
     private boolean isFor(State state, ConstraintSolver solver) {

@@ -179,7 +179,7 @@ final class Switches implements SwitchedTies {
         }
         setBias();
         if (servos != null) {
-            servos.forgetMasses();
+            servos.forget();
         }
         if (skeleton != null) {
             skeleton.island.forget();

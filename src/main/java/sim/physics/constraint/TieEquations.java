@@ -394,7 +394,7 @@ final class TieEquations implements Serializable {
     }
 
     /** The size that counts for a row. */
-    double size(int k, int row) {
+    private double size(int k, int row) {
         return ties[k].isAngle(row) ? 1 : sizes[k];
     }
 

@@ -248,17 +248,8 @@ public final class TieTrees implements Serializable {
         return isSolved[tie];
     }
 
-    /** {@return whether there is a tree that is solved at once} */
-    public boolean isAnyOpen() {
-        boolean any = false;
-        for (int t = 0; t < ends.length && !any; t++) {
-            any = isOpen[t];
-        }
-        return any;
-    }
-
     /**
-     * Marks the bodies of those trees.
+     * Marks the bodies of trees that are solved at once.
      *
      * @param marks by body
      */
@@ -311,12 +302,16 @@ public final class TieTrees implements Serializable {
 
     /** Whether the speeds of a tree's rows are off by more than a part of all that they have to do with. */
     private boolean isOff(int t, double part, double[] impulse, double h) {
+        measure(t, impulse, h);
+        return off[0] > part * part * off[2];
+    }
+
+    private void measure(int t, double[] impulse, double h) {
         bonds.read(from(t), ends[t], impulse, false, Softness.RIGID, h);
         Arrays.fill(off, 0);
         for (int k = from(t); k < ends[t]; k++) {
             bonds.measure(k, off);
         }
-        return off[0] > part * part * off[2];
     }
 
     /** Begins a step, in which it is judged once which trees are solved at once. */
@@ -357,7 +352,7 @@ public final class TieTrees implements Serializable {
 
     /** Whether what joints bear is so much of all that their rows have to do with. */
     private boolean bears(int t, double part, double[] impulse, double h) {
-        isOff(t, 0, impulse, h);
+        measure(t, impulse, h);
         return off[1] > part * off[2];
     }
 

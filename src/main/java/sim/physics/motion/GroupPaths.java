@@ -124,6 +124,11 @@ final class GroupPaths {
 
     /** Copies the blocks of a group. */
     static void copy(IntList group, double[] from, double[] to) {
+        if (group.isRow()) {
+            int b = State.BLOCK * group.values[0];
+            System.arraycopy(from, b, to, b, State.BLOCK * group.size);
+            return;
+        }
         for (int k = 0; k < group.size; k++) {
             int b = State.BLOCK * group.values[k];
             copy(from, b, to, b);

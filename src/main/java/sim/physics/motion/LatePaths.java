@@ -192,8 +192,8 @@ public final class LatePaths implements Team.Work {
 
     private boolean leaps(IntList group, Motion by) {
         int first = group.values[0];
-        copy(group, state.x(), startX);
-        copy(group, state.v(), startV);
+        GroupPaths.copy(group, state.x(), startX);
+        GroupPaths.copy(group, state.v(), startV);
         progress[first] = BEGUN;
         by.work.beginGroup();
         if (by.drivenMotion.leapsBlindly(group)) {
@@ -209,8 +209,8 @@ public final class LatePaths implements Team.Work {
     boolean takeBack(IntList group) {
         int first = group.values[0];
         if (late.size > 0 && (progress[first] == AHEAD || progress[first] == BEGUN)) {
-            copy(group, startX, state.x());
-            copy(group, startV, state.v());
+            GroupPaths.copy(group, startX, state.x());
+            GroupPaths.copy(group, startV, state.v());
             progress[first] = LATE;
         }
         return has(first);
@@ -263,18 +263,6 @@ public final class LatePaths implements Team.Work {
         }
         if (how == DONE) {
             motion.drivenMotion.lead(group);
-        }
-    }
-
-    private static void copy(IntList group, double[] from, double[] to) {
-        if (group.isRow()) {
-            int b = State.BLOCK * group.values[0];
-            System.arraycopy(from, b, to, b, State.BLOCK * group.size);
-            return;
-        }
-        for (int k = 0; k < group.size; k++) {
-            int b = State.BLOCK * group.values[k];
-            System.arraycopy(from, b, to, b, State.BLOCK);
         }
     }
 }

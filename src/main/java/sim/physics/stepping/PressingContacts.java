@@ -13,7 +13,9 @@ import static sim.physics.stepping.ContactRows.STRIDE;
 import static sim.physics.stepping.ContactRows.TANGENT;
 
 import java.io.Serializable;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import sim.physics.constraint.PressedTrees;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
@@ -33,25 +35,33 @@ final class PressingContacts implements Serializable {
     /** What counts as all that friction can give. */
     private static final double ALL = 1 - 1e-9;
 
-    /** Of a point: its pair, its place, its bond, its tree, and whether its child is the second body. */
-    private static final int SIZE = 5;
+    /** Of a point: its pair, its place, its bond, and whether its child is the second body. */
+    private static final int SIZE = 4;
 
-    private final State state;
+    private final Poses poses;
     private final PressedTrees trees;
     private final ContactRows rows;
-    private final IntList points = new IntList();
+
+    /** By tree: its points. */
+    private final List<IntList> points = new ArrayList<>();
+
     private boolean any;
 
-    PressingContacts(State state, PressedTrees trees, ContactRows rows) {
-        this.state = state;
+    PressingContacts(Poses poses, PressedTrees trees, ContactRows rows) {
+        this.poses = poses;
         this.trees = trees;
         this.rows = rows;
     }
 
     /** Begins a step. */
     void begin() {
-        points.clear();
         any = trees.begin();
+        for (int tree = 0; any && tree < trees.count(); tree++) {
+            if (tree == points.size()) {
+                points.add(new IntList());
+            }
+            points.get(tree).clear();
+        }
         for (int k = 0; any && k < rows.count; k++) {
             int tree = Math.max(trees.treeOf(rows.first(k)), trees.treeOf(rows.second(k)));
             if (tree >= 0) {
@@ -66,18 +76,14 @@ final class PressingContacts implements Serializable {
     private void add(int k, int tree) {
         int a = rows.first(k);
         int b = rows.second(k);
-        boolean isSecond = moves(b);
+        boolean isSecond = !poses.isGround(b);
+        IntList those = points.get(tree);
         for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
-            points.add(k);
-            points.add(p);
-            points.add(trees.add(tree, isSecond ? b : a, isSecond && moves(a) ? a : -1));
-            points.add(tree);
-            points.add(isSecond ? 1 : 0);
+            those.add(k);
+            those.add(p);
+            those.add(trees.add(tree, isSecond ? b : a, isSecond && !poses.isGround(a) ? a : -1));
+            those.add(isSecond ? 1 : 0);
         }
-    }
-
-    private boolean moves(int body) {
-        return state.w().values()[State.BLOCK * body] > 0 && state.body(body).isDynamic();
     }
 
     /** Solves all such trees. */
@@ -90,35 +96,33 @@ final class PressingContacts implements Serializable {
     }
 
     private void solve(int tree, Softness softness, double h) {
-        for (int n = 0; n < points.size; n += SIZE) {
-            if (points.values[n + 3] == tree) {
-                read(n);
-            }
+        IntList those = points.get(tree);
+        for (int n = 0; n < those.size; n += SIZE) {
+            read(those.values, n);
         }
-        boolean isFound = trees.solve(tree, softness, h);
-        for (int round = 1; isFound && round < ROUNDS && drops(tree); round++) {
-            isFound = trees.solve(tree, softness, h);
+        trees.read(tree, softness, h);
+        boolean isFound = trees.solve(tree, h);
+        for (int round = 1; isFound && round < ROUNDS && drops(those); round++) {
+            isFound = trees.solve(tree, h);
         }
         if (isFound) {
             trees.give(tree);
-            for (int n = 0; n < points.size; n += SIZE) {
-                if (points.values[n + 3] == tree) {
-                    book(n);
-                }
+            for (int n = 0; n < those.size; n += SIZE) {
+                book(those.values, n);
             }
         }
     }
 
     /** Takes J of a point: of its normal if it presses, and of its tangent if it sticks. */
-    private void read(int n) {
+    private void read(int[] those, int n) {
         double[] d = trees.values();
         double[] q = rows.points;
-        int pair = PAIR * points.values[n];
-        int p = points.values[n + 1];
-        int o = PressedTrees.begin(points.values[n + 2]);
-        Arrays.fill(d, o, PressedTrees.begin(points.values[n + 2] + 1), 0);
+        int pair = PAIR * those[n];
+        int p = those[n + 1];
+        int o = PressedTrees.begin(those[n + 2]);
+        Arrays.fill(d, o, PressedTrees.begin(those[n + 2] + 1), 0);
         if (q[p + NORMAL] > 0) {
-            boolean isSecond = points.values[n + 4] == 1;
+            boolean isSecond = those[n + 3] == 1;
             int first = o + (isSecond ? PressedTrees.PARENT : PressedTrees.CHILD);
             int second = o + (isSecond ? PressedTrees.CHILD : PressedTrees.PARENT);
             double nx = rows.normals[pair];
@@ -139,18 +143,18 @@ final class PressingContacts implements Serializable {
     }
 
     /** Leaves out what would pull, and friction that would be more than there is; whether there was such a thing. */
-    private boolean drops(int tree) {
+    private boolean drops(IntList those) {
         double[] d = trees.values();
         boolean any = false;
-        for (int n = 0; n < points.size; n += SIZE) {
-            int p = points.values[n + 1];
-            int o = PressedTrees.begin(points.values[n + 2]);
+        for (int n = 0; n < those.size; n += SIZE) {
+            int p = those.values[n + 1];
+            int o = PressedTrees.begin(those.values[n + 2]);
             double given = d[o + PressedTrees.GIVEN];
             double normal = rows.points[p + NORMAL] + given;
             boolean pulls = given != 0 && normal < 0;
             double rubbed = d[o + PressedTrees.GIVEN + 1];
-            boolean slips = rubbed != 0 && Math.abs(rows.points[p + TANGENT] + rubbed) * ALL > rows.normals[PAIR * points.values[n] + FRICTION] * normal;
-            if (points.values[n + 3] == tree && (pulls || slips)) {
+            boolean slips = rubbed != 0 && Math.abs(rows.points[p + TANGENT] + rubbed) * ALL > rows.normals[PAIR * those.values[n] + FRICTION] * normal;
+            if (pulls || slips) {
                 any = true;
                 int from = pulls ? 0 : State.BLOCK;
                 Arrays.fill(d, o + PressedTrees.CHILD + from, o + PressedTrees.CHILD + 2 * State.BLOCK, 0);
@@ -161,12 +165,12 @@ final class PressingContacts implements Serializable {
     }
 
     /** Takes note of what a point has given, as far as it may. */
-    private void book(int n) {
-        int p = points.values[n + 1];
-        int o = PressedTrees.begin(points.values[n + 2]) + PressedTrees.GIVEN;
+    private void book(int[] those, int n) {
+        int p = those[n + 1];
+        int o = PressedTrees.begin(those[n + 2]) + PressedTrees.GIVEN;
         double[] q = rows.points;
         q[p + NORMAL] = Math.max(0, q[p + NORMAL] + trees.values()[o]);
-        double most = rows.normals[PAIR * points.values[n] + FRICTION] * q[p + NORMAL];
+        double most = rows.normals[PAIR * those[n] + FRICTION] * q[p + NORMAL];
         q[p + TANGENT] = Math.max(-most, Math.min(most, q[p + TANGENT] + trees.values()[o + 1]));
     }
 }

@@ -118,7 +118,7 @@ public final class TimeStepping implements Serializable {
         halves = new Halves(state, poses, forces);
         retake = new Retake(state, poses, forces, ties, rows, contacts);
         newcomers = new Newcomers(state);
-        turn = new Turn(state, forces, ties, rows, contacts, newcomers);
+        turn = new Turn(poses, forces, ties, rows, contacts, newcomers);
     }
 
     /** {@return number of substeps of a step} */

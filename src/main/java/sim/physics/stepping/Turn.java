@@ -6,7 +6,6 @@ import java.io.Serializable;
 import sim.physics.constraint.TieRows;
 import sim.physics.internal.Softness;
 import sim.physics.motion.SpringRows;
-import sim.physics.motion.State;
 import sim.physics.motion.SteppedForces;
 import sim.physics.motion.SurfaceRows;
 
@@ -22,6 +21,7 @@ final class Turn implements Serializable {
     private final TieRows ties;
     private final ContactRows rows;
     private final ContactSolver contacts;
+    private final PressingContacts pressing;
     private final Newcomers newcomers;
 
     /** Whether there are joints, and whether friction with the plane acts on a body. */
@@ -29,15 +29,13 @@ final class Turn implements Serializable {
 
     private boolean isRubbed;
 
-    private final PressingContacts pressing;
-
-    Turn(State state, SteppedForces forces, TieRows ties, ContactRows rows, ContactSolver contacts, Newcomers newcomers) {
+    Turn(Poses poses, SteppedForces forces, TieRows ties, ContactRows rows, ContactSolver contacts, Newcomers newcomers) {
         surface = forces.surface();
         springs = forces.springs();
         this.ties = ties;
-        pressing = new PressingContacts(state, ties.trees().pressed(), rows);
         this.rows = rows;
         this.contacts = contacts;
+        pressing = new PressingContacts(poses, ties.trees().pressed(), rows);
         this.newcomers = newcomers;
     }
 
