@@ -10,6 +10,9 @@ import sim.physics.motion.Body;
 final class Anchor implements Serializable {
     private static final long serialVersionUID = 1L;
 
+    /** How far from the centre of its body, relative to that, a point is that was meant to be there. */
+    private static final double MIDDLE = 1e-9;
+
     final Body body;
     final double localX;
     final double localY;
@@ -46,6 +49,11 @@ final class Anchor implements Serializable {
     static Anchor at(Body body, String of, double x, double y) {
         Joint.point(of, x, y);
         return new Anchor(body, Joint.localX(body, x, y), Joint.localY(body, x, y));
+    }
+
+    /** Whether this is the centre of its body, or a point of the world. */
+    boolean isMiddle() {
+        return body == null || Math.max(Math.abs(localX), Math.abs(localY)) <= MIDDLE * body.getShape().boundingRadius();
     }
 
     void evaluate() {

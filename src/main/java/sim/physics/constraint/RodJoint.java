@@ -175,6 +175,11 @@ public final class RodJoint extends Joint implements Link {
         return Math.max(length, super.getSize());
     }
 
+    /** Whether the rod turns neither body, as its points are their middles. */
+    boolean isCentral() {
+        return first.isMiddle() && second.isMiddle();
+    }
+
     @Override
     double bend() {
         return length > 0 ? length : super.bend();

@@ -41,7 +41,7 @@ final class TieBonds implements Serializable {
     private int[] bonds = {};
     private double[] data = {};
 
-    /** By bond: the size of the smaller one of its bodies that can move. */
+    /** By bond: the size of the smaller one of its bodies that can move, or the length of a rod between their middles. */
     private double[] sizes = {};
 
     TieBonds(State state, TieEquations equations, PinImpulses pins) {
@@ -96,20 +96,37 @@ final class TieBonds implements Serializable {
         }
     }
 
-    /** Whether joints hold their bodies where they are, by the number of their rows. */
+    /** Whether joints hold their bodies where they are, by the number of their rows; bodies that only rods between middles hold may turn. */
     boolean isStructure(int from, int to) {
         Set<Integer> bodies = new HashSet<>();
+        Set<Integer> turning = new HashSet<>();
         int rows = 0;
         boolean isHeld = false;
         for (int k = from; k < to; k++) {
-            bodies.add(child(k));
-            bodies.add(parent(k));
+            Set<Integer> those = isCentral(k) ? bodies : turning;
+            those.add(child(k));
+            those.add(parent(k));
             int own = pin(k) >= 0 ? 2 : rows(k);
             rows += own;
             isHeld |= own > 0 && parent(k) < 0;
         }
+        bodies.removeAll(turning);
         bodies.remove(-1);
-        return isHeld && rows >= BLOCK * bodies.size();
+        turning.remove(-1);
+        return isHeld && rows >= BLOCK * turning.size() + 2 * bodies.size();
+    }
+
+    private boolean isCentral(int k) {
+        return tie(k) >= 0 && equations.ties[tie(k)] instanceof RodJoint rod && rod.isCentral();
+    }
+
+    /** The size of a bond, which tells whether it is wide open; of a contact, that of its smaller body. */
+    double extent(int k) {
+        return k < joints ? sizes[k] : smaller(child(k), parent(k));
+    }
+
+    private double smaller(int child, int parent) {
+        return Math.min(size(child), parent < 0 ? Double.POSITIVE_INFINITY : size(parent));
     }
 
     /** Whether a row of a bond is one between angles. */
@@ -160,7 +177,8 @@ final class TieBonds implements Serializable {
             bonds[o + TIE] = bond.tie;
             bonds[o + UP] = places.getOrDefault(bond.parent, -1);
             bonds[o + GROUND] = bond.ground;
-            sizes[k] = Math.min(size(bond.child), bond.parent < 0 ? Double.POSITIVE_INFINITY : size(bond.parent));
+            sizes[k] = smaller(bond.child, bond.parent);
+            sizes[k] = isCentral(k) ? Math.max(sizes[k], equations.ties[bond.tie].getSize()) : sizes[k];
             places.put(bond.child, k);
         }
     }

@@ -4,6 +4,7 @@ package sim.physics.constraint;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
@@ -20,12 +21,17 @@ final class TieLoops implements Serializable {
     /** Joints of a body, and products of blocks for each node in the mean, up to which elimination is worth it. */
     private static final int HUB = 32;
 
-    private static final int FILL = 24;
+    private static final int FILL = 400;
 
     /** Rows whose pivots, as if all masses were alike, are this part of their diagonal get half of what they ask for; and those of so many times the square of what joints are open. */
     private static final double DEPENDENT = 1e-3;
 
     private static final double TIMES = 10;
+
+    /** By what part of themselves rows yield where they have to, at first, and how many times as much in each further trial. */
+    private static final double SOFT = 0.01;
+
+    private static final double SOFTER = 10;
 
     /** By node: its bond, and the first one of its rows in that. */
     private final int[] bonds;
@@ -46,6 +52,9 @@ final class TieLoops implements Serializable {
     private BlockFactor even;
 
     private final boolean[] isAngle;
+
+    /** The part of their diagonal at which pivots are those of rows that get half; 0 if all is to be eliminated anew. */
+    private double dependent;
 
     /** By body: inverse masses, those of bodies of mass 1 and their size, and what the last solution has given them. */
     private final double[] masses;
@@ -68,7 +77,7 @@ final class TieLoops implements Serializable {
 
     private TieLoops(TieBonds those, int[] ids) {
         bodies = bodies(those, ids);
-        sizes = Arrays.stream(bodies).mapToDouble(those::size).toArray();
+        sizes = sizes(those, ids);
         int n = ids.length;
         int[] a = new int[n];
         int[] b = new int[n];
@@ -104,6 +113,21 @@ final class TieLoops implements Serializable {
         rows = new NodeRows(j, blocks(layout.a), blocks(layout.b), factor, layout.shared(bodies.length));
     }
 
+    /** Those of bodies, or of their shortest joints if these are longer: a disc among rods may go some way before these turn by much. */
+    private double[] sizes(TieBonds those, int[] ids) {
+        double[] least = new double[bodies.length];
+        Arrays.fill(least, Double.POSITIVE_INFINITY);
+        for (int k : ids) {
+            int child = Arrays.binarySearch(bodies, those.child(k));
+            int parent = Arrays.binarySearch(bodies, those.parent(k));
+            least[child] = Math.min(least[child], those.extent(k));
+            if (parent >= 0) {
+                least[parent] = Math.min(least[parent], those.extent(k));
+            }
+        }
+        return IntStream.range(0, bodies.length).mapToDouble(k -> Math.max(those.size(bodies[k]), least[k])).toArray();
+    }
+
     private static int[] bodies(TieBonds those, int[] ids) {
         IntList found = new IntList();
         for (int k : ids) {
@@ -126,24 +150,43 @@ final class TieLoops implements Serializable {
      * @param open how far joints are open at most, relative to their bodies
      */
     void factor(double[] d, double[] w, double open) {
+        double part = Math.max(DEPENDENT, TIMES * open * open);
+        if (!take(d, w) && part == dependent) {
+            return; // velocities were solved here, and places are next
+        }
+        dependent = part;
+        eliminate(null);
+        if (factor.pivots.isBeside()) {
+            judge();
+            eliminate(even.pivots);
+        }
+    }
+
+    /** Takes J and masses; returns whether they are others than those that were taken last. */
+    private boolean take(double[] d, double[] w) {
+        boolean areOthers = false;
         for (int p = 0; p < bonds.length; p++) {
             int o = TreeRows.STRIDE * bonds[p] + BLOCK * first[p];
-            System.arraycopy(d, o + TreeRows.CHILD, j, J * p, 2 * BLOCK);
-            System.arraycopy(d, o + TreeRows.PARENT, j, J * p + 2 * BLOCK, 2 * BLOCK);
+            int rows = first[p] > 0 ? BLOCK : 2 * BLOCK;
+            areOthers |= take(d, o + TreeRows.CHILD, j, J * p, rows);
+            areOthers |= take(d, o + TreeRows.PARENT, j, J * p + 2 * BLOCK, rows);
             if (first[p] > 0) {
-                Arrays.fill(j, J * p + BLOCK, J * p + 2 * BLOCK, 0);
-                Arrays.fill(j, J * p + 3 * BLOCK, J * (p + 1), 0);
                 factor.rest(p, j[J * p + 2] == 0); // a motor that slips, or has no part in places
             }
         }
         for (int k = 0; k < bodies.length; k++) {
-            System.arraycopy(w, bodies[k], masses, BLOCK * k, BLOCK);
+            areOthers |= take(w, bodies[k], masses, BLOCK * k, BLOCK);
         }
-        eliminate(null);
-        if (factor.pivots.isBeside()) {
-            judge(open);
-            eliminate(even.pivots);
+        return areOthers;
+    }
+
+    private static boolean take(double[] from, int at, double[] to, int first, int count) {
+        boolean areOthers = false;
+        for (int k = 0; k < count; k++) {
+            areOthers |= from[at + k] != to[first + k];
+            to[first + k] = from[at + k];
         }
+        return areOthers;
     }
 
     private void eliminate(Pivots shares) {
@@ -152,10 +195,21 @@ final class TieLoops implements Serializable {
         factor.factor(0, Pivots.NOISE, true);
     }
 
+    private void soften(double part) {
+        assemble(factor, masses);
+        double[] d = factor.diagonal();
+        for (int k = 0; k < d.length; k += 3) {
+            d[k] *= 1 + part;
+            d[k + 2] *= 1 + part;
+        }
+        factor.factor(0, Pivots.NOISE, true);
+        dependent = 0;
+    }
+
     /** Finds which rows depend on others, or nearly so, whatever the masses are. */
-    private void judge(double open) {
+    private void judge() {
         even = even == null ? new BlockFactor(factor.start, factor.row, factor.rows, isAngle) : even;
-        even.pivots.judge(Math.max(DEPENDENT, TIMES * open * open));
+        even.pivots.judge(dependent);
         assemble(even, alike);
         even.factor(0, Pivots.NOISE, true);
     }
@@ -185,6 +239,21 @@ final class TieLoops implements Serializable {
         }
         factor.solve(right);
         apply(d);
+    }
+
+    /**
+     * The same, but where rows would send bodies {@linkplain #isFar far}, they yield by a part of what they are pushed: beside a pose in which bodies go no
+     * farther, they ask for more than anything should get.
+     *
+     * @return whether they then send them less far
+     */
+    boolean solveNear(double[] d, double far, double h) {
+        solve(d);
+        for (double part = SOFT; part <= 1 && isFar(far, h); part *= SOFTER) {
+            soften(part);
+            solve(d);
+        }
+        return !isFar(far, h);
     }
 
     /** Takes note of impulses, and of what bodies get by them. */

@@ -223,8 +223,7 @@ public final class TieTrees implements Serializable {
             bonds.give(from(t), ends[t], impulse);
             return true;
         }
-        loops[t].solve(bonds.data());
-        if (loops[t].isFar(FAR, h)) {
+        if (!loops[t].solveNear(bonds.data(), FAR, h)) {
             pause(t);
             return false;
         }
@@ -344,7 +343,7 @@ public final class TieTrees implements Serializable {
                 }
             } else if (isOpen[t]) {
                 set(t, isAsked[t] && isCalm);
-            } else if (isCalm) {
+            } else if (isCalm && !areTooMany[t]) {
                 set(t, widest >= AJAR || isOff(t, OPEN, impulse, h));
             }
         }
