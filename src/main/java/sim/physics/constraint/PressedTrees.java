@@ -211,16 +211,15 @@ public final class PressedTrees implements Serializable {
      */
     public boolean solve(int tree, double h) {
         loops[tree].factor(bonds.data(), state.w().values(), open);
-        loops[tree].solve(bonds.data());
-        return isNear(tree, h);
+        return solveNear(tree, h);
     }
 
-    private boolean isNear(int tree, double h) {
-        boolean isFar = loops[tree].isFar(FAR, h);
-        if (isFar) {
+    private boolean solveNear(int tree, double h) {
+        boolean isNear = loops[tree].solveNear(bonds.data(), FAR, h);
+        if (!isNear) {
             trees.pause(tree);
         }
-        return !isFar;
+        return isNear;
     }
 
     /**
@@ -235,8 +234,7 @@ public final class PressedTrees implements Serializable {
 
     /** Brings bodies where joints wanted them, along with what touches them; see {@link TieTrees#straighten}. */
     boolean close(int tree, double h, boolean[] marks) {
-        loops[tree].solve(bonds.data());
-        boolean isNear = isNear(tree, h);
+        boolean isNear = solveNear(tree, h);
         if (isNear) {
             give(tree);
             loops[tree].move(state.x(), h, marks);

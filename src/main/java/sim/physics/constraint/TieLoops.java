@@ -230,8 +230,7 @@ final class TieLoops implements Serializable {
         apply(d);
     }
 
-    /** Finds what the bodies are to get, so that rows have what they ask for. */
-    void solve(double[] d) {
+    private void solve(double[] d) {
         for (int p = 0; p < bonds.length; p++) {
             int o = TreeRows.STRIDE * bonds[p] + TreeRows.ASKED + first[p];
             right[2 * p] = factor.rows(p) > 0 ? d[o] : 0;
@@ -242,10 +241,11 @@ final class TieLoops implements Serializable {
     }
 
     /**
-     * The same, but where rows would send bodies {@linkplain #isFar far}, they yield by a part of what they are pushed: beside a pose in which bodies go no
-     * farther, they ask for more than anything should get.
+     * Finds what the bodies are to get, so that rows have what they ask for. Where they would go far by that, rows yield by a part of what they are pushed: beside
+     * a pose in which bodies go no farther, they ask for more than anything should get.
      *
-     * @return whether they then send them less far
+     * @param far parts of their sizes that bodies may go in a substep, if they go by what they get, and angles that they may turn
+     * @return whether they then go less far
      */
     boolean solveNear(double[] d, double far, double h) {
         solve(d);
@@ -267,8 +267,7 @@ final class TieLoops implements Serializable {
         rows.apply(masses, right, change);
     }
 
-    /** Whether the bodies would move by more than a part of their sizes, or turn by as much, if they moved by what they are to get. */
-    boolean isFar(double part, double h) {
+    private boolean isFar(double part, double h) {
         boolean yes = false;
         for (int k = 0; k < bodies.length && !yes; k++) {
             double most = part * sizes[k] / h;
