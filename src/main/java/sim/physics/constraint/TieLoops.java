@@ -23,6 +23,9 @@ final class TieLoops implements Serializable {
 
     private static final int FILL = 400;
 
+    /** The same where contacts come and go, and with them the order: joints that brace one another so often tremble under what they bear. */
+    private static final int FEW = 24;
+
     /** Rows whose pivots, as if all masses were alike, are this part of their diagonal get half of what they ask for; and those of so many times the square of what joints are open. */
     private static final double DEPENDENT = 1e-3;
 
@@ -72,7 +75,16 @@ final class TieLoops implements Serializable {
             most = bonds.parent(k) < 0 ? most : Math.max(most, ++around[Arrays.binarySearch(bodies, bonds.parent(k))]);
         }
         TieLoops loops = most > HUB ? null : new TieLoops(bonds, those);
-        return loops == null || loops.factor.work() > (long) FILL * loops.bonds.length ? null : loops;
+        return loops == null || !loops.takes(FILL) ? null : loops;
+    }
+
+    /** Whether there are so few loops that these may be solved with contacts. */
+    boolean areFew() {
+        return takes(FEW);
+    }
+
+    private boolean takes(int most) {
+        return factor.work() <= (long) most * bonds.length;
     }
 
     private TieLoops(TieBonds those, int[] ids) {

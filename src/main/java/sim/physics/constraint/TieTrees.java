@@ -209,6 +209,10 @@ public final class TieTrees implements Serializable {
         return !areTooMany[t];
     }
 
+    private boolean canPress(int t) {
+        return !haveLoops[t] || canOpen(t) && loops[t].areFew();
+    }
+
     private void factor(int t, double open) {
         if (haveLoops[t]) {
             loops[t].factor(bonds.data(), state.w().values(), open);
@@ -337,7 +341,7 @@ public final class TieTrees implements Serializable {
             waits[t] = Math.max(0, waits[t] - 1);
             if (isTouched[t]) {
                 boolean isHeavy = isStructure[t] && isCalm && (isPressed[t] || widest > SAGGING) && bears(t, HEAVY, impulse, h);
-                isSagging[t] = isHeavy && !isPressed[t];
+                isSagging[t] = isHeavy && !isPressed[t] && canPress(t);
                 if (isOpen[t] && !(isHeavy && isAsked[t])) {
                     shut(t);
                 }
