@@ -56,6 +56,10 @@ final class TieEquations implements Serializable {
 
     double[] j = {};
     double[] c = {};
+
+    /** J where the substep began. */
+    private double[] before = {};
+
     /** What the turning of the bodies alone adds to a row's speed in half a substep. */
     double[] bend = {};
     /** The inverse of J W Jᵀ, 3 × 3. */
@@ -111,6 +115,7 @@ final class TieEquations implements Serializable {
             blocks[2 * k + 1] = tie.getBodyB() == null ? -1 : BLOCK * tie.getBodyB().index();
         }
         j = new double[J * n];
+        before = new double[J * n];
         c = new double[ROWS * n];
         bend = new double[ROWS * n];
         inverse = new double[ROWS * ROWS * n];
@@ -305,22 +310,31 @@ final class TieEquations implements Serializable {
         push(k, row, by);
     }
 
-    /** Evaluates all of them where the bodies have moved to in a substep; half of what they began with follows. */
+    /**
+     * Evaluates all of them where the bodies have moved to in a substep; half of what they began with follows. It is taken off its old directions after that: without
+     * it, what bears much has velocities that nothing has, and would bend its ways by their squares.
+     */
     void follow(double h) {
         for (int k = 0; k < awake; k++) {
-            if (gears[k] != null) {
-                continue; // whose J does not change
-            }
-            double part = traced(k, h);
+            double part = 0.5 * traced(k, h);
             for (int r = 0; r < rows[k]; r++) {
-                started[ROWS * k + r] *= 0.5 * part;
-                push(k, r, -started[ROWS * k + r]);
+                started[ROWS * k + r] *= part;
             }
         }
+        System.arraycopy(j, 0, before, 0, J * awake);
         evaluate(false, h, null);
+        turn(-1);
+        turn(1);
+    }
+
+    /** Exchanges J of before and of now, and gives the bodies so many times what they began with along it. */
+    private void turn(int times) {
+        double[] other = j;
+        j = before;
+        before = other;
         for (int k = 0; k < awake; k++) {
-            for (int r = 0; gears[k] == null && r < rows[k]; r++) {
-                push(k, r, started[ROWS * k + r]);
+            for (int r = 0; gears[k] == null && r < rows[k]; r++) { // of gears, J does not change
+                push(k, r, times * started[ROWS * k + r]);
             }
         }
     }
