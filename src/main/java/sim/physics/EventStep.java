@@ -165,6 +165,7 @@ final class EventStep implements Serializable {
         events = 0;
         trajectories.begin(number, length);
         detection.begin(number, length);
+        detection.part();
         motion.begin(now);
     }
 

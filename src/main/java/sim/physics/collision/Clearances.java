@@ -7,6 +7,7 @@ import java.util.Arrays;
 import sim.physics.collision.broad.Pairs;
 import sim.physics.collision.narrow.NarrowPhase;
 import sim.physics.internal.Growth;
+import sim.physics.internal.Tolerances;
 import sim.physics.motion.Trajectories;
 
 /**
@@ -76,6 +77,13 @@ final class Clearances implements Serializable {
     /** Whether a body has been on its course since the step began, so that it says how far the body goes in all of it. */
     private boolean hasOneCourse(int body) {
         return trajectories.duration(body, trajectories.h()) >= trajectories.h();
+    }
+
+    /** Whether a pair is apart by more than rounding where the step begins. */
+    boolean isApart(int pair) {
+        double size = Math.min(trajectories.radius(pairs.first(pair)), trajectories.radius(pairs.second(pair)));
+        double gap = narrowPhase.gap(pair, 0);
+        return gap > Math.max(narrowPhase.roundingOfGap(), Tolerances.OVERLAP * size);
     }
 
     /** Takes note that a pair is a distance apart at some instant of the step; NaN if that is not known. */

@@ -50,6 +50,9 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     private final PairMarks marks;
     private final IntList together = new IntList();
 
+    /** Pairs that were let pass, and are so no more since the step began. */
+    private final IntList parted = new IntList();
+
     /** Bodies whose pairs are looked at together, while the step begins. */
     private final IntList gathered = new IntList();
 
@@ -162,10 +165,27 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         marks.clearances().begin();
     }
 
+    /** Ends the passing of pairs that are apart where the step begins. */
+    public void part() {
+        parted.clear();
+        marks.part(parted);
+        for (int k = 0; k < parted.size; k++) {
+            filter(parted.values[k]);
+        }
+    }
+
+    private void filter(int pair) {
+        marks.filter(pair, filter.forbids(state, pairs.first(pair), pairs.second(pair)));
+        attend(pair);
+    }
+
     /** Looks at the bodies that leave their boxes in the step that has begun, and at the pairs that may touch in it. */
     public void look() {
         watch.clearList();
         enclosures.renew(step, h);
+        for (int k = 0; k < parted.size; k++) {
+            watch.list(parted.values[k]);
+        }
         watch.look();
     }
 
@@ -310,17 +330,12 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
             if (isPut && marks.passes(p) && narrowPhase().gap(p, tau) > 0) {
                 marks.endPassing(p);
             }
-            marks.filter(p, filter.forbids(state, pairs.first(p), pairs.second(p)));
-            attend(p);
+            filter(p);
         }
         return wasAloof && !notes.has(body, BodyNotes.ALOOF);
     }
 
-    /**
-     * What is known of pairs: whether they are let pass, rest on one another, or lie on one another.
-     *
-     * @return live
-     */
+    /** {@return what is known of pairs: whether they are let pass, rest on one another, or lie on one another; live} */
     public PairMarks marks() {
         return marks;
     }
@@ -358,10 +373,9 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
     }
 
     /**
-     * Whether a body has been taken in.
+     * {@return whether a body has been taken in} It is from add to remove.
      *
      * @param body index
-     * @return true from add to remove
      */
     public boolean knows(int body) {
         return notes.knows(body);
@@ -416,11 +430,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         return notes.areAll(BodyNotes.ALOOF, bodies);
     }
 
-    /**
-     * Whether there is an event left in the present step.
-     *
-     * @return true if there is an impact or the end of a path
-     */
+    /** {@return whether there is an event left in the present step: an impact or the end of a path} */
     public boolean hasEvent() {
         return queue.hasNext();
     }
@@ -441,20 +451,12 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         return ~item;
     }
 
-    /**
-     * When the path ended that {@link #takePathEnd()} took.
-     *
-     * @return offset in the present step
-     */
+    /** {@return when the path ended that {@link #takePathEnd()} took, offset in the present step} */
     public double pathEnd() {
         return pathEnd;
     }
 
-    /**
-     * When the next event is.
-     *
-     * @return offset in the present step
-     */
+    /** {@return when the next event is, offset in the present step} */
     public double nextTime() {
         return queue.firstTime();
     }

@@ -5,6 +5,7 @@ package sim.physics.collision;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.collision.broad.Pairs;
+import sim.physics.internal.IntList;
 
 /** What is known of pairs beside their closest features: which are let pass, rest on one another, or lie in a heap. */
 public final class PairMarks implements Serializable {
@@ -28,6 +29,9 @@ public final class PairMarks implements Serializable {
 
     /** Pairs that go on as if nothing were there, whatever the filter says; empty while none ever did. */
     private boolean[] passing = {};
+
+    /** The numbers of these pairs, ascending. */
+    private final IntList passed = new IntList();
 
     private final Clearances clearances;
 
@@ -53,8 +57,8 @@ public final class PairMarks implements Serializable {
         if (pair < sticky.length) {
             sticky[pair] = false;
         }
-        if (pair < passing.length) {
-            passing[pair] = false;
+        if (passes(pair)) {
+            endPassing(pair);
         }
     }
 
@@ -93,7 +97,7 @@ public final class PairMarks implements Serializable {
     }
 
     /**
-     * Lets a pair pass through one another until their boxes are apart, or they are put where they are apart themselves.
+     * Lets a pair pass through one another until they are apart where a step begins, or where they are put.
      *
      * @param pair its number
      */
@@ -101,8 +105,31 @@ public final class PairMarks implements Serializable {
         if (pair >= passing.length) {
             passing = Arrays.copyOf(passing, Math.max(2 * passing.length, pair + 1));
         }
+        if (!passing[pair]) {
+            passed.insert(pair);
+        }
         passing[pair] = true;
         mark(pair, IGNORED, true);
+    }
+
+    /**
+     * Ends the passing of pairs that are apart where the step begins, however near one another they still are.
+     *
+     * @param parted takes their numbers
+     */
+    void part(IntList parted) {
+        int count = 0;
+        for (int k = 0; k < passed.size; k++) {
+            int pair = passed.values[k];
+            boolean isThere = pairs.first(pair) >= 0;
+            passing[pair] = isThere && !clearances.isApart(pair);
+            if (passing[pair]) {
+                passed.values[count++] = pair;
+            } else if (isThere) {
+                parted.add(pair);
+            }
+        }
+        passed.size = count;
     }
 
     boolean passes(int pair) {
@@ -111,6 +138,7 @@ public final class PairMarks implements Serializable {
 
     void endPassing(int pair) {
         passing[pair] = false;
+        passed.takeOut(pair);
     }
 
     /** Takes note of what the filter says of a pair now. */

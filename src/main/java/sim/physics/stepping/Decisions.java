@@ -35,6 +35,12 @@ public final class Decisions implements Serializable {
     /** Null until the first step; they are no part of what is saved. */
     private transient List<Contact> questions;
 
+    /** Of which pairs a listener has given a body another shape, so that they begin anew, and what it has answered: until the step has begun anew. */
+    private transient List<Contact> forgotten;
+
+    private final IntList answers = new IntList();
+    private boolean isAnswered;
+
     /** Pairs that touch only if a third body strikes one of the two; those that one may reach, and whether these are being looked at. */
     private final ThirdParties thirds;
 
@@ -90,8 +96,14 @@ public final class Decisions implements Serializable {
         asked.clear();
         if (questions == null) {
             questions = new ArrayList<>();
+            forgotten = new ArrayList<>();
         }
         questions.clear();
+        if (!isAnswered) {
+            forgotten.clear();
+            answers.clear();
+        }
+        isAnswered = false;
         isReached = false;
         thirds.begin();
     }
@@ -162,6 +174,30 @@ public final class Decisions implements Serializable {
                 int sticky = decision == CollisionListener.Decision.STICK ? NearPairs.STICKY : 0;
                 int ignored = decision == CollisionListener.Decision.IGNORE ? NearPairs.IGNORED : 0;
                 near.flags[pair] |= NearPairs.DECIDED | sticky | ignored;
+            }
+        }
+        for (int k = 0; k < asked.size; k++) {
+            Contact contact = questions.get(k);
+            if (isStill(asked.values[k], contact) && (isReshaped(contact.a()) || isReshaped(contact.b()))) {
+                forgotten.add(contact); // it is another pair when the step begins anew
+                answers.add(near.flags[asked.values[k]] & (NearPairs.DECIDED | NearPairs.STICKY | NearPairs.IGNORED));
+            }
+        }
+        isAnswered = true;
+    }
+
+    private boolean isReshaped(Body body) {
+        return state.isTouched(body.index()) && state.touched().isReshaped(body.index());
+    }
+
+    /** Gives a pair the answer about its bodies, if one of them was given another shape when listeners were asked. */
+    void recall(int pair) {
+        for (int k = 0; k < answers.size; k++) {
+            Body a = forgotten.get(k).a();
+            Body first = state.body(near.pairs().first(pair));
+            Body second = state.body(near.pairs().second(pair));
+            if (first == a && second == forgotten.get(k).b() || second == a && first == forgotten.get(k).b()) {
+                near.flags[pair] |= answers.values[k];
             }
         }
     }

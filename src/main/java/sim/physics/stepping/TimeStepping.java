@@ -294,6 +294,7 @@ public final class TimeStepping implements Serializable {
             }
             return;
         }
+        decisions.recall(pair);
         if (near.is(pair, NearPairs.IGNORED) || sleep.wakes(first, second)) {
             return; // if a body wakes, the step begins anew
         }

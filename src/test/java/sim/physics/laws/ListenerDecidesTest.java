@@ -108,6 +108,21 @@ class ListenerDecidesTest {
 
     @ParameterizedTest
     @CsvSource({"0, false", "0, true", "4, false", "4, true"})
+    void whatItGivesAnotherShapeCollides(int substeps, boolean isFlat) {
+        collide(substeps, isFlat, CollisionListener.Decision.BOUNCE, (a, b) -> b.setShape(isFlat ? new Rectangle(1, 1) : new Circle(0.5)));
+        assertVelocities(0, 2);
+        assertThat(sets.told).isEqualTo(1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, BOUNCE, 0", "4, BOUNCE, 0", "0, STICK, 1", "4, STICK, 1", "4, IGNORE, 2"})
+    void whatIsAnsweredCountsWhateverShapeIsGiven(int substeps, CollisionListener.Decision decision, double speed) {
+        collide(substeps, false, decision, (a, b) -> a.setShape(new Circle(0.5)));
+        assertVelocities(speed, 2 - speed);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, false", "0, true", "4, false", "4, true"})
     void whatItPutsElsewhereIsThere(int substeps, boolean isFlat) {
         collide(substeps, isFlat, CollisionListener.Decision.BOUNCE, (a, b) -> a.setPosition(0, 5));
         assertVelocities(2, 0);
