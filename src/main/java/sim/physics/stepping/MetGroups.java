@@ -27,6 +27,9 @@ final class MetGroups implements Serializable {
 
     boolean[] giveBack = {};
 
+    /** Whether it is mirrored by {@link Reflections}, and not solved otherwise. */
+    boolean[] areReflected = {};
+
     /** Whether joints or springs tie bodies, and whether joints do. */
     boolean[] areTied = {};
 
@@ -54,6 +57,7 @@ final class MetGroups implements Serializable {
             counts = new int[n];
             parts = new int[n];
             giveBack = new boolean[n];
+            areReflected = new boolean[n];
             areTied = new boolean[n];
             areJoined = new boolean[n];
             sizes = new int[n];
