@@ -296,7 +296,7 @@ final class FreeImpacts implements Serializable {
         double time = Math.min(h, Math.min(meets(first), meets(second)));
         boolean isMet = isAt(first, time) && isAt(second, time);
         boolean touches = Impacts.touches(rows, row, p, step);
-        if (!touches && rows.points[p + BEFORE] + time * rows.points[p + OPENING] > (h - time) * approach) {
+        if (!touches && !rows.turns.areFollowed(row) || !touches && rows.points[p + BEFORE] + time * rows.points[p + OPENING] > (h - time) * approach) {
             return false;
         }
         if (!isMet && !(waits(first, time) && waits(second, time))) {

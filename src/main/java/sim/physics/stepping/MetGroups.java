@@ -16,6 +16,9 @@ final class MetGroups implements Serializable {
     /** Times as fast as forces make it in a step is what bounces in spite of them. */
     private static final double SLOW = 4;
 
+    /** Points of a group up to which what bears it is solved with what strikes. */
+    private static final int MANY = 64;
+
     private final ContactRows rows;
     private final Groups groups;
 
@@ -128,6 +131,11 @@ final class MetGroups implements Serializable {
                 turns.close(g);
             }
         }
+    }
+
+    /** Whether a group may be mirrored with what bears it: a small one without joints that something strikes much faster than forces make it. */
+    boolean mayBeSupported(int group) {
+        return counts[group] > 0 && !areTied[group] && !groups.areFree[group] && !groups.areRubbed() && sizes[group] <= MANY && !isLoaded(group);
     }
 
     /** Whether there are many points in a group, and nothing gives anything back that meets in it. */

@@ -72,7 +72,7 @@ final class Retake implements Serializable {
         free = new FreeImpacts(state, rows, groups, grounds, contacts, flights);
         MetGroups facts = new MetGroups(rows, groups);
         impacts = new Impacts(state, rows, groups, facts, free, flights);
-        reflections = new Reflections(state, rows, groups, free, facts);
+        reflections = new Reflections(state, rows, groups, free, facts, contacts);
         belts = new Belts(state, poses);
         crush = new Crush(state, poses);
     }
@@ -233,7 +233,7 @@ final class Retake implements Serializable {
         }
         bounced.bound(balance, mean, h);
         free.begin(balance, mean, step, h);
-        reflections.find(step);
+        reflections.find(step, h, balance);
         impacts.dropMissed();
         boolean[] marks = balance.marks();
         impacts.mark(marks, true);
@@ -264,6 +264,7 @@ final class Retake implements Serializable {
         ties.putBack(marks, bounced.shares());
         bounced.forget(null);
         free.end(balance, mean);
+        reflections.move(balance, mean, h);
         if (groups.areRubbed()) {
             rub(h);
         }
