@@ -245,7 +245,9 @@ final class Retake implements Serializable {
         compress(isDriven);
         bounced.begin(rows);
         contacts.note();
+        grounds.note();
         reflections.reflect(balance, mean);
+        grounds.putBack();
         impacts.restore(turns);
         stops.restore();
         boolean goesOn = true;

@@ -3,7 +3,6 @@
 package sim.physics.stepping;
 
 import static sim.physics.stepping.ContactRows.BOUNCE;
-import static sim.physics.stepping.ContactRows.COUPLING;
 import static sim.physics.stepping.ContactRows.FORCED;
 import static sim.physics.stepping.ContactRows.FRICTION;
 import static sim.physics.stepping.ContactRows.INTS;
@@ -21,7 +20,6 @@ import static sim.physics.stepping.ContactRows.WEIGHT;
 
 import java.io.Serializable;
 import java.util.Arrays;
-import sim.physics.internal.CoulombImpulse;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.OpenGroups;
@@ -45,7 +43,6 @@ final class Wave implements Serializable {
     private final ContactRows rows;
     private final Groups groups;
     private final StruckPoints struck;
-    private final CoulombImpulse law = new CoulombImpulse();
 
     /** The points of the round: row and first value of each, the speed at which it approaches, and how much it may rub, and has, as it gives back. */
     private final IntList points = new IntList();
@@ -95,7 +92,7 @@ final class Wave implements Serializable {
             approaches = Arrays.copyOf(approaches, Growth.length(approaches.length, n / 2 + 1));
             limits = new double[2 * approaches.length];
         }
-        approaches[n / 2] = approach;
+        approaches[n / 2] = Math.max(0, approach);
         points.add(k);
         points.add(p);
         shared[rows.first(k)]++;
@@ -115,7 +112,7 @@ final class Wave implements Serializable {
         }
         boolean goesOn = true;
         for (int turn = 0; goesOn && turn < TURNS; turn++) {
-            compress(turn == 0);
+            compress();
             goesOn = turns.goOn();
         }
         restore();
@@ -126,8 +123,8 @@ final class Wave implements Serializable {
         }
     }
 
-    /** Takes what is left of the approaches once more in turn; what is alone is solved for good in the first one. */
-    private void compress(boolean isFirst) {
+    /** Takes what is left of the approaches once more in turn; what rubs alone parts. */
+    private void compress() {
         for (int m = 0; m < points.size; m += 2) {
             int k = points.values[m];
             int p = points.values[m + 1];
@@ -135,13 +132,12 @@ final class Wave implements Serializable {
             if (!turns.isOpen(group)) {
                 continue;
             }
-            boolean rubs = rows.normals[PAIR * k + FRICTION] > 0;
-            if (!rubs) {
+            if (rows.normals[PAIR * k + FRICTION] > 0) {
+                boolean isAlone = isAlone(k);
+                double opening = isAlone ? restitution(k, p, approaches[m / 2]) * approaches[m / 2] : 0;
+                turns.change(group, struck.solve(k, p, 0, opening, 1, isAlone) > SETTLED);
+            } else {
                 turns.change(group, compress(k, p));
-            } else if (!isAlone(k)) {
-                turns.change(group, struck.solve(k, p, 0, 0, 1, false) > SETTLED);
-            } else if (isFirst) {
-                bounce(k, p, restitution(k, p, approaches[m / 2]));
             }
         }
     }
@@ -161,18 +157,6 @@ final class Wave implements Serializable {
 
     private boolean isOnly(int body) {
         return shared[body] == 1 || !groups.isMovable(body);
-    }
-
-    /** Lets a point that is alone part. */
-    private void bounce(int k, int p, double restitution) {
-        double kn = 1 / rows.points[p + NORMAL_MASS];
-        double kt = 1 / rows.points[p + TANGENT_MASS];
-        double knt = rows.points[p + COUPLING];
-        double opening = rows.opening(k, p, state.v());
-        double slide = rows.slip(k, p, state.v());
-        law.solve(kn, kt, knt, -(1 + restitution) * opening, slide, rows.normals[PAIR * k + FRICTION]);
-        law.limit(kn, kt, knt, opening, slide, 0);
-        give(k, p, law.normal, law.tangent);
     }
 
     private void give(int k, int p, double normal, double tangent) {
