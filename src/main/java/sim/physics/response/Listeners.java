@@ -9,6 +9,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 import sim.physics.collision.CollisionFilter;
+import sim.physics.internal.Length;
 import sim.physics.motion.Glance;
 import sim.physics.motion.State;
 import sim.physics.motion.Trajectories;
@@ -183,7 +184,7 @@ final class Listeners implements Serializable {
     }
 
     private void tellNow(int a, int b, Impact impact, double approach) {
-        Contact contact = contact(a, b, impact, approach, Math.sqrt(impact.jn * impact.jn + impact.jt * impact.jt));
+        Contact contact = contact(a, b, impact, approach, Length.of(impact.jn, impact.jt));
         state.setGlance(glance);
         try {
             tell(contact);

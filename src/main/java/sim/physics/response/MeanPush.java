@@ -3,6 +3,7 @@
 package sim.physics.response;
 
 import java.io.Serializable;
+import sim.physics.internal.Length;
 
 /** What a contact did in a time in which its normal turned, as if that had been one normal. */
 public final class MeanPush implements Serializable {
@@ -44,7 +45,7 @@ public final class MeanPush implements Serializable {
             findAlone(moreX, moreY);
             return;
         }
-        if ((moreX != 0 || moreY != 0) && sum > 0) {
+        if ((moreX != 0 || moreY != 0) && sum > Length.TINY) { // else squares are none
             double x = sum * nx - rubbed * ny + moreX;
             double y = sum * ny + rubbed * nx + moreY;
             double all = Math.sqrt(x * x + y * y);

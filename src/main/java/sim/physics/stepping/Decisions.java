@@ -6,6 +6,7 @@ import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.List;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Length;
 import sim.physics.motion.Body;
 import sim.physics.motion.State;
 import sim.physics.response.CollisionListener;
@@ -144,7 +145,7 @@ public final class Decisions implements Serializable {
             y = 0.5 * (y + rows.armY(row, 1));
         }
         findMean(rows, row);
-        double impulse = Math.sqrt(mean.normal * mean.normal + mean.tangential * mean.tangential);
+        double impulse = Length.of(mean.normal, mean.tangential);
         return new Contact(
                 state.body(rows.first(row)), state.body(rows.second(row)), time,
                 state.x()[b] + x, state.x()[b + 1] + y, mean.nx, mean.ny, Math.max(0, approach(row)), impulse);

@@ -44,6 +44,9 @@ final class FreeImpacts implements Serializable {
 
     private double[] velocities = {};
 
+    /** By body: whether it is taken back to its impact: on a plane that rubs, only what others have pressed. */
+    private boolean[] areTakenBack = {};
+
     private final IntList goneOn = new IntList();
 
     private double h;
@@ -83,14 +86,13 @@ final class FreeImpacts implements Serializable {
     void begin(Balance before, double[] a, double step, double substep) {
         h = substep;
         find(step);
+        mark();
         grounds.note();
         meet(before, a, step);
         grounds.putBack();
         for (int k = 0; k < groups.bodies; k++) {
-            int b = groups.blocks[k];
-            for (int o = b; isOfOne(b) && o < b + State.BLOCK; o++) {
-                velocities[o] = before.speeds()[o] - (h - time(b)) * (a[o] - lift(b, o, a));
-                state.v()[o] = velocities[o];
+            if (isOfOne(groups.blocks[k])) {
+                takeBack(groups.blocks[k], before, a);
             }
         }
         for (int n = 0; n < groups.struck.size; n++) {
@@ -101,6 +103,39 @@ final class FreeImpacts implements Serializable {
         }
     }
 
+    /** Gives a body the velocity that it has when it meets another one. */
+    private void takeBack(int b, Balance before, double[] a) {
+        for (int o = b; o < b + State.BLOCK; o++) {
+            velocities[o] = before.speeds()[o] - (h - time(b)) * (a[o] - lift(b, o, a));
+            state.v()[o] = velocities[o];
+        }
+    }
+
+    /** Marks the bodies that are taken back. */
+    private void mark() {
+        Arrays.fill(areTakenBack, 0, state.size(), false);
+        for (int k = 0; k < groups.bodies; k++) {
+            int b = groups.blocks[k];
+            areTakenBack[b / State.BLOCK] = !groups.areRubbed() && areFree[groups.slots[b / State.BLOCK]];
+        }
+        for (int n = 0; groups.areRubbed() && n < groups.struck.size; n++) {
+            int row = groups.struck.values[n];
+            boolean isPushed = false;
+            for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
+                isPushed |= rows.points[p + RESTORED] > 0 || rows.points[p + NORMAL] > 0;
+            }
+            if (isPushed && has(row)) {
+                areTakenBack[rows.first(row)] = true;
+                areTakenBack[rows.second(row)] = true;
+            }
+        }
+    }
+
+    /** {@return by body of the groups: whether it has been taken back} */
+    boolean[] areTakenBack() {
+        return areTakenBack;
+    }
+
     private void find(double step) {
         if (areFree.length < groups.count) {
             areFree = new boolean[groups.slots.length];
@@ -108,6 +143,7 @@ final class FreeImpacts implements Serializable {
         if (velocities.length < state.v().length) {
             meets = new double[state.v().length / State.BLOCK];
             velocities = new double[state.v().length];
+            areTakenBack = new boolean[meets.length];
         }
         Arrays.fill(areFree, 0, groups.count, false);
         for (int n = 0; n < groups.struck.size; n++) {
@@ -123,7 +159,7 @@ final class FreeImpacts implements Serializable {
                 boolean regains = rows.points[p + BEFORE] < -closed && h * rows.points[p + OPENING] > -closed;
                 boolean isDeep = regains && rows.normals[ContactRows.PAIR * row + ContactRows.BOUNCE] < 1; // what is elastic does not stay there
                 boolean comes = rows.isNew(row) || rows.mayBounce(row) && flights.comes(row, p, step);
-                boolean isBounce = rows.points[p + RESTORED] > 0 && comes && !isDeep;
+                boolean isBounce = Impacts.touches(rows, row, p, step) && comes && !isDeep;
                 areFree[groups.of(row, rows)] &= isBounce || rows.points[p + NORMAL] == 0;
             }
         }
@@ -156,7 +192,10 @@ final class FreeImpacts implements Serializable {
         for (int n = 0; n < groups.struck.size; n++) {
             int row = groups.struck.values[n];
             if (has(row) && links(row, step)) {
-                double time = Math.min(h, Math.min(meets(rows.first(row)), meets(rows.second(row))));
+                double first = Math.min(meets(rows.first(row)), meets(rows.second(row)));
+                double time = Math.min(h, first);
+                areTakenBack[rows.first(row)] |= first <= h;
+                areTakenBack[rows.second(row)] |= first <= h;
                 fly(rows.first(row), time, before, a);
                 fly(rows.second(row), time, before, a);
                 follow(row);
@@ -230,7 +269,7 @@ final class FreeImpacts implements Serializable {
     /** Puts a body where it is at a time of the substep if it has met nobody. */
     private void fly(int body, double time, Balance before, double[] a) {
         int b = State.BLOCK * body;
-        for (int o = b; (groups.isMovable(body) || grounds.has(body)) && o < b + State.BLOCK; o++) {
+        for (int o = b; (groups.isMovable(body) ? areTakenBack[body] : grounds.has(body)) && o < b + State.BLOCK; o++) {
             state.x()[o] = before.places()[o] + time * (before.speeds()[o] - (h - 0.5 * time) * a[o]);
         }
     }
@@ -242,6 +281,63 @@ final class FreeImpacts implements Serializable {
             rows.points[p + RUBBING] = 0;
         }
         contacts.follow(row);
+    }
+
+    /**
+     * Whether two that approach have an impact now: they touch, or a wave drives them together before the substep is over. They have it when it has come
+     * to them, both at one time.
+     *
+     * @param step the step
+     * @param approach the speed at which they come nearer now
+     */
+    boolean meet(int row, int p, double step, double approach, Balance before, double[] a) {
+        int first = rows.first(row);
+        int second = rows.second(row);
+        double time = Math.min(h, Math.min(meets(first), meets(second)));
+        boolean isMet = isAt(first, time) && isAt(second, time);
+        boolean touches = Impacts.touches(rows, row, p, step);
+        if (!touches && !rows.turns.areFollowed(row) || !touches && rows.points[p + BEFORE] + time * rows.points[p + OPENING] > (h - time) * approach) {
+            return false;
+        }
+        if (!isMet && !(waits(first, time) && waits(second, time))) {
+            return false;
+        }
+        if (!isMet || !hasMet(row)) {
+            hold(first, time, before, a);
+            hold(second, time, before, a);
+            follow(row);
+        }
+        boolean closes = touches || rows.points[p + NOW] <= (h - time) * approach;
+        rows.points[p + RESTORED] = closes ? Math.max(Impacts.PLASTIC, rows.points[p + RESTORED]) : rows.points[p + RESTORED];
+        return closes;
+    }
+
+    /** Whether a pair has part in an impact already. */
+    private boolean hasMet(int row) {
+        boolean yes = false;
+        for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
+            yes |= rows.points[p + RESTORED] > 0;
+        }
+        return yes;
+    }
+
+    private boolean isAt(int body, double time) {
+        return !groups.isMovable(body) || meets[body] == time;
+    }
+
+    /** Whether a body has not had an impact at another time. */
+    private boolean waits(int body, double time) {
+        return isAt(body, time) || meets[body] == Double.POSITIVE_INFINITY;
+    }
+
+    /** Lets a body have its impact at a time, if it has none yet. */
+    private void hold(int body, double time, Balance before, double[] a) {
+        if (!isAt(body, time)) {
+            meets[body] = time;
+            areTakenBack[body] = true;
+            takeBack(State.BLOCK * body, before, a);
+        }
+        fly(body, Math.min(h, meets(body)), before, a);
     }
 
     /** Lets the bodies go on from where they have met. */
@@ -326,7 +422,7 @@ final class FreeImpacts implements Serializable {
     }
 
     private boolean isOfOne(int block) {
-        return areFree[groups.slots[block / State.BLOCK]];
+        return areTakenBack[block / State.BLOCK];
     }
 
     private double time(int block) {

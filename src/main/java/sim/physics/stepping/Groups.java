@@ -276,13 +276,10 @@ final class Groups implements Serializable {
         return rubs;
     }
 
-    /** Clears what is said of the groups with joints and springs, and of all if friction with the plane acts. */
+    /** Clears what is said of the groups with joints and springs. */
     void clearTied(boolean[] those) {
         for (int k = 0; k < tied.size; k++) {
             those[slots[tied.values[k]]] = false;
-        }
-        if (rubs) {
-            Arrays.fill(those, 0, count, false);
         }
     }
 

@@ -82,11 +82,11 @@ final class Impacts implements Serializable {
     /** By body: the number of pairs in which it presses. */
     private int[] touched = {};
 
-    Impacts(State state, ContactRows rows, Groups groups, FreeImpacts free, Flights flights) {
+    Impacts(State state, ContactRows rows, Groups groups, MetGroups facts, FreeImpacts free, Flights flights) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
-        facts = new MetGroups(rows, groups);
+        this.facts = facts;
         struck = new StruckPoints(state, rows);
         compression = new Compression(state, rows, groups, struck);
         this.free = free;
@@ -236,14 +236,14 @@ final class Impacts implements Serializable {
         }
     }
 
-    /** Forgets the points that have not met where their bodies fly freely. */
+    /** Forgets the points that have not met where their bodies fly freely, and leaves those to {@link Reflections} that are theirs. */
     void dropMissed() {
         int kept = 0;
         for (int m = 0; m < met.size; m += 2) {
             int k = met.values[m];
             int p = met.values[m + 1];
             rows.pairs[INTS * k + BOUNCED] |= rows.points[p + RESTORED] > PLASTIC ? 1 : 0;
-            if (rows.points[p + RESTORED] > 0) {
+            if (rows.points[p + RESTORED] > 0 && !facts.areReflected[groups.of(k, rows)]) {
                 met.values[kept++] = k;
                 met.values[kept++] = p;
             }
@@ -317,24 +317,22 @@ final class Impacts implements Serializable {
         return facts.isLoaded(group) && !isOneOfTied || facts.counts[group] == 1 && (rows.normals[PAIR * k + FRICTION] > 0 || !isTied(k));
     }
 
-    /** Ends a substep: what an impact gave is no guess for the next one; what bears something may bear as much as before. */
+    /** Ends a substep. */
     void end() {
-        double[] points = rows.points;
-        for (int m = 0; m < met.size; m += 2) {
-            int p = met.values[m + 1];
-            boolean bears = points[p + RESTORED] == PLASTIC && points[p + NORMAL] > 0;
-            double normal = bears ? Math.min(points[p + NORMAL], points[p + LAST]) : 0;
-            double tangent = bears && points[p + LAST] > 0 ? points[p + RUBBING] * normal / points[p + LAST] : 0;
-            points[p + NORMAL_SUM] += points[p + NORMAL] - normal;
-            points[p + TANGENT_SUM] += points[p + TANGENT] - tangent;
-            points[p + NORMAL] = normal;
-            points[p + TANGENT] = tangent;
+        for (int m = 1; m < met.size; m += 2) {
+            end(rows.points, met.values[m]);
         }
     }
 
-    /** Whether a point that has met has given back what it took by {@link Reflections}. */
-    private boolean isReflected(int p) {
-        return rows.points[p + RESTORED] == 0;
+    /** Ends it for a point: what an impact gave is no guess for the next one; what bears something may bear as much as before. */
+    static void end(double[] points, int p) {
+        boolean bears = points[p + RESTORED] == PLASTIC && points[p + NORMAL] > 0;
+        double normal = bears ? Math.min(points[p + NORMAL], points[p + LAST]) : 0;
+        double tangent = bears && points[p + LAST] > 0 ? points[p + RUBBING] * normal / points[p + LAST] : 0;
+        points[p + NORMAL_SUM] += points[p + NORMAL] - normal;
+        points[p + TANGENT_SUM] += points[p + TANGENT] - tangent;
+        points[p + NORMAL] = normal;
+        points[p + TANGENT] = tangent;
     }
 
     /** Opens the groups in which something has met. */
@@ -385,7 +383,7 @@ final class Impacts implements Serializable {
         for (int m = 0; m < met.size; m += 2) {
             int k = met.values[m];
             int p = met.values[m + 1];
-            if (turns.isOpen(groups.of(k, rows)) && isAlone(k) && !isReflected(p)) {
+            if (turns.isOpen(groups.of(k, rows)) && isAlone(k)) {
                 double forced = free.has(k) ? 0 : time(p) * rows.points[p + FORCED];
                 double speed = Math.max(0, -rows.points[p + OPENING] - forced);
                 compression.add(m / 2, rows.points[p + RESTORED] * speed);
@@ -429,10 +427,8 @@ final class Impacts implements Serializable {
         for (int m = 0; m < met.size; m += 2) {
             int k = met.values[m];
             int p = met.values[m + 1];
-            if (!isReflected(p)) {
-                if (!isAlone(k) || isTied(k)) {
-                    limits[m] = rows.normals[PAIR * k + FRICTION] * restore(k, p);
-                }
+            if (!isAlone(k) || isTied(k)) {
+                limits[m] = rows.normals[PAIR * k + FRICTION] * restore(k, p);
             }
         }
         open(turns);

@@ -16,6 +16,9 @@ final class MetGroups implements Serializable {
     /** Times as fast as forces make it in a step is what bounces in spite of them. */
     private static final double SLOW = 4;
 
+    /** Points of a group up to which what bears it is solved with what strikes. */
+    private static final int MANY = 64;
+
     private final ContactRows rows;
     private final Groups groups;
 
@@ -26,6 +29,9 @@ final class MetGroups implements Serializable {
     int[] parts = {};
 
     boolean[] giveBack = {};
+
+    /** Whether it is mirrored by {@link Reflections}, and not solved otherwise. */
+    boolean[] areReflected = {};
 
     /** Whether joints or springs tie bodies, and whether joints do. */
     boolean[] areTied = {};
@@ -54,6 +60,7 @@ final class MetGroups implements Serializable {
             counts = new int[n];
             parts = new int[n];
             giveBack = new boolean[n];
+            areReflected = new boolean[n];
             areTied = new boolean[n];
             areJoined = new boolean[n];
             sizes = new int[n];
@@ -124,6 +131,11 @@ final class MetGroups implements Serializable {
                 turns.close(g);
             }
         }
+    }
+
+    /** Whether a group may be mirrored with what bears it: a small one without joints that something strikes much faster than forces make it. */
+    boolean mayBeSupported(int group) {
+        return counts[group] > 0 && !areTied[group] && !groups.areFree[group] && !groups.areRubbed() && sizes[group] <= MANY && !isLoaded(group);
     }
 
     /** Whether there are many points in a group, and nothing gives anything back that meets in it. */

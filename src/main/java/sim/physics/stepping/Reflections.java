@@ -2,24 +2,25 @@
 // SPDX-FileCopyrightText: 2026 The mason-physics authors
 package sim.physics.stepping;
 
-import static sim.physics.stepping.ContactRows.BOUNCE;
+import static sim.physics.stepping.ContactRows.BOUNCED;
 import static sim.physics.stepping.ContactRows.FORCED;
+import static sim.physics.stepping.ContactRows.INTS;
 import static sim.physics.stepping.ContactRows.NORMAL;
-import static sim.physics.stepping.ContactRows.NORMAL_MASS;
+import static sim.physics.stepping.ContactRows.NOW;
 import static sim.physics.stepping.ContactRows.OPENING;
-import static sim.physics.stepping.ContactRows.PAIR;
 import static sim.physics.stepping.ContactRows.RESTORED;
+import static sim.physics.stepping.ContactRows.RUBBING;
 import static sim.physics.stepping.ContactRows.STEADY;
 import static sim.physics.stepping.ContactRows.STRIDE;
 import static sim.physics.stepping.ContactRows.TANGENT;
 
 import java.io.Serializable;
 import java.util.Arrays;
-import sim.physics.internal.OpenGroups;
+import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
 /**
- * Bounces in groups that nothing ties, pulls, rubs or supports, as in gases and cradles: generalized reflections (Smith, Kaufman, Vouga,
+ * Bounces in groups that nothing ties or supports, as in gases, cradles and racks: generalized reflections (Smith, Kaufman, Vouga,
  * Tamstorf and Grinspun, <i>Reflections on simultaneous impact</i>, 2012). What the contacts took in the substep is taken back; then of all points
  * those that approach are mirrored together, those that approach after that, and so on, until none does: a wave goes through a row of
  * bodies at once, symmetric scenes stay so, and elastic bodies keep their energy.
@@ -27,13 +28,8 @@ import sim.physics.motion.State;
 final class Reflections implements Serializable {
     private static final long serialVersionUID = 1L;
 
-    /** Rounds of a step at most, and turns in each of them. */
+    /** Rounds of a step at most. */
     private static final int ROUNDS = 128;
-
-    private static final int TURNS = 32;
-
-    /** When an impulse has settled, relative to itself. */
-    private static final double SETTLED = 1e-12;
 
     /** Approach that counts as none, relative to the fastest one of the step. */
     private static final double NEGLIGIBLE = 1e-9;
@@ -42,162 +38,210 @@ final class Reflections implements Serializable {
     private final ContactRows rows;
     private final Groups groups;
     private final FreeImpacts free;
-
-    /** By group: whether something else than bounces has part in its impacts. */
-    private boolean[] isBound = {};
+    private final MetGroups facts;
+    private final ContactSolver contacts;
+    private final Wave wave;
 
     /** By group: the fastest approach, 0 if it is not reflected. */
     private double[] fastest = {};
 
-    /** Groups that have not settled in a round. */
-    private final OpenGroups turns = new OpenGroups();
+    /** By group: when something strikes first; by body: whether it has been thrown off. */
+    private double[] times = {};
+
+    private boolean[] areThrown = {};
+
+    /** The points of these groups that have met, or that a wave may go through: row and first value of each. */
+    private final IntList points = new IntList();
 
     private double h;
 
-    Reflections(State state, ContactRows rows, Groups groups, FreeImpacts free) {
+    Reflections(State state, ContactRows rows, Groups groups, FreeImpacts free, MetGroups facts, ContactSolver contacts) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
         this.free = free;
+        this.facts = facts;
+        this.contacts = contacts;
+        wave = new Wave(state, rows, groups);
     }
 
     /**
      * Finds the groups that are reflected; their points give nothing back otherwise.
      *
      * @param step the step
+     * @param d the substep
+     * @param before velocities after all that forces give in the substep
      */
-    void reflect(double step) {
+    void find(double step, double d, Balance before) {
         h = step;
-        find();
-        if (!areSome()) {
-            return;
+        if (fastest.length < groups.count) {
+            fastest = new double[groups.slots.length];
+            times = new double[fastest.length];
         }
-        takeBack();
-        boolean goesOn = true;
-        for (int round = 0; goesOn && round < ROUNDS; round++) {
-            goesOn = choose();
-            boolean isOpen = goesOn;
-            for (int turn = 0; isOpen && turn < TURNS; turn++) {
-                compress();
-                isOpen = turns.goOn();
+        if (areThrown.length < state.size()) {
+            areThrown = new boolean[groups.slots.length];
+        }
+        Arrays.fill(fastest, 0, groups.count, 0);
+        Arrays.fill(times, 0, groups.count, d);
+        for (int n = 0; n < groups.struck.size; n++) {
+            int k = groups.struck.values[n];
+            int group = groups.of(k, rows);
+            for (int p = rows.begin(k); (free.has(k) || facts.mayBeSupported(group)) && p < rows.end(k); p += STRIDE) {
+                if (rows.points[p + RESTORED] > Impacts.PLASTIC) {
+                    fastest[group] = Math.max(fastest[group], -rows.points[p + OPENING]);
+                    times[group] = Math.min(times[group], Impacts.time(rows.points, p, d));
+                }
             }
-            restore();
+        }
+        for (int n = 0; n < groups.struck.size; n++) {
+            int k = groups.struck.values[n];
+            int group = groups.of(k, rows);
+            boolean isApart = rows.pairs[INTS * k + ContactRows.UNLIKE] + rows.pairs[INTS * k + ContactRows.SUNK] > 0 && !free.has(k);
+            boolean isBound = rows.isDriven(k) || facts.isLoaded(group) && isForced(k) || isApart;
+            fastest[group] = isBound ? 0 : fastest[group];
+        }
+        for (int g = 0; g < groups.count; g++) {
+            facts.areReflected[g] = fastest[g] > 0;
+        }
+        takeBack(before);
+    }
+
+    /** Takes back what the contacts have given in supported groups: what bears bodies there is found anew with what strikes. */
+    private void takeBack(Balance before) {
+        for (int k = 0; k < groups.bodies; k++) {
+            int b = groups.blocks[k];
+            if (isSupported(groups.slots[b / State.BLOCK])) {
+                System.arraycopy(before.speeds(), b, state.v(), b, State.BLOCK);
+            }
+        }
+        for (int n = 0; n < groups.struck.size; n++) {
+            int k = groups.struck.values[n];
+            if (!isSupported(groups.of(k, rows))) {
+                continue;
+            }
+            for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+                boolean isClosed = rows.points[p + NORMAL] > 0 || rows.points[p + NOW] <= Impacts.closed(rows, k, h);
+                rows.points[p + RESTORED] = isClosed ? Math.max(Impacts.PLASTIC, rows.points[p + RESTORED]) : rows.points[p + RESTORED];
+                rows.points[p + NORMAL] = 0;
+                rows.points[p + TANGENT] = 0;
+            }
+            rows.turns.forget(k, 1);
+        }
+    }
+
+    private boolean isSupported(int group) {
+        return facts.areReflected[group] && !free.isOne(group);
+    }
+
+    private boolean isForced(int k) {
+        boolean is = false;
+        for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+            is |= rows.points[p + FORCED] != 0;
+        }
+        return is;
+    }
+
+    /**
+     * Reflects: the impulses of the bodies have been taken back.
+     *
+     * @param before where the bodies were, and their velocities after all that forces give in the substep
+     * @param a accelerations by forces, in the mean
+     */
+    void reflect(Balance before, double[] a) {
+        begin();
+        boolean goesOn = points.size > 0;
+        for (int round = 0; goesOn && round < ROUNDS; round++) {
+            goesOn = choose(before, a);
+            wave.reflect();
         }
         end();
     }
 
-    private boolean areSome() {
+    private void begin() {
+        points.clear();
+        for (int n = 0; n < groups.struck.size; n++) {
+            int k = groups.struck.values[n];
+            for (int p = rows.begin(k); facts.areReflected[groups.of(k, rows)] && p < rows.end(k); p += STRIDE) {
+                if (rows.points[p + RESTORED] > 0 || rows.mayStrike(k)) {
+                    points.add(k);
+                    points.add(p);
+                    rows.points[p + STEADY] = 0;
+                    rows.points[p + RUBBING] = 0;
+                }
+            }
+        }
+    }
+
+    /** Chooses the points that approach: of those that touch, or will in the rest of the substep. */
+    private boolean choose(Balance before, double[] a) {
         boolean any = false;
-        for (int g = 0; g < groups.count; g++) {
-            isBound[g] |= fastest[g] == 0;
-            any |= !isBound[g];
+        wave.begin(h);
+        for (int m = 0; m < points.size; m += 2) {
+            int k = points.values[m];
+            int p = points.values[m + 1];
+            double approach = -rows.opening(k, p, state.v());
+            if (approach > NEGLIGIBLE * fastest[groups.of(k, rows)] && meet(k, p, approach, before, a)) {
+                wave.add(k, p, -rows.opening(k, p, state.v()));
+                any = true;
+            }
         }
         return any;
     }
 
-    private boolean isReflected(int row) {
-        return !isBound[groups.of(row, rows)];
+    private boolean meet(int k, int p, double approach, Balance before, double[] a) {
+        return free.has(k) ? free.meet(k, p, h, approach, before, a) : rows.points[p + RESTORED] > 0;
     }
 
-    private void find() {
-        if (isBound.length < groups.count) {
-            isBound = new boolean[groups.slots.length];
-            fastest = new double[groups.slots.length];
-        }
-        Arrays.fill(isBound, 0, groups.count, true);
-        Arrays.fill(fastest, 0, groups.count, 0);
-        for (int n = 0; n < groups.struck.size; n++) {
-            int row = groups.struck.values[n];
-            for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
-                if (rows.points[p + RESTORED] > Impacts.PLASTIC) {
-                    int group = groups.of(row, rows);
-                    isBound[group] = !free.isOne(group);
-                    fastest[group] = Math.max(fastest[group], -rows.points[p + OPENING]);
-                }
+    /** What may bounce parts, or lies; what gives nothing back lies from now on. */
+    private void end() {
+        wave.end();
+        Arrays.fill(areThrown, 0, state.size(), false);
+        for (int m = 0; m < points.size; m += 2) {
+            int k = points.values[m];
+            int p = points.values[m + 1];
+            rows.points[p + NORMAL] = rows.points[p + STEADY];
+            rows.points[p + TANGENT] = rows.points[p + RUBBING];
+            rows.points[p + STEADY] = 0;
+            rows.points[p + RUBBING] = 0;
+            boolean parts = rows.mayBounce(k) && (free.has(k) || rows.opening(k, p, state.v()) > NEGLIGIBLE * fastest[groups.of(k, rows)]);
+            rows.points[p + RESTORED] = parts || rows.points[p + NORMAL] == 0 ? 0 : Impacts.PLASTIC;
+            if (rows.mayBounce(k) && rows.points[p + NORMAL] > 0) {
+                areThrown[rows.first(k)] = true;
+                areThrown[rows.second(k)] = true;
             }
-        }
-        for (int n = 0; n < groups.struck.size; n++) {
-            int row = groups.struck.values[n];
-            for (int p = rows.begin(row); p < rows.end(row); p += STRIDE) {
-                boolean isBounce = rows.points[p + RESTORED] > Impacts.PLASTIC && rows.points[p + TANGENT] == 0;
-                isBound[groups.of(row, rows)] |= rows.points[p + FORCED] != 0 || !isBounce && rows.points[p + NORMAL] > 0;
-            }
+            rows.pairs[INTS * k + BOUNCED] |= parts && rows.points[p + NORMAL] > 0 ? 1 : 0;
         }
     }
 
-    private void takeBack() {
+    /**
+     * Lets what has been thrown in supported groups go on from where it was struck: it has gone together with what it struck, and into it.
+     *
+     * @param before where the bodies were, and their velocities after all that forces give in the substep
+     * @param a accelerations by forces, in the mean
+     * @param d the substep
+     */
+    void move(Balance before, double[] a, double d) {
         for (int k = 0; k < groups.bodies; k++) {
             int b = groups.blocks[k];
-            if (!isBound[groups.slots[b / State.BLOCK]]) {
-                System.arraycopy(free.velocities(), b, state.v(), b, State.BLOCK);
+            int group = groups.slots[b / State.BLOCK];
+            for (int o = b; isSupported(group) && areThrown[b / State.BLOCK] && o < b + State.BLOCK; o++) {
+                double time = Math.min(d, times[group]);
+                state.x()[o] = before.places()[o] + time * (before.speeds()[o] - d * a[o]) + (d - time) * state.v()[o];
             }
         }
         for (int n = 0; n < groups.struck.size; n++) {
-            int row = groups.struck.values[n];
-            for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                rows.points[p + NORMAL] = 0;
+            if (isSupported(groups.of(groups.struck.values[n], rows))) {
+                contacts.follow(groups.struck.values[n]);
             }
         }
     }
 
-    /** Chooses the points that approach; an impulse below 0 is that of one that is not chosen. */
-    private boolean choose() {
-        boolean any = false;
-        turns.begin(groups.count);
-        for (int n = 0; n < groups.struck.size; n++) {
-            int row = groups.struck.values[n];
-            int group = groups.of(row, rows);
-            for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                boolean touches = Impacts.touches(rows, row, p, h);
-                boolean isChosen = touches && rows.opening(row, p, state.v()) < -NEGLIGIBLE * fastest[group];
-                rows.points[p + STEADY] = isChosen ? 0 : -1;
-                if (isChosen) {
-                    turns.open(group);
-                    any = true;
-                }
-            }
+    /** Ends the bounces of a substep: what a wave gave is no guess for the next one. */
+    void endBounces() {
+        for (int m = 1; m < points.size; m += 2) {
+            Impacts.end(rows.points, points.values[m]);
+            rows.points[points.values[m] + RESTORED] = 0;
         }
-        return any;
-    }
-
-    private void compress() {
-        for (int n = 0; n < groups.struck.size; n++) {
-            int row = groups.struck.values[n];
-            int group = groups.of(row, rows);
-            for (int p = rows.begin(row); turns.isOpen(group) && p < rows.end(row); p += STRIDE) {
-                turns.change(group, rows.points[p + STEADY] >= 0 && compress(row, p));
-            }
-        }
-    }
-
-    /** Takes what is left of a point's approach; whether there was anything. */
-    private boolean compress(int row, int p) {
-        double old = rows.points[p + STEADY];
-        double now = Math.max(0, old - rows.points[p + NORMAL_MASS] * rows.opening(row, p, state.v()));
-        rows.points[p + STEADY] = now;
-        rows.give(row, p, state.v(), now - old, 0);
-        return Math.abs(now - old) > SETTLED * (now + old);
-    }
-
-    private void restore() {
-        for (int n = 0; n < groups.struck.size; n++) {
-            int row = groups.struck.values[n];
-            for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                double taken = Math.max(0, rows.points[p + STEADY]);
-                double given = rows.normals[PAIR * row + BOUNCE] * taken;
-                rows.give(row, p, state.v(), given, 0);
-                rows.points[p + NORMAL] += taken + given;
-                rows.points[p + STEADY] = -1;
-            }
-        }
-    }
-
-    private void end() {
-        for (int n = 0; n < groups.struck.size; n++) {
-            int row = groups.struck.values[n];
-            for (int p = rows.begin(row); isReflected(row) && p < rows.end(row); p += STRIDE) {
-                rows.points[p + RESTORED] = 0; // the two part
-            }
-        }
+        points.clear();
     }
 }

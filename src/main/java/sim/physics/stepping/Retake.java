@@ -70,8 +70,9 @@ final class Retake implements Serializable {
         bounced = new Balance(state, groups, grounds);
         Flights flights = new Flights(rows, groups);
         free = new FreeImpacts(state, rows, groups, grounds, contacts, flights);
-        impacts = new Impacts(state, rows, groups, free, flights);
-        reflections = new Reflections(state, rows, groups, free);
+        MetGroups facts = new MetGroups(rows, groups);
+        impacts = new Impacts(state, rows, groups, facts, free, flights);
+        reflections = new Reflections(state, rows, groups, free, facts, contacts);
         belts = new Belts(state, poses);
         crush = new Crush(state, poses);
     }
@@ -232,6 +233,7 @@ final class Retake implements Serializable {
         }
         bounced.bound(balance, mean, h);
         free.begin(balance, mean, step, h);
+        reflections.find(step, h, balance);
         impacts.dropMissed();
         boolean[] marks = balance.marks();
         impacts.mark(marks, true);
@@ -243,7 +245,9 @@ final class Retake implements Serializable {
         compress(isDriven);
         bounced.begin(rows);
         contacts.note();
-        reflections.reflect(step);
+        grounds.note();
+        reflections.reflect(balance, mean);
+        grounds.putBack();
         impacts.restore(turns);
         stops.restore();
         boolean goesOn = true;
@@ -262,12 +266,24 @@ final class Retake implements Serializable {
         ties.putBack(marks, bounced.shares());
         bounced.forget(null);
         free.end(balance, mean);
+        reflections.move(balance, mean, h);
+        if (groups.areRubbed()) {
+            rub(h);
+        }
         return true;
+    }
+
+    /** Lets the plane rub what has been taken back to its impacts for the substep anew. */
+    private void rub(double h) {
+        boolean[] marks = free.areTakenBack();
+        surface.clear(marks);
+        surface.solve(marks, h);
     }
 
     /** Ends the bounces of a substep. */
     void endBounces() {
         impacts.end();
+        reflections.endBounces();
         impacts.mark(balance.marks(), false);
     }
 
