@@ -49,6 +49,46 @@ class SteppedStructureTest {
         assertThat(other.getY()).isCloseTo(height + 0.3, within(1e-3));
     }
 
+    /** A beam of twelve welded boxes between two walls, along which balls of five times their mass bounce: it sags by what shows in the first step, and no more. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 5})
+    void aBeamBearsBallsThatBounce(int balls) {
+        PhysicsEngine engine = falling();
+        double side = 0.2;
+        int count = 14;
+        List<Body> beam = new ArrayList<>();
+        for (int k = 0; k < count; k++) {
+            boolean isEnd = k == 0 || k == count - 1;
+            Body box = isEnd ? Body.fixed(new Rectangle(side, side)) : new Body(new Rectangle(side, side));
+            if (!isEnd) {
+                box.setMass(1);
+            }
+            box.setRestitution(0);
+            box.setCollisionGroup(BEARING, LOAD);
+            beam.add(engine.add(box.at(k * side, 0)));
+            if (k > 0) {
+                engine.add(new WeldJoint(beam.get(k - 1), box, (k - 0.5) * side, 0));
+            }
+        }
+        engine.add(Body.fixed(new Rectangle(side, 2)).at(-side, 0));
+        engine.add(Body.fixed(new Rectangle(side, 2)).at(count * side, 0));
+        for (int k = 0; k < balls; k++) {
+            Body ball = new Body(new Circle(0.1));
+            ball.setMass(5);
+            ball.setRestitution(0.8);
+            ball.setFriction(0.1);
+            ball.setCollisionGroup(LOAD, -1);
+            ball.setVelocity(1 - 0.4 * k, 0);
+            engine.add(ball.at(0.3 + 0.5 * k, 0.21));
+        }
+        for (int n = 0; n < 1200; n++) {
+            engine.step();
+            for (int k = 0; k < count; k++) {
+                assertThat(Math.hypot(beam.get(k).getX() - k * side, beam.get(k).getY())).isLessThan(3e-3);
+            }
+        }
+    }
+
     /** What falls, comes to rest and goes far away changes no bit of it, though what hangs together is found anew. */
     @Test
     void whatIsFarAwayChangesNothing() {
