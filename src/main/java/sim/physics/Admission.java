@@ -171,6 +171,7 @@ final class Admission implements Presence, Serializable {
             audit.written(index, tau);
         }
         if (state.touched().isReshaped(index)) {
+            detection.marks().keep(index);
             forget(index); // it is taken in as it is now
         }
         if (stepped != null) {

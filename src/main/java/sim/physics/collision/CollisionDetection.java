@@ -123,6 +123,7 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
         enclosures.enclose(body, tau, step, h);
         watch.clearList();
         enclosures.add(body);
+        marks.recall(body);
         watch.lookAtList(tau);
     }
 
@@ -167,7 +168,6 @@ public final class CollisionDetection implements Pairs.Listener, Neighbours, Ser
 
     /** Ends the passing of pairs that are apart where the step begins. */
     public void part() {
-        parted.clear();
         marks.part(parted);
         for (int k = 0; k < parted.size; k++) {
             filter(parted.values[k]);

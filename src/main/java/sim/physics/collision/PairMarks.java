@@ -33,6 +33,9 @@ public final class PairMarks implements Serializable {
     /** The numbers of these pairs, ascending. */
     private final IntList passed = new IntList();
 
+    /** The bodies that pass through one that has got another shape. */
+    private final IntList kept = new IntList();
+
     private final Clearances clearances;
 
     PairMarks(Pairs pairs, Clearances clearances) {
@@ -118,6 +121,7 @@ public final class PairMarks implements Serializable {
      * @param parted takes their numbers
      */
     void part(IntList parted) {
+        parted.clear();
         int count = 0;
         for (int k = 0; k < passed.size; k++) {
             int pair = passed.values[k];
@@ -130,6 +134,33 @@ public final class PairMarks implements Serializable {
             }
         }
         passed.size = count;
+    }
+
+    /**
+     * Takes note of what passes through a body that is about to be taken out and in again, as it has got another shape.
+     *
+     * @param body its index
+     */
+    public void keep(int body) {
+        kept.clear();
+        for (int k = 0; k < passed.size; k++) {
+            int pair = passed.values[k];
+            if (pairs.first(pair) == body || pairs.second(pair) == body) {
+                kept.add(pairs.other(pair, body));
+            }
+        }
+    }
+
+    /** Lets pass through a body that is in again what did so before. */
+    void recall(int body) {
+        for (int k = 0; k < kept.size; k++) {
+            for (int m = 0; m < pairs.countOf(body); m++) {
+                if (pairs.other(pairs.of(body, m), body) == kept.values[k]) {
+                    letPass(pairs.of(body, m));
+                }
+            }
+        }
+        kept.clear();
     }
 
     boolean passes(int pair) {

@@ -115,7 +115,7 @@ class ListenerDecidesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0, BOUNCE, 0", "4, BOUNCE, 0", "0, STICK, 1", "4, STICK, 1", "4, IGNORE, 2"})
+    @CsvSource({"0, BOUNCE, 0", "4, BOUNCE, 0", "0, STICK, 1", "4, STICK, 1", "0, IGNORE, 2", "4, IGNORE, 2"})
     void whatIsAnsweredCountsWhateverShapeIsGiven(int substeps, CollisionListener.Decision decision, double speed) {
         collide(substeps, false, decision, (a, b) -> a.setShape(new Circle(0.5)));
         assertVelocities(speed, 2 - speed);
