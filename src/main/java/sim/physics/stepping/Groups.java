@@ -244,6 +244,11 @@ final class Groups implements Serializable {
         return marks[rows.first(row)] || marks[rows.second(row)];
     }
 
+    /** Whether one of the bodies of a pair is moved by its author. */
+    boolean isOnMovedGround(int row, ContactRows rows) {
+        return grounds.has(rows.first(row)) || grounds.has(rows.second(row));
+    }
+
     /** The group of a pair: what is fixed has none. */
     int of(int row, ContactRows rows) {
         return slots[isMovable(rows.first(row)) ? rows.first(row) : rows.second(row)];

@@ -43,6 +43,9 @@ final class MetGroups implements Serializable {
 
     private boolean[] mayBounce = {};
 
+    /** Whether bodies that can move touch one another, and nothing that its author moves. */
+    private boolean[] passesOn = {};
+
     /** The largest speed at which something strikes, and the largest one that forces make in the step. */
     private double[] fastest = {};
 
@@ -65,6 +68,7 @@ final class MetGroups implements Serializable {
             areJoined = new boolean[n];
             sizes = new int[n];
             mayBounce = new boolean[n];
+            passesOn = new boolean[n];
             fastest = new double[n];
             loads = new double[n];
         }
@@ -73,10 +77,17 @@ final class MetGroups implements Serializable {
         groups.markTied(areTied, areJoined);
         Arrays.fill(sizes, 0, groups.count, 0);
         Arrays.fill(mayBounce, 0, groups.count, false);
+        Arrays.fill(passesOn, 0, groups.count, false);
         for (int k = 0; k < rows.count; k++) {
             if (groups.has(k, rows)) {
                 sizes[groups.of(k, rows)] += rows.pointCount(k);
                 mayBounce[groups.of(k, rows)] |= rows.mayBounce(k);
+                passesOn[groups.of(k, rows)] |= groups.isMovable(rows.first(k)) && groups.isMovable(rows.second(k));
+            }
+        }
+        for (int k = 0; k < rows.count; k++) {
+            if (groups.has(k, rows) && groups.isOnMovedGround(k, rows)) {
+                passesOn[groups.of(k, rows)] = false;
             }
         }
     }
@@ -133,9 +144,9 @@ final class MetGroups implements Serializable {
         }
     }
 
-    /** Whether a group may be mirrored with what bears it: a small one without joints that something strikes much faster than forces make it. */
+    /** Whether a group may be mirrored with what bears it: a small one without joints, on what is fixed, that something strikes much faster than forces make it. */
     boolean mayBeSupported(int group) {
-        return counts[group] > 0 && !areTied[group] && !groups.areFree[group] && !groups.areRubbed() && sizes[group] <= MANY && !isLoaded(group);
+        return counts[group] > 0 && passesOn[group] && !areTied[group] && !groups.areFree[group] && !groups.areRubbed() && sizes[group] <= MANY && !isLoaded(group);
     }
 
     /** Whether there are many points in a group, and nothing gives anything back that meets in it. */
