@@ -47,6 +47,8 @@ final class FreeImpacts implements Serializable {
     /** By body: whether it is taken back to its impact: on a plane that rubs, only what others have pressed. */
     private boolean[] areTakenBack = {};
 
+    private final IntList takenBack = new IntList();
+
     private final IntList goneOn = new IntList();
 
     private double h;
@@ -113,10 +115,15 @@ final class FreeImpacts implements Serializable {
 
     /** Marks the bodies that are taken back. */
     private void mark() {
-        Arrays.fill(areTakenBack, 0, state.size(), false);
-        for (int k = 0; k < groups.bodies; k++) {
-            int b = groups.blocks[k];
-            areTakenBack[b / State.BLOCK] = !groups.areRubbed() && areFree[groups.slots[b / State.BLOCK]];
+        for (int k = 0; k < takenBack.size; k++) {
+            areTakenBack[takenBack.values[k]] = false;
+        }
+        takenBack.clear();
+        for (int k = 0; !groups.areRubbed() && k < groups.bodies; k++) {
+            int body = groups.blocks[k] / State.BLOCK;
+            if (areFree[groups.slots[body]]) {
+                mark(body);
+            }
         }
         for (int n = 0; groups.areRubbed() && n < groups.struck.size; n++) {
             int row = groups.struck.values[n];
@@ -125,9 +132,16 @@ final class FreeImpacts implements Serializable {
                 isPushed |= rows.points[p + RESTORED] > 0 || rows.points[p + NORMAL] > 0;
             }
             if (isPushed && has(row)) {
-                areTakenBack[rows.first(row)] = true;
-                areTakenBack[rows.second(row)] = true;
+                mark(rows.first(row));
+                mark(rows.second(row));
             }
+        }
+    }
+
+    private void mark(int body) {
+        if (!areTakenBack[body]) {
+            areTakenBack[body] = true;
+            takenBack.add(body);
         }
     }
 
@@ -194,8 +208,10 @@ final class FreeImpacts implements Serializable {
             if (has(row) && links(row, step)) {
                 double first = Math.min(meets(rows.first(row)), meets(rows.second(row)));
                 double time = Math.min(h, first);
-                areTakenBack[rows.first(row)] |= first <= h;
-                areTakenBack[rows.second(row)] |= first <= h;
+                if (first <= h) {
+                    mark(rows.first(row));
+                    mark(rows.second(row));
+                }
                 fly(rows.first(row), time, before, a);
                 fly(rows.second(row), time, before, a);
                 follow(row);
@@ -334,7 +350,7 @@ final class FreeImpacts implements Serializable {
     private void hold(int body, double time, Balance before, double[] a) {
         if (!isAt(body, time)) {
             meets[body] = time;
-            areTakenBack[body] = true;
+            mark(body);
             takeBack(State.BLOCK * body, before, a);
         }
         fly(body, Math.min(h, meets(body)), before, a);

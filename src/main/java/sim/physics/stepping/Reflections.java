@@ -49,6 +49,7 @@ final class Reflections implements Serializable {
     private double[] times = {};
 
     private boolean[] areThrown = {};
+    private final IntList thrown = new IntList();
 
     /** The points of these groups that have met, or that a wave may go through: row and first value of each. */
     private final IntList points = new IntList();
@@ -172,10 +173,13 @@ final class Reflections implements Serializable {
         }
     }
 
-    /** Chooses the points that approach: of those that touch, or will in the rest of the substep. */
+    /**
+     * Chooses the points that approach: of those that touch, or will in the rest of the substep; and those that lie since then, or what presses them would be
+     * solved in turns with them.
+     */
     private boolean choose(Balance before, double[] a) {
         boolean any = false;
-        wave.begin(h);
+        wave.begin(h, fastest);
         for (int m = 0; m < points.size; m += 2) {
             int k = points.values[m];
             int p = points.values[m + 1];
@@ -183,6 +187,13 @@ final class Reflections implements Serializable {
             if (approach > NEGLIGIBLE * fastest[groups.of(k, rows)] && meet(k, p, approach, before, a)) {
                 wave.add(k, p, -rows.opening(k, p, state.v()));
                 any = true;
+            }
+        }
+        for (int m = 0; any && m < points.size; m += 2) {
+            int k = points.values[m];
+            int p = points.values[m + 1];
+            if (wave.lies(k, p) && Math.abs(rows.opening(k, p, state.v())) <= NEGLIGIBLE * fastest[groups.of(k, rows)]) {
+                wave.add(k, p, 0);
             }
         }
         return any;
@@ -195,7 +206,10 @@ final class Reflections implements Serializable {
     /** What may bounce parts, or lies; what gives nothing back lies from now on. */
     private void end() {
         wave.end();
-        Arrays.fill(areThrown, 0, state.size(), false);
+        for (int k = 0; k < thrown.size; k++) {
+            areThrown[thrown.values[k]] = false;
+        }
+        thrown.clear();
         for (int m = 0; m < points.size; m += 2) {
             int k = points.values[m];
             int p = points.values[m + 1];
@@ -206,11 +220,16 @@ final class Reflections implements Serializable {
             boolean parts = rows.mayBounce(k) && (free.has(k) || rows.opening(k, p, state.v()) > NEGLIGIBLE * fastest[groups.of(k, rows)]);
             rows.points[p + RESTORED] = parts || rows.points[p + NORMAL] == 0 ? 0 : Impacts.PLASTIC;
             if (rows.mayBounce(k) && rows.points[p + NORMAL] > 0) {
-                areThrown[rows.first(k)] = true;
-                areThrown[rows.second(k)] = true;
+                mark(rows.first(k));
+                mark(rows.second(k));
             }
             rows.pairs[INTS * k + BOUNCED] |= parts && rows.points[p + NORMAL] > 0 ? 1 : 0;
         }
+    }
+
+    private void mark(int body) {
+        areThrown[body] = true;
+        thrown.add(body);
     }
 
     /**

@@ -14,6 +14,7 @@ import static sim.physics.stepping.ContactRows.PRESSED;
 import static sim.physics.stepping.ContactRows.RESTORED;
 import static sim.physics.stepping.ContactRows.RUBBING;
 import static sim.physics.stepping.ContactRows.STEADY;
+import static sim.physics.stepping.ContactRows.STRIDE;
 import static sim.physics.stepping.ContactRows.TANGENT;
 import static sim.physics.stepping.ContactRows.TANGENT_MASS;
 import static sim.physics.stepping.ContactRows.WEIGHT;
@@ -53,11 +54,21 @@ final class Wave implements Serializable {
     /** By body: how many of these points it has. */
     private int[] shared = {};
 
+    /** By point of the rows: whether it gave nothing back when it was in a round last; it lies, and has part in all rounds that follow while it does not open. */
+    private boolean[] lies = {};
+
+    /** By point: whether it has part in the round. */
+    private boolean[] isIn = {};
+
+    private final IntList lying = new IntList();
+
     /** Groups that have not settled. */
     private final OpenGroups turns = new OpenGroups();
 
-    /** Length of the step. */
+    /** Length of the step; and by group the fastest approach, of which impulses are parts that have settled. */
     private double step;
+
+    private double[] scales = {};
 
     Wave(State state, ContactRows rows, Groups groups) {
         this.state = state;
@@ -66,23 +77,54 @@ final class Wave implements Serializable {
         struck = new StruckPoints(state, rows);
     }
 
-    /** Begins a round. */
-    void begin(double h) {
+    /**
+     * Begins a round.
+     *
+     * @param h the step
+     * @param fastest by group: the fastest approach of all rounds
+     */
+    void begin(double h, double[] fastest) {
         step = h;
+        scales = fastest;
+        turns.begin(groups.count);
         if (shared.length < state.size()) {
             shared = new int[Growth.length(shared.length, state.size())];
         }
-        for (int m = 0; m < points.size; m += 2) {
-            shared[rows.first(points.values[m])] = 0;
-            shared[rows.second(points.values[m])] = 0;
+        if (lies.length * STRIDE < rows.points.length) {
+            lies = Arrays.copyOf(lies, Growth.length(lies.length, rows.points.length / STRIDE));
+            isIn = Arrays.copyOf(isIn, lies.length);
         }
-        points.clear();
+        forget();
+    }
+
+    /** Whether a point that is not in the round lies since an earlier one, of a group in which something approaches in this one. */
+    boolean lies(int k, int p) {
+        return lies[p / STRIDE] && !isIn[p / STRIDE] && turns.isOpen(groups.of(k, rows));
+    }
+
+    private void lie(int p, boolean yes) {
+        if (yes && !lies[p / STRIDE]) {
+            lying.add(p / STRIDE);
+        }
+        lies[p / STRIDE] = yes;
     }
 
     /** Forgets all points. */
     void end() {
+        forget();
+        for (int n = 0; n < lying.size; n++) {
+            lies[lying.values[n]] = false;
+        }
+        lying.clear();
+    }
+
+    private void forget() {
+        for (int m = 0; m < points.size; m += 2) {
+            shared[rows.first(points.values[m])] = 0;
+            shared[rows.second(points.values[m])] = 0;
+            isIn[points.values[m + 1] / STRIDE] = false;
+        }
         points.clear();
-        Arrays.fill(shared, 0);
     }
 
     /** A point has part in the round. */
@@ -97,6 +139,8 @@ final class Wave implements Serializable {
         points.add(p);
         shared[rows.first(k)]++;
         shared[rows.second(k)]++;
+        isIn[p / STRIDE] = true;
+        turns.open(groups.of(k, rows));
         rows.points[p + NORMAL] = 0;
         rows.points[p + TANGENT] = 0;
     }
@@ -106,18 +150,15 @@ final class Wave implements Serializable {
         if (points.size == 0) {
             return;
         }
-        turns.begin(groups.count);
-        for (int m = 0; m < points.size; m += 2) {
-            turns.open(groups.of(points.values[m], rows));
-        }
         boolean goesOn = true;
         for (int turn = 0; goesOn && turn < TURNS; turn++) {
             compress();
             goesOn = turns.goOn();
         }
         restore();
-        for (int m = 1; m < points.size; m += 2) {
-            int p = points.values[m];
+        for (int m = 0; m < points.size; m += 2) {
+            int p = points.values[m + 1];
+            lie(p, restitution(points.values[m], p, approaches[m / 2]) == 0);
             rows.points[p + STEADY] += rows.points[p + NORMAL];
             rows.points[p + RUBBING] += rows.points[p + TANGENT];
         }
@@ -135,20 +176,26 @@ final class Wave implements Serializable {
             if (rows.normals[PAIR * k + FRICTION] > 0) {
                 boolean isAlone = isAlone(k);
                 double opening = isAlone ? restitution(k, p, approaches[m / 2]) * approaches[m / 2] : 0;
-                turns.change(group, struck.solve(k, p, 0, opening, 1, isAlone) > SETTLED);
+                double normal = rows.points[p + NORMAL];
+                double tangent = rows.points[p + TANGENT];
+                boolean isOther = struck.solve(k, p, 0, opening, 1, isAlone) > SETTLED;
+                double most = SETTLED * scales[group];
+                boolean isFast = Math.abs(rows.points[p + NORMAL] - normal) > most * rows.points[p + NORMAL_MASS];
+                boolean isRubbed = Math.abs(rows.points[p + TANGENT] - tangent) > most * rows.points[p + TANGENT_MASS];
+                turns.change(group, isOther && (isFast || isRubbed));
             } else {
-                turns.change(group, compress(k, p));
+                turns.change(group, compress(k, p, SETTLED * scales[group]));
             }
         }
     }
 
     /** Takes what is left of a point's approach; whether there was anything. */
-    private boolean compress(int k, int p) {
+    private boolean compress(int k, int p, double most) {
         double old = rows.points[p + NORMAL];
         double now = Math.max(0, old - rows.points[p + NORMAL_MASS] * rows.opening(k, p, state.v()));
         rows.points[p + NORMAL] = now;
         rows.give(k, p, state.v(), now - old, 0);
-        return Math.abs(now - old) > SETTLED * (now + old);
+        return Math.abs(now - old) > Math.max(SETTLED * (now + old), most * rows.points[p + NORMAL_MASS]);
     }
 
     private boolean isAlone(int k) {
@@ -200,9 +247,9 @@ final class Wave implements Serializable {
         return Math.abs(limits[m + 1] - old) > SETTLED * limits[m];
     }
 
-    /** What has met gives its part back; what lay there passes a wave on that is faster than forces make it in two steps. */
+    /** What has met gives its part back; what lay there, or meets once more, passes a wave on that is faster than forces make it in two steps. */
     private double restitution(int k, int p, double approach) {
-        boolean hasMet = rows.points[p + RESTORED] > Impacts.PLASTIC;
+        boolean hasMet = rows.points[p + RESTORED] > Impacts.PLASTIC && rows.points[p + STEADY] == 0;
         boolean hasPressed = rows.pairs[INTS * k + PRESSED] != 0;
         double pull = groups.areFree[groups.of(k, rows)] ? Math.max(0, -rows.points[p + FORCED]) : rows.normals[PAIR * k + (hasPressed ? WEIGHT : LOAD)];
         return hasMet || approach > 2 * step * pull ? rows.normals[PAIR * k + BOUNCE] : 0;
