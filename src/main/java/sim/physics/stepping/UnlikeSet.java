@@ -30,8 +30,13 @@ final class UnlikeSet implements Serializable {
     /** By what part of its own each unknown is softer: where several do the same, they share what is new. More would be a gift of energy. */
     private static final double SHARES = 1e-12;
 
-    /** How often bounds of friction are found from what presses at most, and by what part they change when that has settled. */
-    private static final int BOUNDS = 4;
+    /**
+     * How often bounds of friction are found from what presses at most, and by what part they change when that has settled. From the third time on each is
+     * the mean of the one before and of what presses now: else what holds a body by friction alone presses, and does not, by turns.
+     */
+    private static final int BOUNDS = 10;
+
+    private static final int FULL = 2;
 
     private static final double SETTLED = 1e-3;
 
@@ -100,9 +105,9 @@ final class UnlikeSet implements Serializable {
             aim(r, rate, regains, weight);
         }
         fill();
-        bound(true);
+        bound(0);
         system.solve();
-        for (int turn = 1; !regains && turn < BOUNDS && bound(false); turn++) {
+        for (int turn = 1; !regains && turn < BOUNDS && bound(turn); turn++) {
             system.solve();
         }
         give();
@@ -277,7 +282,8 @@ final class UnlikeSet implements Serializable {
     }
 
     /** Sets the bounds, by what presses with what has been found for it; whether those of friction that matter have changed. */
-    private boolean bound(boolean isFirst) {
+    private boolean bound(int turn) {
+        boolean isFirst = turn == 0;
         boolean changes = false;
         double[] points = rows.points;
         for (int r = from; r < to; r++) {
@@ -293,6 +299,7 @@ final class UnlikeSet implements Serializable {
             }
             if (isRough(k)) {
                 double most = rows.normals[PAIR * k + FRICTION] * presses;
+                most = turn < FULL ? most : 0.5 * (most + system.high[u] + tangent);
                 boolean slides = isFirst || Math.abs(tangent + system.x[u]) > most || system.x[u] == system.low[u] || system.x[u] == system.high[u];
                 changes |= slides && (isFirst || Math.abs(system.high[u] + tangent - most) > SETTLED * most);
                 system.low[u] = -most - tangent;
@@ -302,6 +309,21 @@ final class UnlikeSet implements Serializable {
         return changes;
     }
 
+    /** What friction gives a pair, which is no more than what presses lets it have: also where bounds have not settled. */
+    private double rubs(int r) {
+        double[] points = rows.points;
+        int k = order[r];
+        int u = firsts[r - from];
+        double presses = 0;
+        double tangent = 0;
+        for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
+            presses += Math.max(0, points[p + NORMAL] + system.x[u++]);
+            tangent += points[p + TANGENT];
+        }
+        double most = rows.normals[PAIR * k + FRICTION] * presses;
+        return Math.max(-most, Math.min(most, tangent + system.x[u])) - tangent;
+    }
+
     /** Gives the bodies what has been found. */
     private void give() {
         double[] points = rows.points;
@@ -309,7 +331,7 @@ final class UnlikeSet implements Serializable {
             int k = order[r];
             int u = firsts[r - from];
             double part = part(k);
-            double rubs = isRough(k) ? system.x[firsts[r - from + 1] - 1] : 0;
+            double rubs = isRough(k) ? rubs(r) : 0;
             for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
                 double normal = Math.max(0, points[p + NORMAL] + system.x[u++]);
                 rows.give(k, p, state.v(), normal - points[p + NORMAL], part * rubs);

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: 2026 The mason-physics authors
+package sim.physics.stepping;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import sim.physics.PhysicsEngine;
+import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.response.LastingContact;
+import sim.physics.shape.Circle;
+import sim.physics.shape.Rectangle;
+import sim.physics.shape.Shape;
+
+/** Columns by time stepping: what bears many times what its own bodies weigh is solved at once. Solved in turns, high ones bent, and fell. */
+class SteppedColumnTest {
+    private static final double G = Stepped.G;
+
+    private Body box(PhysicsEngine engine, double width, double height, double mass, double x, double y) {
+        Body body = Stepped.rough(engine.add(new Body(new Rectangle(width, height)).at(x, y)));
+        body.setMass(mass, mass * (width * width + height * height) / 12);
+        return body;
+    }
+
+    private PhysicsEngine onGround() {
+        PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
+        engine.add(new Gravity(0, -G));
+        Stepped.ground(engine);
+        return engine;
+    }
+
+    /** Boxes of one kind, not quite on one another: a stack of ten fell. */
+    @ParameterizedTest
+    @ValueSource(ints = {10, 20, 40})
+    void alikeBoxesStand(int count) {
+        PhysicsEngine engine = onGround();
+        Random random = new Random(count);
+        double[] x = new double[count];
+        Body[] stack = new Body[count];
+        for (int k = 0; k < count; k++) {
+            x[k] = 0.02 * (random.nextDouble() - 0.5);
+            stack[k] = box(engine, 1, 1, 1, x[k], 0.5 + k);
+        }
+        stands(engine, stack, x, 300);
+    }
+
+    private void stands(PhysicsEngine engine, Body[] stack, double[] x, int steps) {
+        Stepped.run(engine, steps);
+        assertThat(Stepped.depth(engine)).isLessThan(3e-4);
+        double above = 0;
+        for (int k = stack.length - 1; k >= 0; k--) {
+            above += stack[k].getMass();
+            assertThat(stack[k].getX()).as("box %d", k).isCloseTo(x[k], within(5e-3));
+            assertThat(stack[k].getAngle()).as("box %d", k).isCloseTo(0, within(1e-3));
+            double borne = 0;
+            for (LastingContact contact : engine.contacts(stack[k])) {
+                borne += Math.max(0, contact.forceY(stack[k]));
+            }
+            assertThat(borne).as("what bears box %d", k).isCloseTo(above * G, within(1e-3 * above * G));
+        }
+        assertThat(Stepped.fastest(engine)).isLessThan(1e-5);
+    }
+
+    /** Boxes of many sizes, with masses over two decades: of two hundred such columns 43 fell, some with 27 m/s. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})
+    void unlikeBoxesStand(int seed) {
+        PhysicsEngine engine = onGround();
+        Random random = new Random(seed);
+        double[] x = new double[8 + random.nextInt(16)];
+        Body[] stack = new Body[x.length];
+        double y = 0;
+        for (int k = 0; k < stack.length; k++) {
+            double height = 0.3 + 0.5 * random.nextDouble();
+            x[k] = 0.1 * (random.nextDouble() - 0.5);
+            stack[k] = box(engine, 0.8 + 0.6 * random.nextDouble(), height, Math.pow(10, 2 * random.nextDouble() - 1), x[k], y + height / 2);
+            y += height;
+        }
+        stands(engine, stack, x, 300);
+    }
+
+    /** A box that five times its mass lies on: it was pressed in by 0.5 mm, which is ten times as much. */
+    @Test
+    void whatIsSomeTimesAsHeavyPressesNothingIn() {
+        PhysicsEngine engine = onGround();
+        box(engine, 1, 1, 1, 0, 0.5);
+        box(engine, 1, 1, 5, 0, 1.5);
+        Stepped.run(engine, 200);
+        assertThat(Stepped.depth(engine)).isLessThan(1e-4);
+    }
+
+    /** Friction of what rests is within Coulomb's bound, also where bodies are solved at once: what it held alone had some that nothing pressed for. */
+    @ParameterizedTest
+    @ValueSource(ints = {35, 38, 103, 251, 390})
+    void frictionIsBoundByWhatPresses(int seed) {
+        PhysicsEngine engine = onGround();
+        Random random = new Random(seed);
+        Stepped.rough(engine.add(Body.fixed(new Rectangle(0.4, 6)).at(-1.2, 3)));
+        Stepped.rough(engine.add(Body.fixed(new Rectangle(0.4, 6)).at(1.2, 3)));
+        for (int k = 0; k < 7; k++) {
+            double size = 0.4 + 0.3 * random.nextDouble();
+            Shape shape = k % 2 == 0 ? new Circle(size / 2) : new Rectangle(size, 0.8 * size);
+            Body body = Stepped.rough(engine.add(new Body(shape).at(0.3 * random.nextGaussian(), 0.6 + 0.8 * k, random.nextDouble())));
+            body.setMass(Math.pow(10, 1.5 * random.nextDouble()));
+        }
+        Stepped.run(engine, 200);
+        for (int k = 0; k < 100; k++) {
+            engine.step();
+            for (LastingContact contact : engine.contacts()) {
+                double most = 0.5 * contact.normalForce();
+                assertThat(Math.abs(contact.tangentForce())).as("step %d: %s", k, contact).isLessThanOrEqualTo(most + 1e-3 * (1 + most));
+            }
+        }
+    }
+}
