@@ -57,7 +57,7 @@ final class HeapPile {
      */
     double solve(HeapSystem s, double exact, double enough, double fair, double speed) {
         begin(s);
-        if (s.tolerance().isNear() && goOn(s, exact) <= enough) {
+        if (s.tolerance().isNear() && goOn(s, exact, enough)) {
             return least;
         }
         boolean isBrief = s.tolerance().isBrief();
@@ -103,16 +103,16 @@ final class HeapPile {
         isEasy = true;
     }
 
-    /** Goes on from impulses that are nearly right: most points do what they did. Returns the error; if it is not right they are as before. */
-    private double goOn(HeapSystem s, double exact) {
+    /** Goes on from impulses that are nearly right: most points do what they did. If what it finds is not right, they are as before. */
+    private boolean goOn(HeapSystem s, double exact, double enough) {
         start = s.impulses(start);
         note(s, newton.solve(s, exact, NEWTON_STEPS));
         if (least > exact) {
             s.put(start);
             note(s, path.followShortly(s) ? newton.solve(s, exact, NEWTON_STEPS) : least);
         }
-        s.put(least <= exact ? best : start);
-        return least;
+        s.put(least <= enough ? best : start);
+        return least <= enough;
     }
 
     /** Whether the first attempt of the last solution was enough, without any path. */
