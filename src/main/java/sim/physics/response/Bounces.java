@@ -338,6 +338,9 @@ final class Bounces implements Serializable {
         if (!bounces && (inHeap || pressing(a, b, c) > 0) && !trajectories.isDriven(a) && !trajectories.isDriven(b)) {
             return true;
         }
+        if (c.restitution == 0 && inHeap && !motion.isTied(a) && !motion.isTied(b)) {
+            return true; // each bounce of nothing would have the heap solved once more
+        }
         int count = counts[pair] * (c.restitution == 0 && c.friction > 0 && (motion.isTied(a) || motion.isTied(b)) ? TURNS : 1);
         if (count > Tolerances.LIE_AFTER && isTiny(a, b, c) || isNoise(pair, a, b, c)) {
             return true;

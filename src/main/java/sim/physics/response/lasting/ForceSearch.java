@@ -155,6 +155,7 @@ final class ForceSearch implements Serializable {
             isRight = isShared || (isSoft ? system.solveSoftly(most) : system.solveUnlessFair(most, EQUAL * most));
             double change = kept.change();
             double error = isSoft || isShared ? change : Math.min(change, system.missed());
+            system.tolerance().setNear(isRight && !isSoft && LargeHeaps.isLarge(heap.size));
             if (!isReleased && !(isRight && Math.max(change, system.strain()) <= COSTLY * most)) {
                 release(most);
                 change = kept.change();
@@ -285,6 +286,7 @@ final class ForceSearch implements Serializable {
      * for them, and what is found grows with every turn. Without them there are always some.
      */
     private void release(double scale) {
+        system.tolerance().setNear(false);
         kept.goBack();
         system.restart();
         system.again();
@@ -312,6 +314,7 @@ final class ForceSearch implements Serializable {
     }
 
     private void forget() {
+        system.tolerance().setNear(false);
         system.startFromNothing();
         system.restart();
     }
@@ -347,7 +350,11 @@ final class ForceSearch implements Serializable {
         HeapForecast forecast = history.forecast(heap.values[0]);
         forecast.begin(names);
         forecast.start(system, middle(heap.values[0], length), length);
-        HeapStart.leaveNoneOut(system);
+        boolean isLarge = LargeHeaps.isLarge(heap.size); // there, what points have borne is nearer to what they will than nothing is
+        system.tolerance().setNear(isLarge && !system.isTied());
+        if (!isLarge) {
+            HeapStart.leaveNoneOut(system);
+        }
     }
 
     /** The middle of a time from the anchor of a body on, in steps. */

@@ -216,7 +216,7 @@ final class Heap implements Serializable {
             if (!regains) {
                 system.regainNothing();
             }
-            scale = driving.search().drive(heap, until - tau, Math.max(scale, effort.reach()), regains);
+            scale = driving.search().drive(heap, until - tau, Math.max(scale, isTied ? effort.reach() : closing.known(heap, until - tau)), regains);
             closing.learn(heap, until - tau);
         }
     }

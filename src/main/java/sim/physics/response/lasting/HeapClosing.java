@@ -176,6 +176,18 @@ final class HeapClosing implements Serializable {
         return most;
     }
 
+    /**
+     * Speed that forces have given to driven bodies in as long a time when their heap was solved last; 0 where that is not known. Authors' forces are not known
+     * beforehand, and what has come to rest has no speed beside which anything is little.
+     */
+    double known(IntList heap, double time) {
+        double most = 0;
+        for (int k = 0; k < heap.size; k++) {
+            most = trajectories.isDriven(heap.values[k]) ? Math.max(most, by.pull[heap.values[k]] * time) : most;
+        }
+        return most;
+    }
+
     /** Takes note of what forces have given to bodies in a time without contacts. */
     void learn(IntList heap, double time) {
         for (int k = 0; k < heap.size; k++) {

@@ -19,6 +19,9 @@ final class HeapPath {
     private static final int LINES = 40;
     private static final int WORK = 100_000;
 
+    /** Lines of a short path: more cost more than a central path. */
+    private static final int SHORT = 80;
+
     /** Times that points are passed in the time of a line. */
     private static final int LINE = 6;
 
@@ -67,7 +70,12 @@ final class HeapPath {
      * @return whether it came to its end, where the impulses and the piece are nearly right; else they are as before
      */
     boolean follow(HeapSystem s) {
-        return follow(s, 0);
+        return follow(s, 0, LINES + LINES_EACH * s.size());
+    }
+
+    /** The same where it is short, as from impulses that are nearly right. */
+    boolean followShortly(HeapSystem s) {
+        return follow(s, 0, SHORT);
     }
 
     /** Follows the path from no impulses, where points first have to come near. */
@@ -78,17 +86,17 @@ final class HeapPath {
         for (int p = 0; p < s.size(); p++) {
             most = Math.max(most, s.bound(p) - s.normal(p));
         }
-        return follow(s, most);
+        return follow(s, most, LINES + LINES_EACH * s.size());
     }
 
-    private boolean follow(HeapSystem s, double apart) {
+    private boolean follow(HeapSystem s, double apart, int lines) {
         for (int p = 0; p < s.size(); p++) {
             start(s, p, apart);
         }
         double way = 0;
         double ahead = 1;
         event = NOTHING;
-        for (int k = Math.min(LINES + LINES_EACH * s.size(), WORK / Math.max(1, s.size())); k > 0 && way > LOST; k--) {
+        for (int k = Math.min(lines, WORK / Math.max(1, s.size())); k > 0 && way > LOST; k--) {
             s.pass(LINE);
             if (!line(s)) {
                 return false;

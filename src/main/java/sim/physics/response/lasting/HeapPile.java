@@ -39,6 +39,9 @@ final class HeapPile {
 
     private boolean isEasy;
 
+    /** Points for which the equations are laid out, 0 for none. */
+    private int laid;
+
     HeapPile(HeapRelaxation relaxation) {
         this.relaxation = relaxation;
     }
@@ -53,12 +56,10 @@ final class HeapPile {
      * @return the error
      */
     double solve(HeapSystem s, double exact, double enough, double fair, double speed) {
-        piece.lay(s);
-        newton.begin(s);
-        path.begin(s);
-        central.begin(s);
-        least = Double.POSITIVE_INFINITY;
-        isEasy = true;
+        begin(s);
+        if (s.tolerance().isNear() && goOn(s, exact, enough)) {
+            return least;
+        }
         boolean isBrief = s.tolerance().isBrief();
         for (int sweeps : SWEEPS) {
             if (relaxation.conjugate(s, sweeps) <= exact) {
@@ -83,6 +84,35 @@ final class HeapPile {
         }
         s.put(best);
         return least;
+    }
+
+    /** Takes note that the points have changed. */
+    void forget() {
+        laid = 0;
+    }
+
+    private void begin(HeapSystem s) {
+        if (!s.tolerance().isNear() || laid != s.size()) {
+            piece.lay(s);
+            newton.begin(s);
+            path.begin(s);
+            central.begin(s);
+            laid = s.size();
+        }
+        least = Double.POSITIVE_INFINITY;
+        isEasy = true;
+    }
+
+    /** Goes on from impulses that are nearly right: most points do what they did. If what it finds is not right, they are as before. */
+    private boolean goOn(HeapSystem s, double exact, double enough) {
+        start = s.impulses(start);
+        note(s, newton.solve(s, exact, NEWTON_STEPS));
+        if (least > exact) {
+            s.put(start);
+            note(s, path.followShortly(s) ? newton.solve(s, exact, NEWTON_STEPS) : least);
+        }
+        s.put(least <= enough ? best : start);
+        return least <= enough;
     }
 
     /** Whether the first attempt of the last solution was enough, without any path. */

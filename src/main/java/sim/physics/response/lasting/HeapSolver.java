@@ -84,6 +84,9 @@ final class HeapSolver implements Serializable {
         if (matrix != null) {
             matrix.forget();
         }
+        if (pile != null) {
+            pile.forget();
+        }
     }
 
     /** Takes note that the last solution is none to begin the next one with. */

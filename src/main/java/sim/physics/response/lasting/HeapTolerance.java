@@ -14,6 +14,7 @@ final class HeapTolerance implements Serializable {
     private boolean rough;
     private boolean brief;
     private boolean deep;
+    private boolean near;
 
     HeapTolerance() {
         clear();
@@ -27,6 +28,7 @@ final class HeapTolerance implements Serializable {
         rough = false;
         brief = false;
         deep = false;
+        near = false;
     }
 
     /** Says which error is good enough in the end; the least that is said counts. */
@@ -75,6 +77,15 @@ final class HeapTolerance implements Serializable {
 
     boolean isBrief() {
         return brief;
+    }
+
+    /** Takes note whether the impulses that there are will be nearly right. */
+    void setNear(boolean yes) {
+        near = yes;
+    }
+
+    boolean isNear() {
+        return near;
     }
 
     /** Error of the velocities that were found last, 0 if they are right. */
