@@ -120,9 +120,9 @@ final class Admission implements Presence, Serializable {
         return yes;
     }
 
-    /** Removes a body at the next {@link #admit(double)}. */
-    void leave(Body body) {
-        leaving.add(body);
+    /** Bodies to be removed at the next {@link #admit(double)}. */
+    Leavers leaving() {
+        return leaving;
     }
 
     /**
@@ -133,6 +133,14 @@ final class Admission implements Presence, Serializable {
      */
     IntList admit(double tau) {
         driven.clear();
+        letIn(tau);
+        if (leaving.end(state)) {
+            letIn(tau);
+        }
+        return driven;
+    }
+
+    private void letIn(double tau) {
         stirOnFixed(tau);
         if (constraints != null) {
             tellConstraints(tau);
@@ -162,8 +170,6 @@ final class Admission implements Presence, Serializable {
         for (int k = 0; k < leaving.size(); k++) {
             drop(leaving.get(k));
         }
-        leaving.clear();
-        return driven;
     }
 
     private void admit(int index, double tau) {
@@ -396,7 +402,9 @@ final class Admission implements Presence, Serializable {
             if (motion.groups().mayCouple()) {
                 regroupCoupled(0);
             } else {
-                review(island); // not all that was written: others are asked about, too
+                for (int k = 0; k < island.size; k++) {
+                motion.groups().review(state.body(island.values[k])); // not all that was written: others are asked about, too
+            }
             }
             answered.evaluate(island, constraints, motion, state, time);
         }
@@ -411,12 +419,6 @@ final class Admission implements Presence, Serializable {
     void regroup() {
         touchAll(constraints.concerned());
         constraints.regroup();
-    }
-
-    private void review(IntList bodies) {
-        for (int k = 0; k < bodies.size; k++) {
-            motion.groups().review(state.body(bodies.values[k]));
-        }
     }
 
     private void touchAll(IntList bodies) {
@@ -457,16 +459,14 @@ final class Admission implements Presence, Serializable {
         Separation separation = new Separation(overlaps(), bodies, new KeptTurns(constraints, state));
         Writings writings = new Writings(state);
         try {
-            return separation.run(constraints == null ? null : this::closeJoints);
+            return separation.run(constraints == null ? null : () -> {
+                close(0);
+                state.placedAll();
+            });
         } catch (RuntimeException e) {
             writings.putBack();
             throw e;
         }
-    }
-
-    private void closeJoints() {
-        close(0);
-        state.placedAll();
     }
 
     /** Removes a body, with its constraints if that has not been done yet. */

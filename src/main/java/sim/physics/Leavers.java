@@ -9,24 +9,72 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Set;
 import sim.physics.motion.Body;
+import sim.physics.motion.State;
 
 /** Bodies that are to leave when the collision that is being handled is over, each once, in the order in which that was said. */
 final class Leavers implements Serializable {
-    private static final long serialVersionUID = 1L;
+    private static final long serialVersionUID = 2L;
 
     private final List<Body> inOrder = new ArrayList<>();
+
+    /** Those of them that have been added again since: they come back then. */
+    private final List<Body> back = new ArrayList<>();
 
     /** The same, to be asked; null while it is not known. */
     private transient Set<Body> known;
 
     void add(Body body) {
+        known();
+        if (known.add(body)) {
+            inOrder.add(body);
+        }
+    }
+
+    private void known() {
         if (known == null) {
             known = Collections.newSetFromMap(new IdentityHashMap<>());
             known.addAll(inOrder);
         }
-        if (known.add(body)) {
-            inOrder.add(body);
+    }
+
+    /** Whether a body leaves, be it to come back or not. */
+    boolean has(Body body) {
+        if (!inOrder.isEmpty()) {
+            known();
         }
+        return !inOrder.isEmpty() && known.contains(body);
+    }
+
+    /** Takes note that a body that leaves comes back. */
+    void takeBack(Body body) {
+        back.add(body);
+    }
+
+    /** Takes note that a body that was to come back does not. */
+    void letGo(Body body) {
+        back.removeIf(one -> one == body);
+    }
+
+    /** Whether a body that leaves comes back. */
+    boolean comesBack(Body body) {
+        for (int k = 0; k < back.size(); k++) {
+            if (back.get(k) == body) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** All have left: those that come back do so now, and begin anew; returns whether there are any. */
+    boolean end(State state) {
+        List<Body> coming = back.isEmpty() ? List.of() : new ArrayList<>(back);
+        clear();
+        for (int k = 0; k < coming.size(); k++) {
+            if (coming.get(k).state().isOwn()) {
+                state.add(coming.get(k));
+            }
+        }
+        return !coming.isEmpty();
     }
 
     boolean isEmpty() {
@@ -43,6 +91,7 @@ final class Leavers implements Serializable {
 
     void clear() {
         inOrder.clear();
+        back.clear();
         known = null;
     }
 }

@@ -332,7 +332,7 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Adds a body.
+     * Adds a body. One that was removed within the collision that is being handled comes back when that is over.
      *
      * @param <B> class of the body
      * @param body a body that is in no engine
@@ -341,6 +341,11 @@ public final class PhysicsEngine implements Steppable {
      */
     public <B extends Body> B add(B body) {
         Objects.requireNonNull(body, "body");
+        if (isGone(body)) {
+            state.write(body.index()); // it comes back where it is now
+            admission.leaving().takeBack(body);
+            return body;
+        }
         if (!body.state().isOwn()) {
             String where = body.state() == state ? "this engine" : "another engine";
             throw new IllegalStateException("body is " + body + ": it is in " + where + " already");
@@ -356,14 +361,15 @@ public final class PhysicsEngine implements Steppable {
      * being handled is over.
      *
      * @param body a body of this engine
-     * @throws IllegalStateException if the body is not in this engine
+     * @throws IllegalStateException if the body is not in this engine, or was removed within the collision that is being handled
      */
     public void remove(Body body) {
         requireMine(body);
         state.requireOpen();
         response.lasting().leave(body);
         if (stepping) {
-            admission.leave(body);
+            admission.leaving().add(body);
+            admission.leaving().letGo(body);
         } else {
             if (constraints != null) {
                 events.makeLatePaths(); // while islands are what they were in the last step
@@ -391,6 +397,22 @@ public final class PhysicsEngine implements Steppable {
         if (body.state() != state) {
             throw new IllegalStateException(name + " is " + body + ": it is not in this engine");
         }
+        if (isGone(body)) {
+            throw new IllegalStateException(name + " is " + body + ": it was removed, and leaves when the collision is over");
+        }
+    }
+
+    private static void requireNoneNull(String name, List<Body> named) {
+        for (int k = 0; named != null && k < named.size(); k++) {
+            if (named.get(k) == null) {
+                throw new NullPointerException(name + "[" + k + "]");
+            }
+        }
+    }
+
+    /** Whether a body was removed within the collision that is being handled, and is not to come back. */
+    private boolean isGone(Body body) {
+        return body.state() == state && admission.leaving().has(body) && !admission.leaving().comesBack(body);
     }
 
     /**
@@ -422,13 +444,16 @@ public final class PhysicsEngine implements Steppable {
      * Adds a force generator.
      *
      * @param <G> class of the generator
-     * @param generator the generator, not null
+     * @param generator the generator, not null; it may name bodies that are added later, or are in another engine: it acts on them while they are here
      * @return the generator
      * @throws IllegalStateException if it was added already
+     * @throws NullPointerException if it names a body that is null
      */
     public <G extends ForceGenerator> G add(G generator) {
         Objects.requireNonNull(generator, "generator");
         state.requireOpen();
+        requireNoneNull("generator.getBodies()", generator.getBodies());
+        requireNoneNull("generator.getCoupledBodies()", generator.getCoupledBodies());
         events.askAuthors();
         if (!motion.add(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
