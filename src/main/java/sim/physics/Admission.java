@@ -403,8 +403,8 @@ final class Admission implements Presence, Serializable {
                 regroupCoupled(0);
             } else {
                 for (int k = 0; k < island.size; k++) {
-                motion.groups().review(state.body(island.values[k])); // not all that was written: others are asked about, too
-            }
+                    motion.groups().review(state.body(island.values[k])); // not all that was written: others are asked about, too
+                }
             }
             answered.evaluate(island, constraints, motion, state, time);
         }

@@ -511,7 +511,7 @@ public final class PhysicsEngine implements Steppable {
      * @param <C> class of the constraint
      * @param constraint a constraint between bodies of this engine, which are where its equations require them to be
      * @return the constraint
-     * @throws IllegalStateException if it was added already, or one of its bodies is not in this engine
+     * @throws IllegalStateException if it was added already, or one of its bodies is not in this engine, or not before the collision is over
      * @throws IllegalArgumentException if the constraint's equations are not satisfied or have infinite coefficients, none of its bodies can move,
      *     or both are the same
      */
@@ -525,9 +525,17 @@ public final class PhysicsEngine implements Steppable {
 
     private void checkBodies(Constraint constraint) {
         Objects.requireNonNull(constraint, "constraint");
-        requireMine(constraint.getBodyA());
+        requireHere(constraint.getBodyA());
         if (constraint.getBodyB() != null) {
-            requireMine(constraint.getBodyB());
+            requireHere(constraint.getBodyB());
+        }
+    }
+
+    /** What comes back when the collision is over would lose a constraint that it had until then, as those from before. */
+    private void requireHere(Body body) {
+        requireMine(body);
+        if (admission.leaving().has(body)) {
+            throw new IllegalStateException("body is " + body + ": it was removed, and comes back when the collision is over; it may have constraints then");
         }
     }
 

@@ -113,6 +113,20 @@ class RemovedWithinTest {
         assertThat(engine.bodies()).hasSize(2);
     }
 
+    /** By events, all of its constraints are cut when it leaves, and it is back only then: one that was added before would be gone without a word. */
+    @Test
+    void aJointOfWhatComesBackIsRefusedUntilThen() {
+        PhysicsEngine engine = run(false, (e, struck) -> {
+            e.remove(struck);
+            e.add(struck);
+            assertThatIllegalStateException().isThrownBy(() -> e.add(new PinJoint(struck, 3, 0))).withMessageContaining("comes back");
+        });
+        Body back = engine.bodies().get(engine.bodies().size() - 1);
+        engine.add(new PinJoint(back, back.getX(), back.getY()));
+        engine.step();
+        assertThat(engine.allConstraints()).hasSize(1);
+    }
+
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void whatComesBackMayBeRemovedAgain(boolean isStepped) {
