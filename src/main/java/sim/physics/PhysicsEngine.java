@@ -361,10 +361,10 @@ public final class PhysicsEngine implements Steppable {
      * being handled is over.
      *
      * @param body a body of this engine
-     * @throws IllegalStateException if the body is not in this engine, or was removed within the collision that is being handled
+     * @throws IllegalStateException if the body is not in this engine
      */
     public void remove(Body body) {
-        requireMine(body);
+        requireIn("body", body);
         state.requireOpen();
         response.lasting().leave(body);
         if (stepping) {
@@ -392,11 +392,15 @@ public final class PhysicsEngine implements Steppable {
         requireMine("body", body);
     }
 
-    private void requireMine(String name, Body body) {
+    private void requireIn(String name, Body body) {
         Objects.requireNonNull(body, name);
         if (body.state() != state) {
             throw new IllegalStateException(name + " is " + body + ": it is not in this engine");
         }
+    }
+
+    private void requireMine(String name, Body body) {
+        requireIn(name, body);
         if (isGone(body)) {
             throw new IllegalStateException(name + " is " + body + ": it was removed, and leaves when the collision is over");
         }
