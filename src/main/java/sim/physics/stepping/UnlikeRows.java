@@ -93,7 +93,7 @@ final class UnlikeRows implements Serializable {
     private double weight(int body, double[] a) {
         int b = State.BLOCK * body;
         double w = state.w().values()[b];
-        return w > 0 ? Math.hypot(a[b], a[b + 1]) / w : 0;
+        return w > 0 ? Math.sqrt(a[b] * a[b] + a[b + 1] * a[b + 1]) / w : 0;
     }
 
     /**
