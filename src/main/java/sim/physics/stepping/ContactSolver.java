@@ -26,7 +26,6 @@ import static sim.physics.stepping.ContactRows.TANGENT_MASS;
 import static sim.physics.stepping.ContactRows.TANGENT_SUM;
 
 import java.io.Serializable;
-import sim.physics.constraint.TieRows;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
@@ -81,10 +80,9 @@ final class ContactSolver implements Serializable {
      * @param step its length
      * @param h that of its substeps
      * @param a accelerations by forces
-     * @param ties the joints, null for none
      */
-    void begin(double step, double h, double[] a, TieRows ties) {
-        unlike.begin(step, h, a, ties);
+    void begin(double step, double h, double[] a) {
+        unlike.begin(step, h);
         piles.begin(a);
         isBackwards = false;
         pairs = rows.pairs;

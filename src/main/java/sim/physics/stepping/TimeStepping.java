@@ -360,6 +360,7 @@ public final class TimeStepping implements Serializable {
 
     private void solve(double time) {
         double d = h / substeps;
+        contacts.begin(h, d, outset.a);
         boolean isTied = constraints != null;
         boolean areOthers = areOthersAsleep || forces.springs().areNew() || newcomers.any();
         if (isTied) {
@@ -368,7 +369,6 @@ public final class TimeStepping implements Serializable {
             isJudged = false; // also if a force of an author throws in one of the substeps: that far is what is reported
         }
         areOthersAsleep = false;
-        contacts.begin(h, d, outset.a, isTied ? ties : null);
         surface.begin(poses.awake);
         boolean bounces = rows.bounces > 0 || rows.fast > 0 || isTied && ties.stops().mayStrike(h);
         boolean isBalanced = bounces || isTied || rows.unlike > 0;

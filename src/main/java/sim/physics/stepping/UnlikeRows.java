@@ -4,25 +4,20 @@ package sim.physics.stepping;
 
 import java.io.Serializable;
 import java.util.Arrays;
-import sim.physics.constraint.TieRows;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
 /**
- * The contacts of what hangs together with a light body on which forces press a heavy one, or with a pair that bears many times what forces press its
- * bodies with, as high columns do. Solved one after the other, these would need some thousand turns: impulses that stop the light body are next to nothing
- * for the heavy one. If they are few, or form a column, they are a set, which is solved at once ({@link UnlikeSet}). Scenes in which bodies are alike and
- * nothing is high, or light ones lie on heavy ones, have none, and pay a look at what pairs bear.
+ * The contacts of what hangs together with a light body on which forces press a heavy one. Solved one after the other, these would need some thousand
+ * turns: impulses that stop the light body are next to nothing for the heavy one. If they are few, or form a column, they are a set, which is solved at once
+ * ({@link UnlikeSet}). Scenes in which bodies are alike, or light ones lie on heavy ones, have none, and pay nothing.
  */
 final class UnlikeRows implements Serializable {
     private static final long serialVersionUID = 1L;
 
     /** How many times as heavy as the light one a heavy body is at least. */
     private static final double HEAVY = 4;
-
-    /** How many times as much as forces press on one of its bodies a loaded pair bears at least. */
-    private static final double LOADED = 6;
 
     /** And how many times as heavy as any of its set at most: rounding would be as large as what the light ones ask for. */
     private static final double TOO_HEAVY = 2e6;
@@ -56,11 +51,6 @@ final class UnlikeRows implements Serializable {
 
     private final IntList ends = new IntList();
 
-    /** The loaded rows; and by body whether it is tied. */
-    private final IntList loaded = new IntList();
-
-    private transient boolean[] areTied;
-
     UnlikeRows(State state, ContactRows rows) {
         this.state = state;
         this.rows = rows;
@@ -80,92 +70,23 @@ final class UnlikeRows implements Serializable {
         return (isFirst ? second : first) > 0 && (isFirst ? push < 0 : push > 0) && state.body(isFirst ? b : a).isDynamic();
     }
 
-    /** Whether a pair has borne much more in the step before than forces press on the one of its bodies on which they press less. */
-    private boolean isLoaded(int k, double[] a) {
-        double borne = rows.sum(k, ContactRows.NORMAL);
-        double first = weight(rows.first(k), a);
-        double second = weight(rows.second(k), a);
-        double least = first > 0 && second > 0 ? Math.min(first, second) : Math.max(first, second);
-        return least > 0 && borne > LOADED * h * least;
-    }
-
-    /** What forces make of a body's weight; 0 for what they do not move. */
-    private double weight(int body, double[] a) {
-        int b = State.BLOCK * body;
-        double w = state.w().values()[b];
-        return w > 0 ? Math.sqrt(a[b] * a[b] + a[b + 1] * a[b + 1]) / w : 0;
-    }
-
     /**
      * Begins a step.
      *
      * @param step its length
      * @param h that of its substeps
-     * @param a accelerations by forces
-     * @param ties the joints, null for none
      */
-    void begin(double step, double h, double[] a, TieRows ties) {
+    void begin(double step, double h) {
         this.h = h;
         set.begin(step, h);
         order.clear();
-        findLoaded(a, ties);
-        if (rows.unlike > 0) {
-            forgetKinds();
-        }
-    }
-
-    /** Marks the loaded rows that are of sets without joints: others are solved in turns, as joints are with what touches their bodies. */
-    private void findLoaded(double[] a, TieRows ties) {
-        for (int k = 0; k < rows.count; k++) {
-            if (rows.pairs[ContactRows.INTS * k + ContactRows.UNLIKE] == 0 && isLoaded(k, a)) {
-                loaded.add(k);
-            }
-        }
-        if (loaded.size > 0) {
-            forgetKinds();
-            note(ties);
-        }
-        for (int n = 0; n < loaded.size; n++) {
-            int k = loaded.values[n];
-            if (kinds[k] == 0) {
-                int begin = order.size;
-                gather(k);
-                if (isTied(begin)) {
-                    mark(begin, NO_SET);
-                }
-            }
-            int isSet = kinds[k] == SET ? 1 : 0;
-            rows.pairs[ContactRows.INTS * k + ContactRows.UNLIKE] = isSet;
-            rows.unlike += isSet;
-        }
-        loaded.clear();
-        order.clear();
         ends.clear();
-    }
-
-    private void note(TieRows ties) {
-        int n = state.size();
-        areTied = areTied == null || areTied.length < n ? new boolean[Growth.length(0, n)] : areTied;
-        Arrays.fill(areTied, 0, n, false);
-        if (ties != null) {
-            ties.mark(areTied);
+        if (rows.unlike > 0) {
+            if (kinds == null || kinds.length < rows.count) {
+                kinds = new byte[Growth.length(kinds == null ? 0 : kinds.length, rows.count)];
+            }
+            Arrays.fill(kinds, 0, rows.count, (byte) 0);
         }
-    }
-
-    /** Whether some body of the rows of the list from one on is tied. */
-    private boolean isTied(int begin) {
-        boolean is = false;
-        for (int r = begin; r < order.size; r++) {
-            is |= areTied[rows.first(order.values[r])] || areTied[rows.second(order.values[r])];
-        }
-        return is;
-    }
-
-    private void forgetKinds() {
-        if (kinds == null || kinds.length < rows.count) {
-            kinds = new byte[Growth.length(kinds == null ? 0 : kinds.length, rows.count)];
-        }
-        Arrays.fill(kinds, 0, rows.count, (byte) 0);
     }
 
     /** Begins a substep: finds the sets of what presses, or will, and is of none yet. */
@@ -217,9 +138,9 @@ final class UnlikeRows implements Serializable {
         double[] w = state.w().values();
         int next = order.size;
         int points = 0;
+        int work = 0;
         double heaviest = Double.POSITIVE_INFINITY;
         double lightest = 0;
-        int work = 0;
         boolean isSet = take(row);
         while (isSet && next < order.size) {
             int k = order.values[next++];
