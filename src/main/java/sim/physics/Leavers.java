@@ -17,13 +17,15 @@ final class Leavers implements Serializable {
 
     private final List<Body> inOrder = new ArrayList<>();
 
-    /** Those of them that have been added again since: they come back then. */
-    private final List<Body> back = new ArrayList<>();
-
     /** The same, to be asked; null while it is not known. */
     private transient Set<Body> known;
 
+    /** Those of them that have been added again since: they come back then. */
+    private final List<Body> back = new ArrayList<>();
+
+    /** A body leaves, and does not come back. */
     void add(Body body) {
+        back.removeIf(one -> one == body);
         known();
         if (known.add(body)) {
             inOrder.add(body);
@@ -48,11 +50,6 @@ final class Leavers implements Serializable {
     /** Takes note that a body that leaves comes back. */
     void takeBack(Body body) {
         back.add(body);
-    }
-
-    /** Takes note that a body that was to come back does not. */
-    void letGo(Body body) {
-        back.removeIf(one -> one == body);
     }
 
     /** Whether a body that leaves comes back. */

@@ -369,7 +369,6 @@ public final class PhysicsEngine implements Steppable {
         response.lasting().leave(body);
         if (stepping) {
             admission.leaving().add(body);
-            admission.leaving().letGo(body);
         } else {
             if (constraints != null) {
                 events.makeLatePaths(); // while islands are what they were in the last step

@@ -44,7 +44,7 @@ final class FreeImpacts implements Serializable {
 
     private double[] velocities = {};
 
-    /** By body: whether it is taken back to its impact: on a plane that rubs, only what others have pressed. */
+    /** By body: whether it is taken back to its impact: on a plane that rubs, only what others have pressed; and these bodies. */
     private boolean[] areTakenBack = {};
 
     private final IntList takenBack = new IntList();

@@ -289,16 +289,13 @@ final class UnlikeSet implements Serializable {
         for (int r = from; r < to; r++) {
             int k = order[r];
             int u = firsts[r - from];
-            double presses = 0;
-            double tangent = 0;
             for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
-                presses += Math.max(0, points[p + NORMAL] + system.x[u]);
-                tangent += points[p + TANGENT];
                 system.low[u] = -points[p + NORMAL];
                 system.high[u++] = Double.POSITIVE_INFINITY;
             }
             if (isRough(k)) {
-                double most = rows.normals[PAIR * k + FRICTION] * presses;
+                double tangent = rows.sum(k, TANGENT);
+                double most = mostFriction(r);
                 most = turn < FULL ? most : 0.5 * (most + system.high[u] + tangent);
                 boolean slides = isFirst || Math.abs(tangent + system.x[u]) > most || system.x[u] == system.low[u] || system.x[u] == system.high[u];
                 changes |= slides && (isFirst || Math.abs(system.high[u] + tangent - most) > SETTLED * most);
@@ -311,17 +308,20 @@ final class UnlikeSet implements Serializable {
 
     /** What friction gives a pair, which is no more than what presses lets it have: also where bounds have not settled. */
     private double rubs(int r) {
-        double[] points = rows.points;
+        double tangent = rows.sum(order[r], TANGENT);
+        double most = mostFriction(r);
+        return Math.max(-most, Math.min(most, tangent + system.x[firsts[r - from + 1] - 1])) - tangent;
+    }
+
+    /** What the friction of a pair may be, by what presses with what has been found for it. */
+    private double mostFriction(int r) {
         int k = order[r];
         int u = firsts[r - from];
         double presses = 0;
-        double tangent = 0;
         for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
-            presses += Math.max(0, points[p + NORMAL] + system.x[u++]);
-            tangent += points[p + TANGENT];
+            presses += Math.max(0, rows.points[p + NORMAL] + system.x[u++]);
         }
-        double most = rows.normals[PAIR * k + FRICTION] * presses;
-        return Math.max(-most, Math.min(most, tangent + system.x[u])) - tangent;
+        return rows.normals[PAIR * k + FRICTION] * presses;
     }
 
     /** Gives the bodies what has been found. */

@@ -38,6 +38,21 @@ final class Stepped {
         return body;
     }
 
+    /** A rough and plastic box of uniform density. */
+    static Body box(PhysicsEngine engine, double width, double height, double mass, double x, double y) {
+        Body body = rough(engine.add(new Body(new Rectangle(width, height)).at(x, y)));
+        body.setMass(mass, mass * (width * width + height * height) / 12);
+        return body;
+    }
+
+    /** Gravity, and a ground. */
+    static PhysicsEngine onGround(double step, int substeps) {
+        PhysicsEngine engine = engine(step, substeps);
+        engine.add(new Gravity(0, -G));
+        ground(engine);
+        return engine;
+    }
+
     /** Unit squares of mass 1 on one another, on the ground, under gravity; from the lowest up. */
     static Body[] stack(PhysicsEngine engine, int count) {
         engine.add(new Gravity(0, -G));

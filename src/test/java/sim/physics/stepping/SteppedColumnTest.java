@@ -11,7 +11,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
-import sim.physics.motion.Gravity;
 import sim.physics.response.LastingContact;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
@@ -20,19 +19,6 @@ import sim.physics.shape.Shape;
 /** Columns of unlike bodies by time stepping: solved in turns, they sprang apart. */
 class SteppedColumnTest {
     private static final double G = Stepped.G;
-
-    private Body box(PhysicsEngine engine, double width, double height, double mass, double x, double y) {
-        Body body = Stepped.rough(engine.add(new Body(new Rectangle(width, height)).at(x, y)));
-        body.setMass(mass, mass * (width * width + height * height) / 12);
-        return body;
-    }
-
-    private PhysicsEngine onGround() {
-        PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
-        engine.add(new Gravity(0, -G));
-        Stepped.ground(engine);
-        return engine;
-    }
 
     private void stands(PhysicsEngine engine, Body[] stack, double[] x, int steps) {
         Stepped.run(engine, steps);
@@ -55,7 +41,7 @@ class SteppedColumnTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})
     void unlikeBoxesStand(int seed) {
-        PhysicsEngine engine = onGround();
+        PhysicsEngine engine = Stepped.onGround(1.0 / 60, 4);
         Random random = new Random(seed);
         double[] x = new double[8 + random.nextInt(16)];
         Body[] stack = new Body[x.length];
@@ -63,7 +49,7 @@ class SteppedColumnTest {
         for (int k = 0; k < stack.length; k++) {
             double height = 0.3 + 0.5 * random.nextDouble();
             x[k] = 0.1 * (random.nextDouble() - 0.5);
-            stack[k] = box(engine, 0.8 + 0.6 * random.nextDouble(), height, Math.pow(10, 2 * random.nextDouble() - 1), x[k], y + height / 2);
+            stack[k] = Stepped.box(engine, 0.8 + 0.6 * random.nextDouble(), height, Math.pow(10, 2 * random.nextDouble() - 1), x[k], y + height / 2);
             y += height;
         }
         stands(engine, stack, x, 300);
@@ -72,9 +58,9 @@ class SteppedColumnTest {
     /** A box that five times its mass lies on: it was pressed in by 0.5 mm, which is ten times as much. */
     @Test
     void whatIsSomeTimesAsHeavyPressesNothingIn() {
-        PhysicsEngine engine = onGround();
-        box(engine, 1, 1, 1, 0, 0.5);
-        box(engine, 1, 1, 5, 0, 1.5);
+        PhysicsEngine engine = Stepped.onGround(1.0 / 60, 4);
+        Stepped.box(engine, 1, 1, 1, 0, 0.5);
+        Stepped.box(engine, 1, 1, 5, 0, 1.5);
         Stepped.run(engine, 200);
         assertThat(Stepped.depth(engine)).isLessThan(1e-4);
     }
@@ -83,7 +69,7 @@ class SteppedColumnTest {
     @ParameterizedTest
     @ValueSource(ints = {35, 38, 103, 251, 390})
     void frictionIsBoundByWhatPresses(int seed) {
-        PhysicsEngine engine = onGround();
+        PhysicsEngine engine = Stepped.onGround(1.0 / 60, 4);
         Random random = new Random(seed);
         Stepped.rough(engine.add(Body.fixed(new Rectangle(0.4, 6)).at(-1.2, 3)));
         Stepped.rough(engine.add(Body.fixed(new Rectangle(0.4, 6)).at(1.2, 3)));

@@ -17,19 +17,6 @@ import sim.physics.shape.Rectangle;
 
 /** Heavy bodies on light ones, by time stepping: statics, momentum and Coulomb's law know of no masses that are too unlike. */
 class UnlikeMassesTest {
-    private static Body box(PhysicsEngine engine, double width, double height, double mass, double x, double y) {
-        Body body = Stepped.rough(engine.add(new Body(new Rectangle(width, height)).at(x, y)));
-        body.setMass(mass, mass * (width * width + height * height) / 12);
-        return body;
-    }
-
-    private static PhysicsEngine onGround(double step, int substeps) {
-        PhysicsEngine engine = Stepped.engine(step, substeps);
-        engine.add(new Gravity(0, -Stepped.G));
-        Stepped.ground(engine);
-        return engine;
-    }
-
     /** What stands stands as it was put: ten boxes of which the top one is heavy. It was off by 0.26 at 100 times the mass, and fell at all others here. */
     @ParameterizedTest
     @CsvSource({"100, 60, 4", "100, 60, 1", "100, 240, 1", "1e4, 60, 4", "1e4, 60, 1", "1e4, 240, 4", "1e6, 60, 4"})
@@ -49,9 +36,9 @@ class UnlikeMassesTest {
     @ParameterizedTest
     @ValueSource(doubles = {15, 150, 1500})
     void aHeavyBoxPressesAPlankIntoNothing(double mass) {
-        PhysicsEngine engine = onGround(1.0 / 60, 4);
-        Body plank = box(engine, 4, 0.2, 1, 0, 0.1);
-        Body heavy = box(engine, 1, 1, mass, 0.3, 0.7);
+        PhysicsEngine engine = Stepped.onGround(1.0 / 60, 4);
+        Body plank = Stepped.box(engine, 4, 0.2, 1, 0, 0.1);
+        Body heavy = Stepped.box(engine, 1, 1, mass, 0.3, 0.7);
         Stepped.run(engine, 240);
         assertThat(Stepped.depth(engine)).isLessThan(3e-4);
         assertThat(plank.getX()).isCloseTo(0, within(1e-5));
@@ -61,13 +48,13 @@ class UnlikeMassesTest {
     /** A slab on five discs lies level, and they bear its weight. */
     @Test
     void aSlabLiesOnDiscs() {
-        PhysicsEngine engine = onGround(1.0 / 60, 4);
+        PhysicsEngine engine = Stepped.onGround(1.0 / 60, 4);
         Body[] discs = new Body[5];
         for (int k = 0; k < 5; k++) {
             discs[k] = Stepped.rough(engine.add(new Body(new Circle(0.5)).at(1.1 * k, 0.5)));
             discs[k].setMass(1, 0.125);
         }
-        Body slab = box(engine, 6, 0.4, 300, 2.2, 1.2);
+        Body slab = Stepped.box(engine, 6, 0.4, 300, 2.2, 1.2);
         Stepped.run(engine, 120);
         assertThat(slab.getY()).isCloseTo(1.2, within(2e-4));
         assertThat(slab.getAngle()).isCloseTo(0, within(1e-5));
@@ -81,7 +68,7 @@ class UnlikeMassesTest {
     void aHeavyBoxFallsOntoAStack(double rate, int substeps) {
         PhysicsEngine engine = Stepped.engine(1 / rate, substeps);
         Body[] stack = Stepped.stack(engine, 6);
-        Body heavy = box(engine, 1, 1, 100, 0.1, 8.5);
+        Body heavy = Stepped.box(engine, 1, 1, 100, 0.1, 8.5);
         double energy = 100 * Stepped.G * 8.5;
         for (int k = 0; k < 4 * rate; k++) {
             engine.step();
@@ -103,8 +90,8 @@ class UnlikeMassesTest {
         engine.add(new Gravity(0, -Stepped.G));
         Body ice = engine.add(Body.fixed(new Rectangle(1000, 2)).at(0, -1));
         ice.setRestitution(0); // and no friction
-        Body plank = box(engine, 4, 0.2, 1, 0, 0.1);
-        Body heavy = box(engine, 1, 1, mass, 0, 0.7);
+        Body plank = Stepped.box(engine, 4, 0.2, 1, 0, 0.1);
+        Body heavy = Stepped.box(engine, 1, 1, mass, 0, 0.7);
         heavy.setVelocity(2, 0);
         Stepped.run(engine, 240);
         double common = 2 * mass / (mass + 1);
@@ -123,7 +110,7 @@ class UnlikeMassesTest {
         PhysicsEngine engine = Stepped.engine(1.0 / 240, 4);
         engine.add(new Gravity(Stepped.G * sin, -Stepped.G * cos));
         Stepped.ground(engine);
-        Body[] stack = {box(engine, 3, 0.2, 1, 0, 0.1), box(engine, 2, 0.2, 1, 0, 0.3), box(engine, 1.5, 0.5, 200, 0, 0.65)};
+        Body[] stack = {Stepped.box(engine, 3, 0.2, 1, 0, 0.1), Stepped.box(engine, 2, 0.2, 1, 0, 0.3), Stepped.box(engine, 1.5, 0.5, 200, 0, 0.65)};
         Stepped.run(engine, 240);
         double speed = Math.max(0, Stepped.G * (sin - 0.5 * cos));
         for (Body body : stack) {
