@@ -26,6 +26,7 @@ import static sim.physics.stepping.ContactRows.TANGENT_MASS;
 import static sim.physics.stepping.ContactRows.TANGENT_SUM;
 
 import java.io.Serializable;
+import sim.physics.constraint.Constraints;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
@@ -80,9 +81,10 @@ final class ContactSolver implements Serializable {
      * @param step its length
      * @param h that of its substeps
      * @param a accelerations by forces
+     * @param constraints those of the engine, or null
      */
-    void begin(double step, double h, double[] a) {
-        unlike.begin(step, h);
+    void begin(double step, double h, double[] a, Constraints constraints) {
+        unlike.begin(step, h, constraints);
         piles.begin(a);
         isBackwards = false;
         pairs = rows.pairs;
@@ -136,6 +138,9 @@ final class ContactSolver implements Serializable {
         double[] w = state.w().values();
         boolean areSome = unlike.any();
         boolean areLarge = piles.any();
+        if (areSome) {
+            unlike.solve(null, softness.rate(), regains);
+        }
         for (int k = 0; k < rows.count; k++) {
             if (!(areSome && unlike.has(k) || areLarge && piles.has(k))) {
                 solve(v, w, k, softness, regains, h);
@@ -143,9 +148,6 @@ final class ContactSolver implements Serializable {
         }
         if (areLarge) {
             solvePiles(softness, regains, h);
-        }
-        if (areSome) {
-            unlike.solve(null, softness.rate(), regains);
         }
     }
 
@@ -181,13 +183,13 @@ final class ContactSolver implements Serializable {
     /** Solves the points of some pairs, which are all of marked bodies, once. */
     void solve(IntList some, boolean[] marks, Softness softness, boolean regains, double h) {
         boolean areSome = unlike.any();
+        if (areSome) {
+            unlike.solve(marks, softness.rate(), regains);
+        }
         for (int n = 0; n < some.size; n++) {
             if (!areSome || !unlike.has(some.values[n])) {
                 solve(state.v(), state.w().values(), some.values[n], softness, regains, h);
             }
-        }
-        if (areSome) {
-            unlike.solve(marks, softness.rate(), regains);
         }
     }
 

@@ -360,7 +360,7 @@ public final class TimeStepping implements Serializable {
 
     private void solve(double time) {
         double d = h / substeps;
-        contacts.begin(h, d, outset.a);
+        contacts.begin(h, d, outset.a, constraints);
         boolean isTied = constraints != null;
         boolean areOthers = areOthersAsleep || forces.springs().areNew() || newcomers.any();
         if (isTied) {

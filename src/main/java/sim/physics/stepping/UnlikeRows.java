@@ -4,6 +4,7 @@ package sim.physics.stepping;
 
 import java.io.Serializable;
 import java.util.Arrays;
+import sim.physics.constraint.Constraints;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.motion.State;
@@ -39,6 +40,7 @@ final class UnlikeRows implements Serializable {
     private final State state;
     private final ContactRows rows;
     private final UnlikeSet set;
+    private final Columns columns;
 
     /** Length of the substeps. */
     private double h;
@@ -55,6 +57,7 @@ final class UnlikeRows implements Serializable {
         this.state = state;
         this.rows = rows;
         set = new UnlikeSet(state, rows);
+        columns = new Columns(state, rows);
     }
 
     /** Whether forces press a heavy body on a light one; what its author moves is the ground to others. */
@@ -75,17 +78,25 @@ final class UnlikeRows implements Serializable {
      *
      * @param step its length
      * @param h that of its substeps
+     * @param constraints those of the engine, or null
      */
-    void begin(double step, double h) {
+    void begin(double step, double h, Constraints constraints) {
         this.h = h;
         set.begin(step, h);
         order.clear();
         ends.clear();
-        if (rows.unlike > 0) {
+        columns.find(constraints);
+        if (rows.unlike > 0 || columns.ends.size > 0) {
             if (kinds == null || kinds.length < rows.count) {
                 kinds = new byte[Growth.length(kinds == null ? 0 : kinds.length, rows.count)];
             }
             Arrays.fill(kinds, 0, rows.count, (byte) 0);
+        }
+        for (int k = 0; k < columns.order.size; k++) {
+            take(columns.order.values[k]);
+        }
+        for (int k = 0; k < columns.ends.size; k++) {
+            ends.add(columns.ends.values[k]);
         }
     }
 
@@ -188,7 +199,7 @@ final class UnlikeRows implements Serializable {
             int begin = m == 0 ? 0 : ends.values[m - 1];
             int row = order.values[begin];
             if (marks == null || marks[rows.first(row)] || marks[rows.second(row)]) {
-                set.solve(order.values, begin, ends.values[m], rate, regains);
+                set.solve(order.values, begin, ends.values[m], m < columns.ends.size, rate, regains);
             }
         }
     }

@@ -18,6 +18,7 @@ import static sim.physics.stepping.ContactRows.TANGENT;
 import static sim.physics.stepping.ContactRows.WEIGHT;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import sim.physics.motion.State;
 
 /**
@@ -46,6 +47,9 @@ final class UnlikeSet implements Serializable {
      */
     private static final double YIELDS = 3e-3;
 
+    /** And in columns, of which each point bears what it has to: as much more would let those of fifty bodies and more lean, and fall. */
+    private static final double STANDS = 1e-5;
+
     /** Speed at which depth is regained, in units of what forces give in a substep: what lifts a heavy body is to be little of what it presses with. */
     private static final double LIFTS = 0.25;
 
@@ -61,12 +65,18 @@ final class UnlikeSet implements Serializable {
 
     private double h;
 
+    /** What the points of the set yield. */
+    private double softness;
+
     /** The rows that are solved, where they begin and end; by row its first unknown. */
     private transient int[] order;
 
     private transient int from;
     private transient int to;
     private transient int[] firsts;
+
+    /** By row its two bodies, −1 for one that cannot move. */
+    private transient int[] bodies;
 
     /** By unknown: its direction and levers; by how much it gives way, as speed for an impulse. */
     private transient double[] ways;
@@ -89,10 +99,12 @@ final class UnlikeSet implements Serializable {
      *
      * @param from where they begin
      * @param to where they end
+     * @param isColumn whether they are of a column
      * @param rate part of a depth that is regained in a unit of time
      * @param regains whether it is
      */
-    void solve(int[] order, int from, int to, double rate, boolean regains) {
+    void solve(int[] order, int from, int to, boolean isColumn, double rate, boolean regains) {
+        softness = isColumn ? STANDS : YIELDS;
         this.order = order;
         this.from = from;
         this.to = to;
@@ -121,9 +133,15 @@ final class UnlikeSet implements Serializable {
         int count = 0;
         if (firsts == null || firsts.length <= to - from) {
             firsts = new int[2 * (to - from + 1)];
+            bodies = new int[2 * firsts.length];
         }
+        double[] w = state.w().values();
         for (int r = from; r < to; r++) {
+            int a = rows.first(order[r]);
+            int b = rows.second(order[r]);
             firsts[r - from] = count;
+            bodies[2 * (r - from)] = w[State.BLOCK * a] > 0 ? a : -1;
+            bodies[2 * (r - from) + 1] = w[State.BLOCK * b] > 0 ? b : -1;
             count += rows.pointCount(order[r]) + (isRough(order[r]) ? 1 : 0);
         }
         firsts[to - from] = count;
@@ -190,7 +208,7 @@ final class UnlikeSet implements Serializable {
             boolean isDeep = regains && gap < 0 && gap + h * bend < 0;
             double lift = LIFTS * h * rows.normals[PAIR * k + WEIGHT];
             double aim = isDeep ? Math.max(rate * gap, -Math.min(regain, lift)) : regains || gap >= 0 ? gap / h : 0;
-            yields[u] = isDeep ? Math.min(rate * YIELDS * regain * step, 0.5 * lift) / weight : 0;
+            yields[u] = isDeep ? Math.min(rate * softness * regain * step, 0.5 * lift) / weight : 0;
             point(u, k, nx, ny, points[p + AX], points[p + AY], points[p + BX], points[p + BY]);
             system.constant[u] += bend + aim + yields[u] * points[p + NORMAL];
             u++;
@@ -236,11 +254,19 @@ final class UnlikeSet implements Serializable {
 
     /** Finds what each unknown does to those before it. */
     private void fill() {
+        double[] w = state.w().values();
         for (int r = 0; r < to - from; r++) {
+            int a = bodies[2 * r];
+            int b = bodies[2 * r + 1];
             int first = -1;
             for (int s = 0; s <= r; s++) {
-                boolean isNear = fill(r, s, first >= 0);
+                boolean isNear = isShared(a, s) || isShared(b, s);
                 first = isNear && first < 0 ? firsts[s] : first;
+                if (isNear) {
+                    fill(r, s, w);
+                } else if (first >= 0) {
+                    clear(r, s);
+                }
             }
             for (int u = firsts[r]; u < firsts[r + 1]; u++) {
                 int own = u * system.room + u;
@@ -250,35 +276,40 @@ final class UnlikeSet implements Serializable {
         }
     }
 
-    /** What impulses of a row do to another one; whether that is anything. */
-    private boolean fill(int r, int s, boolean isWithin) {
-        double[] w = state.w().values();
-        int a = rows.first(order[from + r]);
-        int b = rows.second(order[from + r]);
-        int c = rows.first(order[from + s]);
-        int d = rows.second(order[from + s]);
-        boolean isNear = isShared(a, c) || isShared(a, d) || isShared(b, c) || isShared(b, d);
-        if (!isNear && !isWithin) {
-            return false;
-        }
-        double mass = (a == c ? w[State.BLOCK * a] : 0) + (b == d ? w[State.BLOCK * b] : 0) - (a == d ? w[State.BLOCK * a] : 0) - (b == c ? w[State.BLOCK * b] : 0);
-        double ac = a == c ? w[State.BLOCK * a + 2] : 0;
-        double ad = a == d ? w[State.BLOCK * a + 2] : 0;
-        double bc = b == c ? w[State.BLOCK * b + 2] : 0;
-        double bd = b == d ? w[State.BLOCK * b + 2] : 0;
-        for (int u = firsts[r]; u < firsts[r + 1]; u++) {
-            for (int q = firsts[s]; q < firsts[s + 1] && q <= u; q++) {
-                int i = WAY * u;
-                int j = WAY * q;
-                system.matrix[u * system.room + q] = mass * (ways[i] * ways[j] + ways[i + 1] * ways[j + 1])
-                        + ways[i + 2] * (ac * ways[j + 2] - ad * ways[j + 3]) + ways[i + 3] * (bd * ways[j + 3] - bc * ways[j + 2]);
-            }
-        }
-        return isNear;
+    /** Whether a row has a body, or its second one; nothing that cannot move is shared. */
+    private boolean isShared(int body, int row) {
+        return body >= 0 && (body == bodies[2 * row] || body == bodies[2 * row + 1]);
     }
 
-    private boolean isShared(int body, int other) {
-        return body == other && state.w().values()[State.BLOCK * body] > 0;
+    /** What impulses of a row do to one before it, with which it shares a body. */
+    private void fill(int r, int s, double[] w) {
+        int a = bodies[2 * r];
+        int b = bodies[2 * r + 1];
+        int c = bodies[2 * s];
+        int d = bodies[2 * s + 1];
+        int ac = a >= 0 && a == c ? State.BLOCK * a : -1;
+        int ad = a >= 0 && a == d ? State.BLOCK * a : -1;
+        int bc = b >= 0 && b == c ? State.BLOCK * b : -1;
+        int bd = b >= 0 && b == d ? State.BLOCK * b : -1;
+        double mass = (ac < 0 ? 0 : w[ac]) + (bd < 0 ? 0 : w[bd]) - (ad < 0 ? 0 : w[ad]) - (bc < 0 ? 0 : w[bc]);
+        double turnAc = ac < 0 ? 0 : w[ac + 2];
+        double turnAd = ad < 0 ? 0 : w[ad + 2];
+        double turnBc = bc < 0 ? 0 : w[bc + 2];
+        double turnBd = bd < 0 ? 0 : w[bd + 2];
+        for (int u = firsts[r]; u < firsts[r + 1]; u++) {
+            int i = WAY * u;
+            for (int q = firsts[s]; q < firsts[s + 1] && q <= u; q++) {
+                int j = WAY * q;
+                system.matrix[u * system.room + q] = mass * (ways[i] * ways[j] + ways[i + 1] * ways[j + 1])
+                        + ways[i + 2] * (turnAc * ways[j + 2] - turnAd * ways[j + 3]) + ways[i + 3] * (turnBd * ways[j + 3] - turnBc * ways[j + 2]);
+            }
+        }
+    }
+
+    private void clear(int r, int s) {
+        for (int u = firsts[r]; u < firsts[r + 1]; u++) {
+            Arrays.fill(system.matrix, u * system.room + firsts[s], u * system.room + firsts[s + 1], 0);
+        }
     }
 
     /** Sets the bounds, by what presses with what has been found for it; whether those of friction that matter have changed. */
