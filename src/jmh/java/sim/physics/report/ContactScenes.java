@@ -224,7 +224,7 @@ final class ContactScenes {
             disc(model, 1, 2 * k - n + 1, 0.5);
         }
         model.wall(0, -1, 60, 2);
-        ReportScene scene = touching("W25-rollers", "plate that is pushed over five rollers, 1 s", model, 1, 2, 120);
+        ReportScene scene = touching("W25-rollers", "plate that is pushed over five rollers, 1 s", model, 1, 2, 15);
         scene.note = "By events, what a force other than gravity drives stays 10⁻⁷ of its size off what it rests on: an error of 1e-7 m.";
         scene.point(box, 0, 0).point(box, 6, 0);
         for (int k = 0; k < n; k++) {
