@@ -8,7 +8,7 @@ import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
 /**
- * The contacts of columns: of bodies of which each lies on one other, and the lowest one on what nothing moves. Solved one after the other, what the lowest
+ * The contacts of columns that stand: of bodies of which each lies on one other, and the lowest one on what nothing moves. Solved one after the other, what the lowest
  * ones bear would need as many turns as the column has bodies, squared: until then it gives way, leans, and falls. So they are solved at once
  * ({@link UnlikeSet}), which takes no more than a turn does. What presses on a third body is of no column.
  */
@@ -19,6 +19,9 @@ final class Columns implements Serializable {
     private static final int FEWEST = 3;
 
     private static final int MOST = 200;
+
+    /** Speeds at its points at most, relative to what forces give in a step: a heap that falls is of no columns. */
+    private static final double STILL = 0.5;
 
     /** In place of a pair: nothing lies on a body; it is of no column. */
     private static final int TOP = -1;
@@ -38,12 +41,17 @@ final class Columns implements Serializable {
         this.rows = rows;
     }
 
+    /** Length of the step. */
+    private double step;
+
     /**
      * Finds the columns of a step.
      *
+     * @param step its length
      * @param constraints whose bodies are of none; may be null
      */
-    void find(Constraints constraints) {
+    void find(double step, Constraints constraints) {
+        this.step = step;
         order.clear();
         ends.clear();
         for (int k = 0; rows.count >= FEWEST && k < rows.count; k++) {
@@ -66,7 +74,12 @@ final class Columns implements Serializable {
 
     /** Whether the bodies of a pair lie on one another, side on side. */
     private boolean lies(int k) {
-        return rows.pointCount(k) > 1 && !rows.isStruck(k);
+        boolean lies = rows.pointCount(k) > 1 && !rows.isStruck(k);
+        double most = STILL * step * rows.normals[ContactRows.PAIR * k + ContactRows.WEIGHT];
+        for (int p = rows.begin(k); lies && p < rows.end(k); p += ContactRows.STRIDE) {
+            lies = Math.abs(rows.points[p + ContactRows.APPROACH]) <= most && Math.abs(rows.slip(k, p, state.v())) <= most;
+        }
+        return lies;
     }
 
     /** Lists the pairs from one on up, if they are a column. */

@@ -85,7 +85,7 @@ final class UnlikeRows implements Serializable {
         set.begin(step, h);
         order.clear();
         ends.clear();
-        columns.find(constraints);
+        columns.find(step, constraints);
         if (rows.unlike > 0 || columns.ends.size > 0) {
             if (kinds == null || kinds.length < rows.count) {
                 kinds = new byte[Growth.length(kinds == null ? 0 : kinds.length, rows.count)];
