@@ -263,8 +263,8 @@ final class Admission implements Presence, Serializable {
         rounds.begin();
         for (int k = 0; k < state.touchedCount(); k++) {
             int index = state.touched(k);
-            boolean isWritten = state.body(index) != null && motion.isTied(index) && !isOnlyPushed(index, tau);
-            if (isWritten && rounds.isFirst(constraints.island(index))) {
+            boolean mayBeOpen = stepped == null ? !isOnlyPushed(index, tau) : state.touched().isMoved(index); // substeps go on with another mass
+            if (mayBeOpen && state.body(index) != null && motion.isTied(index) && rounds.isFirst(constraints.island(index))) {
                 IntList island = constraints.island(index);
                 for (int m = 0; m < island.size; m++) {
                     bring(island.values[m], tau);

@@ -342,7 +342,7 @@ public final class PhysicsEngine implements Steppable {
     public <B extends Body> B add(B body) {
         Objects.requireNonNull(body, "body");
         if (isGone(body)) {
-            state.write(body.index()); // it comes back where it is now
+            state.write(body.index(), true); // it comes back where it is now
             admission.leaving().takeBack(body);
             return body;
         }
@@ -776,7 +776,7 @@ public final class PhysicsEngine implements Steppable {
         if (a == b) {
             throw new IllegalArgumentException("b is " + b + ": a pair that collides needs two different bodies");
         }
-        state.write(a.index());
+        state.write(a.index(), false);
         detection.filter().set(a, b, collide);
     }
 

@@ -11,6 +11,9 @@ final class Admissible {
     /** Gap of a new constraint, relative to the sizes of its bodies, up to which it counts as closed. */
     static final double CLOSED = 1e-6;
 
+    /** What may be left of its rate, as a part of those of which this is the difference. */
+    private static final double SLIP = 1e-3;
+
     private Admissible() {}
 
     static void check(Constraint constraint, boolean closed) {
@@ -43,6 +46,33 @@ final class Admissible {
                         + ": all of it must be finite, with its squares over the masses");
             }
         }
+    }
+
+    /** Whether a constraint is closed, and its bodies move as it lets them. What switches lets them do anything. */
+    static boolean holds(Constraint constraint) {
+        boolean yes = true;
+        if (!(constraint instanceof Switched)) {
+            Equations equations = new Equations();
+            constraint.evaluate(equations);
+            for (int row = 0; row < constraint.getRows(); row++) {
+                double[] a = rate(equations.jA, row, constraint.getBodyA());
+                double[] b = rate(equations.jB, row, constraint.getBodyB());
+                yes &= Math.abs(equations.c[row]) <= CLOSED * (constraint.isAngle(row) ? 1 : constraint.getSize());
+                yes &= Math.abs(a[0] + b[0]) <= SLIP * (a[1] + b[1]);
+            }
+        }
+        return yes;
+    }
+
+    /** What a body adds to J ẋ, and that with all terms positive. */
+    private static double[] rate(double[] j, int row, Body body) {
+        if (body == null) {
+            return new double[2];
+        }
+        double x = j[3 * row] * body.getVelocityX();
+        double y = j[3 * row + 1] * body.getVelocityY();
+        double theta = j[3 * row + 2] * body.getAngularVelocity();
+        return new double[] {x + y + theta, Math.abs(x) + Math.abs(y) + Math.abs(theta)};
     }
 
     /** What a body adds to J W Jᵀ; no finite number if J has none. */

@@ -33,6 +33,10 @@ final class Grouping {
             open.addAll(dissolve(c.getBodyA(), register, state, by));
             open.addAll(dissolve(c.getBodyB(), register, state, by));
             open.add(c);
+            if (register.all().contains(c) && !isReshaped(c.getBodyA(), state) && !isReshaped(c.getBodyB(), state) && !Admissible.holds(c)) {
+                touch(c.getBodyA(), state);
+                touch(c.getBodyB(), state);
+            }
         }
         open.retainAll(register.all());
         register.changed.clear();
@@ -48,6 +52,19 @@ final class Grouping {
             }
         }
         return by;
+    }
+
+    /** Whether a body has another shape, as one that grows has in each step: its constraints have other sizes then, and are as closed as they were. */
+    private static boolean isReshaped(Body body, State state) {
+        return body != null && state.touched().isReshaped(body.index());
+    }
+
+    /** A body has to be moved, or to move otherwise, for a constraint to hold. */
+    private static void touch(Body body, State state) {
+        if (body != null && !body.isImmobile()) {
+            state.touch(body.index());
+            state.touched().move(body.index());
+        }
     }
 
     /**

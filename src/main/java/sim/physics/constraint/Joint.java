@@ -82,7 +82,7 @@ public abstract class Joint implements Constraint {
     static void write(Body a, Body b) {
         for (Body body : b == null ? new Body[] {a} : new Body[] {a, b}) {
             if (!body.isImmobile()) {
-                body.state().write(body.index());
+                body.state().write(body.index(), true);
             }
         }
     }

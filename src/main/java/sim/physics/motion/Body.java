@@ -153,7 +153,7 @@ public class Body implements Serializable {
         if (isDynamic()) {
             setMass(mass, mass * shape.unitInertia());
         }
-        state.write(index);
+        state.write(index, false);
         this.shape = shape;
         if (particulars != null) {
             particulars.patch = null;
@@ -327,7 +327,7 @@ public class Body implements Serializable {
     public final void setPosition(double x, double y) {
         Check.finite("x", x);
         Check.finite("y", y);
-        state.write(index);
+        state.write(index, true);
         state.x()[State.BLOCK * index + State.X] = x;
         state.x()[State.BLOCK * index + State.Y] = y;
         state.placed(index);
@@ -342,7 +342,7 @@ public class Body implements Serializable {
      */
     public final void setAngle(double angle) {
         Check.finite("angle", angle);
-        state.write(index);
+        state.write(index, true);
         state.x()[State.BLOCK * index + State.THETA] = angle;
         state.placed(index);
         written(false);
@@ -359,7 +359,7 @@ public class Body implements Serializable {
         speed("vx", vx);
         speed("vy", vy);
         requireMovable("a velocity", vx != 0 || vy != 0);
-        state.write(index);
+        state.write(index, true);
         state.v()[State.BLOCK * index + State.X] = vx;
         state.v()[State.BLOCK * index + State.Y] = vy;
         written(true);
@@ -374,7 +374,7 @@ public class Body implements Serializable {
     public final void setAngularVelocity(double omega) {
         speed("angular velocity", omega);
         requireMovable("an angular velocity", omega != 0);
-        state.write(index);
+        state.write(index, true);
         state.v()[State.BLOCK * index + State.THETA] = omega;
         written(true);
     }
@@ -423,7 +423,7 @@ public class Body implements Serializable {
 
     /** Sets with which masses the body is moved, whatever its author reads. */
     final void weigh(double mass, double inertia) {
-        state.write(index);
+        state.write(index, false);
         double[] w = state.w().values();
         w[State.BLOCK * index + State.X] = 1 / mass;
         w[State.BLOCK * index + State.Y] = 1 / mass;
@@ -433,6 +433,7 @@ public class Body implements Serializable {
     /** Sets whether the body moves no more, with no inverse mass, or moves from now on, with which masses. */
     final void setImmobile(boolean yes, double mass, double inertia) {
         immobile = yes;
+        state.write(index, true);
         weigh(yes ? Double.POSITIVE_INFINITY : mass, yes ? Double.POSITIVE_INFINITY : inertia);
         state.touched.note(index, Touched.TURNED);
     }
@@ -565,7 +566,7 @@ public class Body implements Serializable {
             throw new IllegalArgumentException("static surface friction is " + atRest
                     + ": it must not be less than the kinetic one, " + kinetic);
         }
-        state.write(index);
+        state.write(index, false);
         if (atRest != getSurfaceStaticFriction() || kinetic != getSurfaceFriction()) {
             particulars().surfaceFriction = kinetic;
             particulars().surfaceStaticFriction = atRest;
@@ -598,7 +599,7 @@ public class Body implements Serializable {
      * @param collidesWith the categories that it collides with, bits
      */
     public final void setCollisionGroup(long category, long collidesWith) {
-        state.write(index);
+        state.write(index, false);
         if (category != getCategory() || collidesWith != getCollidesWith()) {
             particulars().category = category;
             particulars().collidesWith = collidesWith;

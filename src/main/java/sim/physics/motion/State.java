@@ -357,10 +357,12 @@ public final class State implements Serializable {
      * Notes that a body is written by its author.
      *
      * @param index the block
+     * @param moves whether it may be elsewhere then, or move otherwise: not for its other properties
      */
-    public void write(int index) {
+    public void write(int index, boolean moves) {
         requireOpen();
         touch(index);
+        touched.note(index, moves ? Touched.MOVED : 0);
     }
 
     /**

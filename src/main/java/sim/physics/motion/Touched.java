@@ -13,12 +13,16 @@ public final class Touched implements Serializable {
     /** After how many steps in which no body was written the room to note them is given back. */
     private static final int QUIET = 100;
 
-    /** Only a force was applied; or anything was written; or nothing moves the body any more, or something does again; or it has another shape. */
+    /** Bits: a force was applied at least; anything was written; where it is or how it moves may be another; TURNED is below. */
     private static final byte PUSHED = 1;
 
     private static final byte WRITTEN = 2;
-    static final byte TURNED = 3;
-    static final byte RESHAPED = 4;
+    static final byte MOVED = 4;
+
+    /** Nothing moves the body any more, or something does again; or it has another shape. */
+    static final byte TURNED = 8;
+
+    static final byte RESHAPED = 16;
 
     private int[] list = {};
     private byte[] how;
@@ -52,6 +56,15 @@ public final class Touched implements Serializable {
     }
 
     /**
+     * {@return whether a body may be elsewhere, or move otherwise: not only its properties are written}
+     *
+     * @param index the block
+     */
+    public boolean isMoved(int index) {
+        return (how[index] & MOVED) != 0;
+    }
+
+    /**
      * {@return whether a kinematic body has begun to move, or has come to a stand, or a body has another shape}
      *
      * @param index the block
@@ -66,12 +79,21 @@ public final class Touched implements Serializable {
      * @param index the block
      */
     public boolean isReshaped(int index) {
-        return how[index] == RESHAPED;
+        return (how[index] & RESHAPED) != 0;
+    }
+
+    /**
+     * Notes that a block that has been noted is to be brought elsewhere, or to move otherwise.
+     *
+     * @param index the block
+     */
+    public void move(int index) {
+        note(index, MOVED);
     }
 
     /** Notes more of a block that has been noted. */
-    void note(int index, byte change) {
-        how[index] = (byte) Math.max(how[index], change);
+    void note(int index, int change) {
+        how[index] |= (byte) change;
     }
 
     int count() {
@@ -102,7 +124,7 @@ public final class Touched implements Serializable {
             list[count++] = index;
             how[index] = PUSHED;
         }
-        how[index] = isForce ? how[index] : (byte) Math.max(how[index], WRITTEN);
+        note(index, isForce ? 0 : WRITTEN);
     }
 
     PlaceLog places() {
