@@ -81,10 +81,7 @@ final class Admission implements Presence, Serializable {
         audit = those;
     }
 
-    /**
-     * Sets what moves the bodies, between steps: from now on it, and not events, is told of changes. All bodies start anew from
-     * where they are.
-     */
+    /** Sets what moves the bodies, between steps: from now on it, and not events, is told of changes. All bodies start anew from where they are. */
     void setStepped(TimeStepping those) {
         for (int k = 0; k < state.size(); k++) {
             if (state.body(k) != null) {
@@ -210,6 +207,7 @@ final class Admission implements Presence, Serializable {
         boolean staysDriven = isDriven && trajectories.isDriven(index);
         if (isKnown && !(staysDriven && isOnlyPushed(index, tau))) { // else its path is told with those of all driven bodies
             boolean isOutOfBox = detection.refilter(index, tau, !isThere);
+            heaps.letPass(index);
             detection.moved(index, tau, isDriven || !isThere || isOutOfBox || state.body(index).isImmobile(), -1);
         } else if (!isKnown) {
             detection.add(index, tau);

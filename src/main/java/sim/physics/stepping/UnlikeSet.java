@@ -41,6 +41,9 @@ final class UnlikeSet implements Serializable {
 
     private static final double SETTLED = 1e-3;
 
+    /** By what part friction may be more than what presses lets it be. */
+    private static final double EXCESS = 1e-6;
+
     /**
      * Depth under the weight of the heaviest body, relative to a tenth of the smaller one of a pair. Without any, those of several points that are on one
      * line and differ by rounding would bear all by turns.
@@ -119,7 +122,10 @@ final class UnlikeSet implements Serializable {
         fill();
         bound(0);
         system.solve();
-        for (int turn = 1; !regains && turn < BOUNDS && bound(turn); turn++) {
+        for (int turn = 1; turn < BOUNDS && bound(turn); turn++) {
+            system.solve();
+        }
+        for (int turn = 0; turn < BOUNDS && settle(); turn++) {
             system.solve();
         }
         give();
@@ -337,6 +343,21 @@ final class UnlikeSet implements Serializable {
         return changes;
     }
 
+    /** Holds friction where it is, or at what it may be by what presses, if that is less; whether that is so of any. */
+    private boolean settle() {
+        boolean isLess = false;
+        for (int r = from; r < to; r++) {
+            if (isRough(order[r])) {
+                int u = firsts[r - from + 1] - 1;
+                double rubs = rubs(r);
+                isLess |= Math.abs(rubs - system.x[u]) > EXCESS * mostFriction(r);
+                system.low[u] = rubs;
+                system.high[u] = rubs;
+            }
+        }
+        return isLess;
+    }
+
     /** What friction gives a pair, which is no more than what presses lets it have: also where bounds have not settled. */
     private double rubs(int r) {
         double tangent = rows.sum(order[r], TANGENT);
@@ -362,7 +383,7 @@ final class UnlikeSet implements Serializable {
             int k = order[r];
             int u = firsts[r - from];
             double part = part(k);
-            double rubs = isRough(k) ? rubs(r) : 0;
+            double rubs = isRough(k) ? system.x[firsts[r - from + 1] - 1] : 0;
             for (int p = rows.begin(k); p < rows.end(k); p += STRIDE) {
                 double normal = Math.max(0, points[p + NORMAL] + system.x[u++]);
                 rows.give(k, p, state.v(), normal - points[p + NORMAL], part * rubs);

@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
@@ -236,6 +237,36 @@ class SetAnyTimeTest {
         run(59); // they meet at 36.5
         assertThat(balls[0].getVelocityX()).isCloseTo(1, within(1e-13));
         assertThat(engine.getImpacts()).isEqualTo(1);
+    }
+
+    /** The upper one of two boxes that stand on one another falls through the lower one, whichever of them is told; and that bears nothing from then on. */
+    @ParameterizedTest
+    @CsvSource({"0, false", "1, false", "2, false", "3, false", "0, true", "1, true", "2, true", "3, true"})
+    void whatStandsOnAnotherFallsThrough(int how, boolean inStep) {
+        engine.setTimeStep(STEP);
+        engine.add(new Gravity(0, -G));
+        engine.add(Body.fixed(new Rectangle(4, 1)).at(0, -0.5)).setCollisionGroup(1 | 4, -1);
+        Body low = engine.add(new Body(new Rectangle(1, 1)).at(0, 0.5));
+        Body high = engine.add(new Body(new Rectangle(1, 1)).at(0, 1.5));
+        low.setRestitution(0);
+        high.setRestitution(0);
+        run(30);
+        assertThat(high.getVelocityY()).isZero();
+        act(inStep, () -> {
+            switch (how) {
+                case 0 -> engine.setCollisions(low, high, false);
+                case 1 -> engine.setCollisions(high, low, false);
+                case 2 -> low.setCollisionGroup(2, 4);
+                default -> high.setCollisionGroup(2, 4);
+            }
+        });
+        run(16);
+        double time = STEP * (16 + (inStep ? 1 - WHEN : 0));
+        assertThat(high.getVelocityY()).isCloseTo(-G * time, within(1e-8)); // as exact as what lies
+        assertThat(high.getY()).isCloseTo(1.5 - G * time * time / 2, within(1e-8));
+        assertThat(low.getY()).isCloseTo(0.5, within(1e-9));
+        assertThat(engine.contacts(low)).hasSize(1);
+        assertThat(engine.contacts(low).get(0).forceY(low)).isCloseTo(G, within(1e-8));
     }
 
     /** A block that lies on another one, which guides it on a rail, falls through when the two collide no more. */

@@ -400,6 +400,17 @@ public final class Heaps implements Serializable {
     }
 
     /**
+     * Lets go of what lies on a body, or bears it, and is to pass through it from now on.
+     *
+     * @param body index
+     */
+    public void letPass(int body) {
+        if (has(body)) {
+            joining.part(body, true);
+        }
+    }
+
+    /**
      * A body leaves: what it has borne in the step is told no more.
      *
      * @param body index
@@ -409,16 +420,7 @@ public final class Heaps implements Serializable {
     }
 
     private void part(int body) {
-        for (int k = 0; k < detection.pairs().countOf(body); k++) {
-            int pair = detection.pairs().of(body, k);
-            if (lasts(pair)) {
-                end(pair);
-                int other = detection.pairs().other(pair, body);
-                if (has(other)) {
-                    joining.mark(other);
-                }
-            }
-        }
+        joining.part(body, false);
         if (has(body)) {
             by.lies[body] = false;
             heap.driving.thaw(body, heap.members.ties());

@@ -90,6 +90,20 @@ final class Joining implements Serializable {
         }
     }
 
+    /** Ends the lasting of a body's pairs: of those that do not pass through one another, or of those that are to do so from now on. */
+    void part(int body, boolean isPassing) {
+        for (int k = 0; k < detection.pairs().countOf(body); k++) {
+            int pair = detection.pairs().of(body, k);
+            int other = detection.pairs().other(pair, body);
+            if (detection.marks().isLasting(pair) && detection.marks().isIgnored(pair) == isPassing) {
+                heap.lasting.end(pair);
+                if (by.has(other)) {
+                    mark(other);
+                }
+            }
+        }
+    }
+
     private void push(int what, int whom, int more) {
         left.add(more);
         left.add(whom);
