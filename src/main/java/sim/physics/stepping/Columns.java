@@ -8,9 +8,9 @@ import sim.physics.internal.IntList;
 import sim.physics.motion.State;
 
 /**
- * The contacts of columns that stand: of bodies of which each lies on one other, and the lowest one on what nothing moves. Solved one after the other, what the lowest
- * ones bear would need as many turns as the column has bodies, squared: until then it gives way, leans, and falls. So they are solved at once
- * ({@link UnlikeSet}), which takes no more than a turn does. What presses on a third body is of no column.
+ * The contacts of columns that stand: of bodies of which each lies on one other, and the lowest one on what nothing moves. Solved one after the other,
+ * what the lowest ones bear would need as many turns as the column has bodies, squared: until then it gives way, leans, and falls. So they are solved at
+ * once ({@link UnlikeSet}), in the time of a few turns. What presses on a third body is of no column.
  */
 final class Columns implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -31,6 +31,9 @@ final class Columns implements Serializable {
     private final State state;
     private final ContactRows rows;
 
+    /** Length of the step. */
+    private double step;
+
     /** The pairs, column by column from below, and where each ends. */
     final IntList order = new IntList();
 
@@ -40,9 +43,6 @@ final class Columns implements Serializable {
         this.state = state;
         this.rows = rows;
     }
-
-    /** Length of the step. */
-    private double step;
 
     /**
      * Finds the columns of a step.
