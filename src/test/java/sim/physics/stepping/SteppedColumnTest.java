@@ -12,6 +12,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
+import sim.physics.motion.KinematicBody;
 import sim.physics.response.LastingContact;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
@@ -89,6 +91,32 @@ class SteppedColumnTest {
                 assertThat(stacks[c][k].getX()).as("box %d of %d", k, c).isCloseTo(1.001 * c, within(1e-4));
                 assertThat(stacks[c][k].getY()).as("box %d of %d", k, c).isCloseTo(k + 0.5, within(1e-4));
             }
+        }
+    }
+
+    /** Columns on a lift that goes up and down, and to and fro: within its acceleration they go with it. Twelve boxes leant by 0.15, and thirty fell. */
+    @ParameterizedTest
+    @ValueSource(ints = {3, 12, 30})
+    void columnsGoWithALift(int count) {
+        PhysicsEngine engine = Stepped.engine(1.0 / 60, 4);
+        engine.add(new Gravity(0, -Stepped.G));
+        KinematicBody lift = engine.add(new KinematicBody(new Rectangle(10, 1)));
+        Stepped.rough(lift);
+        Random random = new Random(count);
+        double[] x = new double[count];
+        Body[] stack = new Body[count];
+        for (int k = 0; k < count; k++) {
+            x[k] = 0.02 * (random.nextDouble() - 0.5);
+            stack[k] = Stepped.box(engine, 1, 1, 1, x[k], k + 1);
+        }
+        for (int step = 0; step < 600; step++) {
+            double time = engine.getTime() + 1.0 / 120;
+            lift.setTargetVelocity(0.1 * StrictMath.sin(2 * time), 0.3 * StrictMath.sin(3 * time), 0);
+            engine.step();
+        }
+        for (int k = 0; k < count; k++) {
+            assertThat(stack[k].getX()).as("box %d", k).isCloseTo(x[k] + lift.getX(), within(1e-3));
+            assertThat(stack[k].getY()).as("box %d", k).isCloseTo(k + 1 + lift.getY(), within(1e-4));
         }
     }
 
