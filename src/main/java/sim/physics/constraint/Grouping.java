@@ -29,14 +29,11 @@ final class Grouping {
     static TiedGroup[] renew(List<TiedGroup> groups, Register register, State state, TiedGroup[] of) {
         TiedGroup[] by = of.length < state.size() ? Arrays.copyOf(of, Math.max(2 * of.length, state.size())) : of;
         LinkedHashSet<Constraint> open = new LinkedHashSet<>();
+        touchOpen(register, state); // before anything changes, as constraints of authors may throw
         for (Constraint c : register.changed) {
             open.addAll(dissolve(c.getBodyA(), register, state, by));
             open.addAll(dissolve(c.getBodyB(), register, state, by));
             open.add(c);
-            if (register.all().contains(c) && !isReshaped(c.getBodyA(), state) && !isReshaped(c.getBodyB(), state) && !Admissible.holds(c)) {
-                touch(c.getBodyA(), state);
-                touch(c.getBodyB(), state);
-            }
         }
         open.retainAll(register.all());
         register.changed.clear();
@@ -52,6 +49,16 @@ final class Grouping {
             }
         }
         return by;
+    }
+
+    /** Notes the bodies of changed constraints that do not hold as they are. */
+    private static void touchOpen(Register register, State state) {
+        for (Constraint c : register.changed) {
+            if (register.all().contains(c) && !isReshaped(c.getBodyA(), state) && !isReshaped(c.getBodyB(), state) && !Admissible.holds(c)) {
+                touch(c.getBodyA(), state);
+                touch(c.getBodyB(), state);
+            }
+        }
     }
 
     /** Whether a body has another shape, as one that grows has in each step: its constraints have other sizes then, and are as closed as they were. */

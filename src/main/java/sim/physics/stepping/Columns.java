@@ -34,11 +34,6 @@ final class Columns implements Serializable {
     /** Length of the step. */
     private double step;
 
-    /** The pairs, column by column from below, and where each ends. */
-    final IntList order = new IntList();
-
-    final IntList ends = new IntList();
-
     Columns(State state, ContactRows rows) {
         this.state = state;
         this.rows = rows;
@@ -49,15 +44,15 @@ final class Columns implements Serializable {
      *
      * @param step its length
      * @param constraints whose bodies are of none; may be null
+     * @param order takes the pairs, column by column from below
+     * @param ends takes where each column ends
      */
-    void find(double step, Constraints constraints) {
+    void find(double step, Constraints constraints, IntList order, IntList ends) {
         this.step = step;
-        order.clear();
-        ends.clear();
         for (int k = 0; rows.count >= FEWEST && k < rows.count; k++) {
             int body = lowest(k);
-            if (body >= 0) {
-                climb(k, body, constraints);
+            if (body >= 0 && climb(k, body, constraints, order)) {
+                ends.add(order.size);
             }
         }
     }
@@ -82,8 +77,8 @@ final class Columns implements Serializable {
         return lies;
     }
 
-    /** Lists the pairs from one on up, if they are a column. */
-    private void climb(int k, int lowest, Constraints constraints) {
+    /** Lists the pairs from one on up, if they are a column; whether they are. */
+    private boolean climb(int k, int lowest, Constraints constraints, IntList order) {
         int begin = order.size;
         order.add(k);
         int body = lowest;
@@ -93,11 +88,9 @@ final class Columns implements Serializable {
             body = rows.first(next) == body ? rows.second(next) : rows.first(next);
             next = above(next, body, constraints);
         }
-        if (next == TOP && order.size - begin >= FEWEST && order.size - begin <= MOST) {
-            ends.add(order.size);
-        } else {
-            order.size = begin;
-        }
+        boolean isColumn = next == TOP && order.size - begin >= FEWEST && order.size - begin <= MOST;
+        order.size = isColumn ? order.size : begin;
+        return isColumn;
     }
 
     /** The other pair of a body, {@link #TOP} if it has none; {@link #NONE} if it is of no column. */

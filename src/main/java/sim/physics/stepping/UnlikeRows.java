@@ -12,7 +12,7 @@ import sim.physics.motion.State;
 /**
  * The contacts of what hangs together with a light body on which forces press a heavy one. Solved one after the other, these would need some thousand
  * turns: impulses that stop the light body are next to nothing for the heavy one. If they are few, or form a column, they are a set, which is solved at once
- * ({@link UnlikeSet}). Scenes in which bodies are alike, or light ones lie on heavy ones, have none, and pay nothing.
+ * ({@link UnlikeSet}); and so are {@link Columns} of any bodies. Scenes that have neither pay a look at each pair.
  */
 final class UnlikeRows implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -53,6 +53,9 @@ final class UnlikeRows implements Serializable {
 
     private final IntList ends = new IntList();
 
+    /** How many of the sets are columns: the first ones. */
+    private int columnCount;
+
     UnlikeRows(State state, ContactRows rows) {
         this.state = state;
         this.rows = rows;
@@ -85,18 +88,16 @@ final class UnlikeRows implements Serializable {
         set.begin(step, h);
         order.clear();
         ends.clear();
-        columns.find(step, constraints);
-        if (rows.unlike > 0 || columns.ends.size > 0) {
+        columns.find(step, constraints, order, ends);
+        columnCount = ends.size;
+        if (rows.unlike > 0 || columnCount > 0) {
             if (kinds == null || kinds.length < rows.count) {
                 kinds = new byte[Growth.length(kinds == null ? 0 : kinds.length, rows.count)];
             }
             Arrays.fill(kinds, 0, rows.count, (byte) 0);
         }
-        for (int k = 0; k < columns.order.size; k++) {
-            take(columns.order.values[k]);
-        }
-        for (int k = 0; k < columns.ends.size; k++) {
-            ends.add(columns.ends.values[k]);
+        for (int r = 0; r < order.size; r++) {
+            kinds[order.values[r]] = SET;
         }
     }
 
@@ -199,7 +200,7 @@ final class UnlikeRows implements Serializable {
             int begin = m == 0 ? 0 : ends.values[m - 1];
             int row = order.values[begin];
             if (marks == null || marks[rows.first(row)] || marks[rows.second(row)]) {
-                set.solve(order.values, begin, ends.values[m], m < columns.ends.size, rate, regains);
+                set.solve(order.values, begin, ends.values[m], m < columnCount, rate, regains);
             }
         }
     }

@@ -293,25 +293,27 @@ final class UnlikeSet implements Serializable {
         int b = bodies[2 * r + 1];
         int c = bodies[2 * s];
         int d = bodies[2 * s + 1];
-        int ac = a >= 0 && a == c ? State.BLOCK * a : -1;
-        int ad = a >= 0 && a == d ? State.BLOCK * a : -1;
-        int bc = b >= 0 && b == c ? State.BLOCK * b : -1;
-        int bd = b >= 0 && b == d ? State.BLOCK * b : -1;
-        double mass = (ac < 0 ? 0 : w[ac]) + (bd < 0 ? 0 : w[bd]) - (ad < 0 ? 0 : w[ad]) - (bc < 0 ? 0 : w[bc]);
-        double turnAc = ac < 0 ? 0 : w[ac + 2];
-        double turnAd = ad < 0 ? 0 : w[ad + 2];
-        double turnBc = bc < 0 ? 0 : w[bc + 2];
-        double turnBd = bd < 0 ? 0 : w[bd + 2];
+        double mass = shared(w, a, c, 0) + shared(w, b, d, 0) - shared(w, a, d, 0) - shared(w, b, c, 0);
+        double ac = shared(w, a, c, 2);
+        double ad = shared(w, a, d, 2);
+        double bc = shared(w, b, c, 2);
+        double bd = shared(w, b, d, 2);
         for (int u = firsts[r]; u < firsts[r + 1]; u++) {
             int i = WAY * u;
             for (int q = firsts[s]; q < firsts[s + 1] && q <= u; q++) {
                 int j = WAY * q;
                 system.matrix[u * system.room + q] = mass * (ways[i] * ways[j] + ways[i + 1] * ways[j + 1])
-                        + ways[i + 2] * (turnAc * ways[j + 2] - turnAd * ways[j + 3]) + ways[i + 3] * (turnBd * ways[j + 3] - turnBc * ways[j + 2]);
+                        + ways[i + 2] * (ac * ways[j + 2] - ad * ways[j + 3]) + ways[i + 3] * (bd * ways[j + 3] - bc * ways[j + 2]);
             }
         }
     }
 
+    /** An inverse mass of a body, if it is another one too; 0 if not. */
+    private static double shared(double[] w, int body, int other, int which) {
+        return body >= 0 && body == other ? w[State.BLOCK * body + which] : 0;
+    }
+
+    /** Rows that share nothing do nothing to one another. */
     private void clear(int r, int s) {
         for (int u = firsts[r]; u < firsts[r + 1]; u++) {
             Arrays.fill(system.matrix, u * system.room + firsts[s], u * system.room + firsts[s + 1], 0);
@@ -349,20 +351,15 @@ final class UnlikeSet implements Serializable {
         for (int r = from; r < to; r++) {
             if (isRough(order[r])) {
                 int u = firsts[r - from + 1] - 1;
-                double rubs = rubs(r);
-                isLess |= Math.abs(rubs - system.x[u]) > EXCESS * mostFriction(r);
+                double tangent = rows.sum(order[r], TANGENT);
+                double most = mostFriction(r);
+                double rubs = Math.max(-most, Math.min(most, tangent + system.x[u])) - tangent;
+                isLess |= Math.abs(rubs - system.x[u]) > EXCESS * most;
                 system.low[u] = rubs;
                 system.high[u] = rubs;
             }
         }
         return isLess;
-    }
-
-    /** What friction gives a pair, which is no more than what presses lets it have: also where bounds have not settled. */
-    private double rubs(int r) {
-        double tangent = rows.sum(order[r], TANGENT);
-        double most = mostFriction(r);
-        return Math.max(-most, Math.min(most, tangent + system.x[firsts[r - from + 1] - 1])) - tangent;
     }
 
     /** What the friction of a pair may be, by what presses with what has been found for it. */

@@ -40,6 +40,17 @@ class SteppedColumnTest {
         assertThat(Stepped.fastest(engine)).isLessThan(1e-5);
     }
 
+    /** Unit squares on one another from a height on, each off by up to 0.01: their places are noted. */
+    private static Body[] likeBoxes(PhysicsEngine engine, double ground, double[] x) {
+        Random random = new Random(x.length);
+        Body[] stack = new Body[x.length];
+        for (int k = 0; k < x.length; k++) {
+            x[k] = 0.02 * (random.nextDouble() - 0.5);
+            stack[k] = Stepped.box(engine, 1, 1, 1, x[k], ground + k + 0.5);
+        }
+        return stack;
+    }
+
     /** Boxes of many sizes, with masses over two decades: of two hundred such columns 43 fell, some with 27 m/s. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8})
@@ -63,13 +74,10 @@ class SteppedColumnTest {
     @CsvSource({"5, 0.5", "10, 0", "40, 0.5", "40, 0", "100, 0.5"})
     void likeBoxesStand(int count, double friction) {
         PhysicsEngine engine = Stepped.onGround(1.0 / 60, 4);
-        Random random = new Random(count);
         double[] x = new double[count];
-        Body[] stack = new Body[count];
-        for (int k = 0; k < count; k++) {
-            x[k] = 0.02 * (random.nextDouble() - 0.5);
-            stack[k] = Stepped.box(engine, 1, 1, 1, x[k], k + 0.5);
-            stack[k].setFriction(friction);
+        Body[] stack = likeBoxes(engine, 0, x);
+        for (Body box : stack) {
+            box.setFriction(friction);
         }
         stands(engine, stack, x, 600);
         assertThat(Stepped.depth(engine)).isLessThan(1e-6);
@@ -102,13 +110,8 @@ class SteppedColumnTest {
         engine.add(new Gravity(0, -Stepped.G));
         KinematicBody lift = engine.add(new KinematicBody(new Rectangle(10, 1)));
         Stepped.rough(lift);
-        Random random = new Random(count);
         double[] x = new double[count];
-        Body[] stack = new Body[count];
-        for (int k = 0; k < count; k++) {
-            x[k] = 0.02 * (random.nextDouble() - 0.5);
-            stack[k] = Stepped.box(engine, 1, 1, 1, x[k], k + 1);
-        }
+        Body[] stack = likeBoxes(engine, 0.5, x);
         for (int step = 0; step < 600; step++) {
             double time = engine.getTime() + 1.0 / 120;
             lift.setTargetVelocity(0.1 * StrictMath.sin(2 * time), 0.3 * StrictMath.sin(3 * time), 0);
