@@ -62,8 +62,12 @@ final class PinImpulses implements Serializable {
     /** How many of them, from the first one on, are of bodies that are awake. */
     private int awake;
 
-    /** Which do not yield, as their trees are solved at once. */
+    /** Which do not yield, as their trees are solved at once, or as they answer what their bodies are given by contacts. */
     private boolean[] isStiff = {};
+    private boolean[] answers = {};
+
+    /** How places were regained when pins were solved last. */
+    Softness softness = Softness.RIGID;
 
     PinImpulses(State state) {
         this.state = state;
@@ -82,6 +86,7 @@ final class PinImpulses implements Serializable {
         noted = new double[2 * pins.size()];
         solved = new long[pins.size()];
         isStiff = new boolean[pins.size()];
+        answers = new boolean[pins.size()];
         turns.clear();
         for (int k = 0; k < pins.size(); k++) {
             PinJoint pin = pins.get(k);
@@ -331,26 +336,24 @@ final class PinImpulses implements Serializable {
         return blocks[2 * k] == block;
     }
 
-    /**
-     * Finds with what impulse a pin keeps its velocity where something turns its bodies.
-     *
-     * @param turnA what it turns the first one by
-     * @param turnB and the second one
-     * @param impulse takes the impulse, less its sign, from {@code at} on
-     * @return how much that turns back
-     */
-    double couple(int k, double turnA, double turnB, double[] impulse, int at) {
-        int o = STRIDE * k;
-        double[] d = data;
-        double ux = -turnA * d[o + ARM + 1];
-        double uy = turnA * d[o + ARM];
-        if (blocks[2 * k + 1] >= 0) {
-            ux += turnB * d[o + ARM + 3];
-            uy -= turnB * d[o + ARM + 2];
-        }
-        impulse[at] = d[o + INVERSE] * ux + d[o + INVERSE + 1] * uy;
-        impulse[at + 1] = d[o + INVERSE + 1] * ux + d[o + INVERSE + 2] * uy;
-        return impulse[at] * ux + impulse[at + 1] * uy;
+    /** {@return how many are solved} */
+    int awake() {
+        return awake;
+    }
+
+    /** Whether a pin gives way to what it bears. */
+    boolean yields(int k) {
+        return !isStiff[k] && !answers[k];
+    }
+
+    /** Says whether a pin answers what its bodies are given elsewhere, so that it is to bear all of it. */
+    void setAnswering(int k, boolean answers) {
+        this.answers[k] = answers;
+    }
+
+    /** A value of the inverse of J W Jᵀ: that of x and x, of x and y, or of y and y. */
+    double inverse(int k, int value) {
+        return data[STRIDE * k + INVERSE + value];
     }
 
     /** A pin's velocity along a lever, in the mean of a substep or as it is now. */
@@ -400,13 +403,14 @@ final class PinImpulses implements Serializable {
 
     /** Solves all pins once. */
     void solve(Softness softness) {
+        this.softness = softness;
         for (int k = 0; k < awake; k++) {
             solve(k, softness);
         }
     }
 
     private void solve(int k, Softness softness) {
-        boolean yields = !isStiff[k];
+        boolean yields = yields(k);
         solve(state.v(), state.w().values(), k, STRIDE * k, softness.rate(), softness.mass(yields), softness.impulse(yields));
     }
 
@@ -417,6 +421,7 @@ final class PinImpulses implements Serializable {
 
     /** Solves velocities of groups that have not settled once more; those have not in which some were off that count for something, compared with those of the bodies. */
     void settle(OpenGroups turns, Freshness fresh) {
+        softness = Softness.RIGID;
         for (int n = 0; n < settling.size; n += ENDS) {
             int[] pin = settling.values;
             int k = pin[n];
@@ -446,6 +451,7 @@ final class PinImpulses implements Serializable {
 
     /** Solves the pins of marked bodies once. */
     void solve(boolean[] marks, Softness softness) {
+        this.softness = softness;
         for (int k = 0; k < awake; k++) {
             if (TieEquations.isMarked(blocks, k, marks)) {
                 solve(k, softness);

@@ -5,6 +5,7 @@ package sim.physics.constraint;
 import java.io.Serializable;
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
 import sim.physics.motion.State;
@@ -48,6 +49,11 @@ public final class PressedTrees implements Serializable {
     private int[] treeOf = {};
 
     private double[] impulse = {};
+
+    /** By bond of a contact, two each: what it has given when joints were closed after the move, which nobody knows of yet. */
+    private double[] closed = {};
+
+    private boolean areClosed;
 
     /** How far joints of the tree that was read last are open at most. */
     private double open;
@@ -238,7 +244,43 @@ public final class PressedTrees implements Serializable {
         if (isNear) {
             give(tree);
             loops[tree].move(state.x(), h, marks);
+            note(contacts[tree]);
         }
         return isNear;
+    }
+
+    /** Notes what contacts have given when joints were closed. */
+    private void note(IntList those) {
+        areClosed = true;
+        for (int k = 0; k < those.size; k += POINT) {
+            int bond = those.values[k];
+            if (closed.length <= 2 * bond + 1) {
+                closed = Arrays.copyOf(closed, Growth.length(closed.length, 2 * bond + 2));
+            }
+            closed[2 * bond] += values()[begin(bond) + GIVEN];
+            closed[2 * bond + 1] += values()[begin(bond) + GIVEN + 1];
+        }
+    }
+
+    /** {@return whether contacts have given something when joints were closed, since this was asked last} */
+    public boolean areClosed() {
+        boolean were = areClosed;
+        areClosed = false;
+        return were;
+    }
+
+    /**
+     * What a row of a contact has given when joints were closed, since this was asked last.
+     *
+     * @param bond the contact's place among the bonds
+     * @param row 0 for that along its normal, 1 for the other one
+     * @return the impulse
+     */
+    public double takeClosed(int bond, int row) {
+        double given = closed.length > 2 * bond + row ? closed[2 * bond + row] : 0;
+        if (given != 0) {
+            closed[2 * bond + row] = 0;
+        }
+        return given;
     }
 }

@@ -388,6 +388,11 @@ public final class TieRows implements Serializable {
         return trees;
     }
 
+    /** {@return what pins give where something pushes their bodies} */
+    public PinLevers levers() {
+        return turning.levers();
+    }
+
     /** {@return the stops, and what strikes them} */
     public StopRows stops() {
         return stops;

@@ -26,6 +26,7 @@ final class TurningRows implements Serializable {
     private final State state;
     private final TieEquations equations;
     private final PinImpulses pins;
+    private final PinLevers pinLevers;
 
     /** By constraint: its pin, −1 for none; empty if there is no such constraint. */
     private int[] pinOf = {};
@@ -37,6 +38,12 @@ final class TurningRows implements Serializable {
         this.state = state;
         this.equations = equations;
         this.pins = pins;
+        pinLevers = new PinLevers(state, pins);
+    }
+
+    /** What pins give where something pushes their bodies. */
+    PinLevers levers() {
+        return pinLevers;
     }
 
     /** Finds them. */
@@ -76,7 +83,7 @@ final class TurningRows implements Serializable {
                 double turnA = w[a + State.THETA] * equations.j[o];
                 double turnB = b < 0 ? 0 : w[b + State.THETA] * equations.j[o + BLOCK * ROWS];
                 double own = turnA * equations.j[o] + turnB * (b < 0 ? 0 : equations.j[o + BLOCK * ROWS]);
-                double left = own - pins.couple(pinOf[k], pins.isFirst(pinOf[k], a) ? turnA : turnB, pins.isFirst(pinOf[k], a) ? turnB : turnA, levers, 2 * k);
+                double left = own - pinLevers.couple(pinOf[k], pins.isFirst(pinOf[k], a) ? turnA : turnB, pins.isFirst(pinOf[k], a) ? turnB : turnA, levers, 2 * k);
                 if (!(left > SINGULAR * own)) {
                     levers[2 * k] = 0;
                     levers[2 * k + 1] = 0;

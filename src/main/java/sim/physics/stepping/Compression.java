@@ -29,6 +29,7 @@ final class Compression implements Serializable {
     private final ContactRows rows;
     private final Groups groups;
     private final StruckPoints struck;
+    private final PinnedPairs pinned;
     private final Freshness fresh = new Freshness();
 
     /** By point: its group and its two bodies, {@link Freshness#FIXED} for one that cannot move; and when it was solved last. */
@@ -41,11 +42,12 @@ final class Compression implements Serializable {
 
     private double[] openings = {};
 
-    Compression(State state, ContactRows rows, Groups groups, StruckPoints struck) {
+    Compression(State state, ContactRows rows, Groups groups, StruckPoints struck, PinnedPairs pinned) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
         this.struck = struck;
+        this.pinned = pinned;
     }
 
     /** Which bodies have changed. */
@@ -81,7 +83,7 @@ final class Compression implements Serializable {
     }
 
     private int end(int body) {
-        return groups.isMovable(body) ? body : Freshness.FIXED;
+        return body >= 0 && groups.isMovable(body) ? body : Freshness.FIXED;
     }
 
     /**
@@ -123,6 +125,9 @@ final class Compression implements Serializable {
         if (turns.isOpen(group) && fresh.isStale(solved[m], first, second)) {
             double part = areJoined[group] ? Softness.EAGER.mass() : 1;
             boolean changes = struck.solve(met.values[2 * m], met.values[2 * m + 1], 0, opening, part, isLimited) > settled(counts[group]);
+            if (changes && pinned.has(met.values[2 * m])) {
+                fresh.solve(end(pinned.third(met.values[2 * m])), Freshness.FIXED, true, false);
+            }
             solved[m] = fresh.solve(first, second, changes, areJoined[group] || opening > 0); // what parts is found in more than one turn
             turns.change(group, changes);
         }

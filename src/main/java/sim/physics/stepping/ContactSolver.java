@@ -27,6 +27,7 @@ import static sim.physics.stepping.ContactRows.TANGENT_SUM;
 
 import java.io.Serializable;
 import sim.physics.constraint.Constraints;
+import sim.physics.constraint.PinLevers;
 import sim.physics.internal.Growth;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
@@ -43,10 +44,11 @@ final class ContactSolver implements Serializable {
     private static final double SUDDEN = 4;
 
     /** Part of the depth that may be regained in a substep which is rounding: what lies would give way as soon as its gap of 0 is a little less. */
-    private static final double ROUNDING = 1e-9;
+    static final double ROUNDING = 1e-9;
 
     private final State state;
     private final ContactRows rows;
+    private final PinnedPairs pinned;
     private final StruckPoints struck;
     private final ContactArms arms;
     private final UnlikeRows unlike;
@@ -66,10 +68,11 @@ final class ContactSolver implements Serializable {
 
     private transient double[] told;
 
-    ContactSolver(State state, ContactRows rows) {
+    ContactSolver(State state, ContactRows rows, PinLevers levers) {
         this.state = state;
         this.rows = rows;
-        struck = new StruckPoints(state, rows);
+        pinned = new PinnedPairs(state, rows, levers);
+        struck = new StruckPoints(state, rows, pinned);
         arms = new ContactArms(state, rows);
         unlike = new UnlikeRows(state, rows);
         piles = new LargePiles(state, rows);
@@ -193,6 +196,11 @@ final class ContactSolver implements Serializable {
         }
     }
 
+    /** {@return what is solved with a pin} */
+    PinnedPairs pinned() {
+        return pinned;
+    }
+
     /** Whether a pair is solved with all that it hangs together with. */
     boolean isOfSet(int k) {
         return unlike.any() && unlike.has(k);
@@ -218,7 +226,9 @@ final class ContactSolver implements Serializable {
 
     /** Solves the points of a pair: friction, and then what matters more; but where nothing is regained any more it is bounded by what presses in the end. */
     private void solveOnce(double[] v, double[] w, int k, Softness softness, boolean regains, double h) {
-        if (regains) {
+        if (pinned.has(k)) {
+            pinned.solve(k, softness, regains, h);
+        } else if (regains) {
             rub(v, w, k, 0.5 * h);
             press(v, w, k, softness, true, h);
         } else {

@@ -23,7 +23,6 @@ import static sim.physics.stepping.ContactRows.RESTORED;
 import static sim.physics.stepping.ContactRows.RUBBING;
 import static sim.physics.stepping.ContactRows.STRIDE;
 import static sim.physics.stepping.ContactRows.TANGENT;
-import static sim.physics.stepping.ContactRows.TANGENT_MASS;
 import static sim.physics.stepping.ContactRows.TANGENT_SUM;
 import static sim.physics.stepping.ContactRows.WEIGHT;
 
@@ -63,6 +62,7 @@ final class Impacts implements Serializable {
     private final StruckPoints struck;
     private final Compression compression;
     private final FreeImpacts free;
+    private final PinnedPairs pinned;
     private final Flights flights;
 
     /** The points that have met: row and first value of each; only they give something back. */
@@ -82,14 +82,15 @@ final class Impacts implements Serializable {
     /** By body: the number of pairs in which it presses. */
     private int[] touched = {};
 
-    Impacts(State state, ContactRows rows, Groups groups, MetGroups facts, FreeImpacts free, Flights flights) {
+    Impacts(State state, ContactRows rows, Groups groups, MetGroups facts, FreeImpacts free, Flights flights, PinnedPairs pinned) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
         this.facts = facts;
-        struck = new StruckPoints(state, rows);
-        compression = new Compression(state, rows, groups, struck);
+        struck = new StruckPoints(state, rows, pinned);
+        compression = new Compression(state, rows, groups, struck, pinned);
         this.free = free;
+        this.pinned = pinned;
         this.flights = flights;
     }
 
@@ -454,7 +455,7 @@ final class Impacts implements Serializable {
         double by = part > PLASTIC ? part * Math.max(0, points[p + NORMAL] - borne) : 0;
         by = Math.max(0, by + turned(k, p));
         points[p + NORMAL] += by;
-        rows.give(k, p, state.v(), by, 0);
+        pinned.give(k, p, by, 0);
         return by;
     }
 
@@ -480,11 +481,11 @@ final class Impacts implements Serializable {
     /** What restitution gives rubs as what compression has taken, within a bound of its own; whether something has changed. */
     private boolean rub(int k, int p, int m) {
         double old = limits[m + 1];
-        double wanted = old - rows.points[p + TANGENT_MASS] * rows.slip(k, p, state.v());
+        double wanted = old - pinned.stopping(k, p);
         limits[m + 1] = Math.max(-limits[m], Math.min(limits[m], wanted));
         double by = limits[m + 1] - old;
         rows.points[p + TANGENT] += by;
-        rows.give(k, p, state.v(), 0, by);
+        pinned.give(k, p, 0, by);
         return Math.abs(by) > Compression.settled(facts.counts[groups.of(k, rows)]) * limits[m];
     }
 }

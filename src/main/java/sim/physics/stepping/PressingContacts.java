@@ -38,6 +38,7 @@ final class PressingContacts implements Serializable {
     /** Of a point: its pair, its place, its bond, and whether its child is the second body. */
     private static final int SIZE = 4;
 
+    private final State state;
     private final Poses poses;
     private final PressedTrees trees;
     private final ContactRows rows;
@@ -47,7 +48,8 @@ final class PressingContacts implements Serializable {
 
     private boolean any;
 
-    PressingContacts(Poses poses, PressedTrees trees, ContactRows rows) {
+    PressingContacts(State state, Poses poses, PressedTrees trees, ContactRows rows) {
+        this.state = state;
         this.poses = poses;
         this.trees = trees;
         this.rows = rows;
@@ -83,6 +85,32 @@ final class PressingContacts implements Serializable {
             those.add(p);
             those.add(trees.add(tree, isSecond ? b : a, isSecond && !poses.isGround(a) ? a : -1));
             those.add(isSecond ? 1 : 0);
+        }
+    }
+
+    /** Takes note of what contacts have given when joints were closed after the move: along their normals of before it. */
+    void note() {
+        if (any && trees.areClosed()) {
+            for (int tree = 0; tree < trees.count(); tree++) {
+                IntList those = points.get(tree);
+                for (int n = 0; n < those.size; n += SIZE) {
+                    note(those.values, n);
+                }
+            }
+        }
+    }
+
+    private void note(int[] those, int n) {
+        double[] d = trees.values();
+        int bond = those[n + 2];
+        int second = PressedTrees.begin(bond) + (those[n + 3] == 1 ? PressedTrees.CHILD : PressedTrees.PARENT);
+        double normal = trees.takeClosed(bond, 0);
+        double tangent = trees.takeClosed(bond, 1);
+        int o = ContactRows.TURNED * those[n];
+        for (int axis = 0; axis < 2; axis++) {
+            double given = d[second + axis] * normal + d[second + State.BLOCK + axis] * tangent;
+            rows.turned[o + axis] += given;
+            rows.turned[o + 2 + axis] += given; // what is taken back if the substep is made again
         }
     }
 
@@ -164,13 +192,19 @@ final class PressingContacts implements Serializable {
         return any;
     }
 
-    /** Takes note of what a point has given, as far as it may. */
+    /** Takes note of what a point has given, as far as it may; what is more than that is taken back. */
     private void book(int[] those, int n) {
+        int k = those[n];
         int p = those[n + 1];
         int o = PressedTrees.begin(those[n + 2]) + PressedTrees.GIVEN;
         double[] q = rows.points;
-        q[p + NORMAL] = Math.max(0, q[p + NORMAL] + trees.values()[o]);
-        double most = rows.normals[PAIR * those[n] + FRICTION] * q[p + NORMAL];
-        q[p + TANGENT] = Math.max(-most, Math.min(most, q[p + TANGENT] + trees.values()[o + 1]));
+        double normal = q[p + NORMAL] + trees.values()[o];
+        double tangent = q[p + TANGENT] + trees.values()[o + 1];
+        q[p + NORMAL] = Math.max(0, normal);
+        double most = rows.normals[PAIR * k + FRICTION] * q[p + NORMAL];
+        q[p + TANGENT] = Math.max(-most, Math.min(most, tangent));
+        if (q[p + NORMAL] != normal || q[p + TANGENT] != tangent) {
+            rows.give(k, p, state.v(), q[p + NORMAL] - normal, q[p + TANGENT] - tangent);
+        }
     }
 }

@@ -41,11 +41,13 @@ final class StruckPoints implements Serializable {
 
     private final State state;
     private final ContactRows rows;
+    private final PinnedPairs pinned;
     private final CoulombImpulse law = new CoulombImpulse();
 
-    StruckPoints(State state, ContactRows rows) {
+    StruckPoints(State state, ContactRows rows, PinnedPairs pinned) {
         this.state = state;
         this.rows = rows;
+        this.pinned = pinned;
     }
 
     /** Solves the points of a pair in turn, each so that it uses up what is left of its gap. All that is fixed is one to the body that strikes it. */
@@ -120,16 +122,25 @@ final class StruckPoints implements Serializable {
         double kn = 1 / d[p + NORMAL_MASS];
         double kt = 1 / d[p + TANGENT_MASS];
         double knt = d[p + COUPLING];
+        boolean isPinned = pinned.has(k);
+        if (isPinned) {
+            pinned.weigh(k, p);
+            kn = pinned.kn;
+            kt = pinned.kt;
+            knt = pinned.knt;
+            speed -= pinned.lostNormal;
+        }
         double free = speed - kn * normal - knt * tangent;
-        double byNormal = -part * normal;
-        double byTangent = -part * tangent;
+        double given = isPinned ? Math.min(1, part) : part; // with the pin, nothing is left to be solved in turns
+        double byNormal = -given * normal;
+        double byTangent = -given * tangent;
         if (free + closing < 0) {
-            double slide = -ny * apartX + nx * apartY + rows.normals[PAIR * k + BELT] - knt * normal - kt * tangent;
+            double slide = -ny * apartX + nx * apartY + rows.normals[PAIR * k + BELT] - (isPinned ? pinned.lostTangent : 0) - knt * normal - kt * tangent;
             law.solve(kn, kt, knt, opening - free, slide, rows.normals[PAIR * k + FRICTION]);
             if (isLimited) {
                 law.limit(kn, kt, knt, free, slide, 0);
             }
-            double share = closing == 0 ? part : part * ((free + closing) / free);
+            double share = closing == 0 ? given : given * ((free + closing) / free);
             byNormal += share * law.normal;
             byTangent += share * law.tangent;
         }
@@ -146,6 +157,9 @@ final class StruckPoints implements Serializable {
         v[b] = ux + w[b] * jx;
         v[b + 1] = uy + w[b] * jy;
         v[b + 2] = turn + w[b + 2] * (d[p + BX] * jy - d[p + BY] * jx);
+        if (isPinned) {
+            pinned.answer(k, byNormal, byTangent);
+        }
         return (Math.abs(byNormal) + Math.abs(byTangent)) / (now + normal + Double.MIN_NORMAL);
     }
 }

@@ -105,8 +105,8 @@ public final class TimeStepping implements Serializable {
         poses = new Poses(state);
         rows = new ContactRows(state);
         outset = new Outset(state, poses.awake, rows);
-        contacts = new ContactSolver(state, rows);
         ties = new TieRows(state);
+        contacts = new ContactSolver(state, rows, ties.levers());
         onset = new Onset(state);
         near = new NearPairs(state, poses, filter, onset);
         speeds = new Speeds(state, poses, near, onset);
@@ -118,7 +118,7 @@ public final class TimeStepping implements Serializable {
         halves = new Halves(state, poses, forces);
         retake = new Retake(state, poses, forces, ties, rows, contacts);
         newcomers = new Newcomers(state);
-        turn = new Turn(poses, forces, ties, rows, contacts, newcomers);
+        turn = new Turn(state, poses, forces, ties, rows, contacts, newcomers);
     }
 
     /** {@return number of substeps of a step} */

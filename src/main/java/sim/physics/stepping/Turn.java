@@ -6,6 +6,7 @@ import java.io.Serializable;
 import sim.physics.constraint.TieRows;
 import sim.physics.internal.Softness;
 import sim.physics.motion.SpringRows;
+import sim.physics.motion.State;
 import sim.physics.motion.SteppedForces;
 import sim.physics.motion.SurfaceRows;
 
@@ -29,13 +30,13 @@ final class Turn implements Serializable {
 
     private boolean isRubbed;
 
-    Turn(Poses poses, SteppedForces forces, TieRows ties, ContactRows rows, ContactSolver contacts, Newcomers newcomers) {
+    Turn(State state, Poses poses, SteppedForces forces, TieRows ties, ContactRows rows, ContactSolver contacts, Newcomers newcomers) {
         surface = forces.surface();
         springs = forces.springs();
         this.ties = ties;
         this.rows = rows;
         this.contacts = contacts;
-        pressing = new PressingContacts(poses, ties.trees().pressed(), rows);
+        pressing = new PressingContacts(state, poses, ties.trees().pressed(), rows);
         this.newcomers = newcomers;
     }
 
@@ -43,6 +44,7 @@ final class Turn implements Serializable {
     void begin(boolean isTied) {
         this.isTied = isTied;
         isRubbed = !surface.isEmpty();
+        contacts.pinned().find(isTied);
         if (isTied) {
             pressing.begin();
         }
@@ -83,6 +85,7 @@ final class Turn implements Serializable {
         }
         springs.solve();
         if (isTied) {
+            pressing.note();
             ties.solve(joint, d);
         }
         contacts.solve(contact, regains, d);

@@ -74,7 +74,7 @@ final class Wave implements Serializable {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
-        struck = new StruckPoints(state, rows);
+        struck = new StruckPoints(state, rows, new PinnedPairs(state, rows, null));
     }
 
     /**
