@@ -30,6 +30,8 @@ import sim.physics.stepping.TimeStepping;
  */
 final class Admission implements Presence, Serializable {
     private static final long serialVersionUID = 1L;
+    /** By how much of its size, or in rad, a body may be put elsewhere that goes on to lie where it lies: a tenth of what contacts may be deep. */
+    private static final double NEAR = 1e-8;
 
     private final State state;
     private final Trajectories trajectories;
@@ -184,13 +186,13 @@ final class Admission implements Presence, Serializable {
         if (state.body(index).isImmobile() && state.isOnlyPushed(index) && detection.knows(index)) {
             return; // what it bears has been told
         }
-        boolean isThere = trajectories.isAt(index, tau, state); // forces are set in each step, and change no contact
+        boolean isThere = trajectories.isAt(index, tau, state, 0); // forces are set in each step, and change no contact
         if (isThere && isAtRestStill(index, tau)) {
             resting.again(index);
         } else {
             resting.forget(index);
         }
-        if (isThere && heaps.has(index) && !state.touched().isTurned(index)) {
+        if (heaps.has(index) && trajectories.isAt(index, tau, state, NEAR) && !state.touched().isTurned(index)) {
             heaps.struck(index);
         } else {
             heaps.forget(index);

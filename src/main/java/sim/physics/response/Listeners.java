@@ -110,7 +110,7 @@ final class Listeners implements Serializable {
 
     /** Whether a body that was written at this instant is elsewhere than it was. */
     private boolean isPut(int body) {
-        return state.isTouched(body) && !trajectories.isAt(body, trajectories.offset(body), state);
+        return state.isTouched(body) && !trajectories.isAt(body, trajectories.offset(body), state, 0);
     }
 
     /** Lets a body that was written at this instant go on with the velocity that it has been given; false if it was not. */
