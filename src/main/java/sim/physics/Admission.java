@@ -12,6 +12,7 @@ import sim.physics.constraint.Formation;
 import sim.physics.constraint.KeptTurns;
 import sim.physics.constraint.Reaction;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Tolerances;
 import sim.physics.motion.Body;
 import sim.physics.motion.CoupledGroups;
 import sim.physics.motion.Motion;
@@ -30,8 +31,6 @@ import sim.physics.stepping.TimeStepping;
  */
 final class Admission implements Presence, Serializable {
     private static final long serialVersionUID = 1L;
-    /** By how much of its size, or in rad, a body may be put elsewhere that goes on to lie where it lies: a tenth of what contacts may be deep. */
-    private static final double NEAR = 1e-8;
 
     private final State state;
     private final Trajectories trajectories;
@@ -192,7 +191,7 @@ final class Admission implements Presence, Serializable {
         } else {
             resting.forget(index);
         }
-        if (heaps.has(index) && trajectories.isAt(index, tau, state, NEAR) && !state.touched().isTurned(index)) {
+        if (heaps.has(index) && trajectories.isAt(index, tau, state, Tolerances.LIES_ON) && !state.touched().isTurned(index)) {
             heaps.struck(index);
         } else {
             heaps.forget(index);
@@ -460,6 +459,7 @@ final class Admission implements Presence, Serializable {
         Writings writings = new Writings(state);
         try {
             return separation.run(constraints == null ? null : () -> {
+                state.touched().forgetBefore();
                 close(0);
                 state.placedAll();
             });

@@ -194,7 +194,7 @@ public class Body implements Serializable {
     private boolean holds(boolean isSame, boolean isVelocity) {
         state.requireOpen();
         boolean isRead = !state.isOpenWithin() || state.isTouched(index) || state.glance(index) != null; // else it may be elsewhere by now
-        return isSame && isRead && goesOn(isVelocity);
+        return isSame && isRead && !state.touched.sticks() && goesOn(isVelocity);
     }
 
     /** Notes that the body is put elsewhere, or made to move otherwise, and from where. */

@@ -44,6 +44,9 @@ public final class Touched implements Serializable {
     /** By block: which of these it is, if it is one. */
     private int[] placing = {};
 
+    /** Whether anything has been told to stick: what it does is decided anew where it is set, also to what it is. */
+    private boolean sticks;
+
     /** Those that were kept. */
     private transient Touched kept;
 
@@ -133,6 +136,22 @@ public final class Touched implements Serializable {
             placing[index] = setCount;
             set[setCount++] = index;
             note(index, SET);
+        }
+    }
+
+    /** Takes note that something is told to stick, in the middle of a step. */
+    public void stick() {
+        sticks = true;
+    }
+
+    boolean sticks() {
+        return sticks;
+    }
+
+    /** Forgets where blocks were that have been set: all that ties them is to be closed. */
+    public void forgetBefore() {
+        for (int k = 0; k < setCount; k++) {
+            move(set[k]);
         }
     }
 

@@ -103,7 +103,10 @@ final class Listeners implements Serializable {
         publishUnwritten(b);
         Contact contact = contact(a, b, impact, -impact.normalVelocity(), 0);
         CollisionListener.Decision decision = askNow(contact);
-        impact.sticky |= decision == CollisionListener.Decision.STICK;
+        if (decision == CollisionListener.Decision.STICK) {
+            impact.sticky = true;
+            state.touched().stick();
+        }
         boolean isOver = isPut(a) || isPut(b) || !filter.allows(contact.a(), contact.b());
         return isOver && decision != CollisionListener.Decision.IGNORE ? null : decision;
     }
