@@ -12,6 +12,7 @@ import sim.physics.constraint.Formation;
 import sim.physics.constraint.KeptTurns;
 import sim.physics.constraint.Reaction;
 import sim.physics.internal.IntList;
+import sim.physics.internal.Tolerances;
 import sim.physics.motion.Body;
 import sim.physics.motion.CoupledGroups;
 import sim.physics.motion.Motion;
@@ -184,13 +185,13 @@ final class Admission implements Presence, Serializable {
         if (state.body(index).isImmobile() && state.isOnlyPushed(index) && detection.knows(index)) {
             return; // what it bears has been told
         }
-        boolean isThere = trajectories.isAt(index, tau, state); // forces are set in each step, and change no contact
+        boolean isThere = trajectories.isAt(index, tau, state, 0); // forces are set in each step, and change no contact
         if (isThere && isAtRestStill(index, tau)) {
             resting.again(index);
         } else {
             resting.forget(index);
         }
-        if (isThere && heaps.has(index) && !state.touched().isTurned(index)) {
+        if (heaps.has(index) && trajectories.isAt(index, tau, state, Tolerances.LIES_ON) && !state.touched().isTurned(index)) {
             heaps.struck(index);
         } else {
             heaps.forget(index);
@@ -458,6 +459,7 @@ final class Admission implements Presence, Serializable {
         Writings writings = new Writings(state);
         try {
             return separation.run(constraints == null ? null : () -> {
+                state.touched().forgetBefore();
                 close(0);
                 state.placedAll();
             });

@@ -64,7 +64,7 @@ final class Breakage implements Serializable {
         }
         for (int k = 0; k < state.touchedCount(); k++) {
             int body = state.touched(k);
-            areUnsure[body] |= !detection.knows(body) || !trajectories.isAt(body, 0, state);
+            areUnsure[body] |= !detection.knows(body) || !trajectories.isAt(body, 0, state, 0);
         }
     }
 

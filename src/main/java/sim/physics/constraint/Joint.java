@@ -68,7 +68,7 @@ public abstract class Joint implements Constraint {
     public final void setCollideConnected(boolean collide) {
         boolean isNew = collide != collideConnected;
         if (isNew) {
-            write(a, b);
+            stir(a, b);
         }
         collideConnected = collide;
     }
@@ -80,9 +80,18 @@ public abstract class Joint implements Constraint {
 
     /** Lets an engine look anew at the bodies of a constraint, if they are in one, before it is set; refuses it where it must not be. */
     static void write(Body a, Body b) {
+        write(a, b, true);
+    }
+
+    /** The same for what does not bring bodies elsewhere, and does not change their velocities. */
+    static void stir(Body a, Body b) {
+        write(a, b, false);
+    }
+
+    private static void write(Body a, Body b, boolean moves) {
         for (Body body : b == null ? new Body[] {a} : new Body[] {a, b}) {
             if (!body.isImmobile()) {
-                body.state().write(body.index(), true);
+                body.state().write(body.index(), moves);
             }
         }
     }
@@ -123,7 +132,7 @@ public abstract class Joint implements Constraint {
         }
         boolean isNew = force != breakingForce || torque != breakingTorque;
         if (isNew) {
-            write(a, b);
+            stir(a, b);
         }
         breakingForce = force;
         breakingTorque = torque;

@@ -168,7 +168,7 @@ public final class Limit extends Switched {
     public void setBounds(double lower, double upper) {
         boolean isNew = lower != this.lower || upper != this.upper;
         if (isNew && lower < upper) {
-            Joint.write(getBodyA(), getBodyB());
+            Joint.stir(getBodyA(), getBodyB());
         }
         bound(lower, upper);
     }

@@ -116,7 +116,7 @@ public final class Motor extends Switched {
     /** Between steps nothing else is to be done: the next one begins by deciding what its motors do. */
     private void setAtOnce(boolean isNew) {
         if (isNew && getBodyA().state().isOpenWithin()) {
-            Joint.write(getBodyA(), getBodyB());
+            Joint.stir(getBodyA(), getBodyB());
         }
     }
 

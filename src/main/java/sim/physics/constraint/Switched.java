@@ -144,7 +144,7 @@ abstract class Switched implements Constraint {
     public void setCollideConnected(boolean collide) {
         boolean isNew = collide != collideConnected;
         if (isNew) {
-            Joint.write(getBodyA(), getBodyB());
+            Joint.stir(getBodyA(), getBodyB());
         }
         collideConnected = collide;
     }

@@ -95,5 +95,8 @@ public final class Tolerances {
     /** Length of a short bounce, relative to the smaller body: larger ones look like bounces, and give energy. */
     public static final double RATTLE_SIZE = 4e-3;
 
+    /** By how much of its size, or in rad, a body may be put elsewhere that goes on to lie where it lies: a tenth of what contacts may be deep. */
+    public static final double LIES_ON = 1e-8;
+
     private Tolerances() {}
 }

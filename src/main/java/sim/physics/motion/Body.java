@@ -150,6 +150,10 @@ public class Body implements Serializable {
      */
     public final void setShape(Shape shape) {
         Objects.requireNonNull(shape, "shape");
+        if (shape.equals(this.shape) && (!isDynamic() || inertia == mass * shape.unitInertia())) {
+            state.requireOpen();
+            return;
+        }
         if (isDynamic()) {
             setMass(mass, mass * shape.unitInertia());
         }
@@ -181,9 +185,25 @@ public class Body implements Serializable {
         return now == null ? state.x()[State.BLOCK * index + c] : now.x(index, c);
     }
 
-    private double speed(int c) {
+    final double speed(int c) {
         Glance now = state.glance(index);
         return now == null ? state.v()[State.BLOCK * index + c] : now.v(index, c);
+    }
+
+    /** Whether what is to be set is so already, and nothing is to be done: what lies on the body, or is tied to it, goes on as it does. */
+    private boolean holds(boolean isSame, boolean isVelocity) {
+        state.requireOpen();
+        boolean isRead = !state.isOpenWithin() || state.isTouched(index) || state.glance(index) != null; // else it may be elsewhere by now
+        return isSame && isRead && !state.touched.sticks() && goesOn(isVelocity);
+    }
+
+    /** Notes that the body is put elsewhere, or made to move otherwise, and from where. */
+    private void set() {
+        state.requireOpen();
+        state.touch(index);
+        if (!state.isOwn()) {
+            state.touched.set(index, state.x(), state.v());
+        }
     }
 
     /**
@@ -327,7 +347,10 @@ public class Body implements Serializable {
     public final void setPosition(double x, double y) {
         Check.finite("x", x);
         Check.finite("y", y);
-        state.write(index, true);
+        if (holds(place(State.X) == x && place(State.Y) == y, false)) {
+            return;
+        }
+        set();
         state.x()[State.BLOCK * index + State.X] = x;
         state.x()[State.BLOCK * index + State.Y] = y;
         state.placed(index);
@@ -342,7 +365,10 @@ public class Body implements Serializable {
      */
     public final void setAngle(double angle) {
         Check.finite("angle", angle);
-        state.write(index, true);
+        if (holds(place(State.THETA) == angle, false)) {
+            return;
+        }
+        set();
         state.x()[State.BLOCK * index + State.THETA] = angle;
         state.placed(index);
         written(false);
@@ -359,7 +385,10 @@ public class Body implements Serializable {
         speed("vx", vx);
         speed("vy", vy);
         requireMovable("a velocity", vx != 0 || vy != 0);
-        state.write(index, true);
+        if (holds(hasSpeed(State.X, vx) && hasSpeed(State.Y, vy), true)) {
+            return;
+        }
+        set();
         state.v()[State.BLOCK * index + State.X] = vx;
         state.v()[State.BLOCK * index + State.Y] = vy;
         written(true);
@@ -374,7 +403,10 @@ public class Body implements Serializable {
     public final void setAngularVelocity(double omega) {
         speed("angular velocity", omega);
         requireMovable("an angular velocity", omega != 0);
-        state.write(index, true);
+        if (holds(hasSpeed(State.THETA, omega), true)) {
+            return;
+        }
+        set();
         state.v()[State.BLOCK * index + State.THETA] = omega;
         written(true);
     }
@@ -416,6 +448,10 @@ public class Body implements Serializable {
         Check.positive("1 / mass", 1 / mass);
         Check.positive("1 / inertia", 1 / inertia);
         requireDynamic("a mass");
+        if (mass == this.mass && inertia == this.inertia) {
+            state.requireOpen();
+            return;
+        }
         weigh(mass, inertia);
         this.mass = mass;
         this.inertia = inertia;
@@ -566,8 +602,9 @@ public class Body implements Serializable {
             throw new IllegalArgumentException("static surface friction is " + atRest
                     + ": it must not be less than the kinetic one, " + kinetic);
         }
-        state.write(index, false);
+        state.requireOpen();
         if (atRest != getSurfaceStaticFriction() || kinetic != getSurfaceFriction()) {
+            state.write(index, false);
             particulars().surfaceFriction = kinetic;
             particulars().surfaceStaticFriction = atRest;
         }
@@ -599,8 +636,9 @@ public class Body implements Serializable {
      * @param collidesWith the categories that it collides with, bits
      */
     public final void setCollisionGroup(long category, long collidesWith) {
-        state.write(index, false);
+        state.requireOpen();
         if (category != getCategory() || collidesWith != getCollidesWith()) {
+            state.write(index, false);
             particulars().category = category;
             particulars().collidesWith = collidesWith;
             state.group();
@@ -853,9 +891,19 @@ public class Body implements Serializable {
         return mass < Double.POSITIVE_INFINITY;
     }
 
+    /** Whether that is a velocity that it has, or is to have. */
+    boolean hasSpeed(int c, double value) {
+        return speed(c) == value; // only a kinematic body has a course
+    }
+
+    /** Whether it goes on as it does if its author puts it where it is, or sets the velocity that it has. */
+    boolean goesOn(boolean isVelocity) {
+        return true;
+    }
+
     /** The author has put the body elsewhere, or has set its velocity. */
     void written(boolean isVelocity) {
-        // only a kinematic body has a course
+        // as above
     }
 
     @Override

@@ -133,6 +133,29 @@ public class KinematicBody extends Body {
     }
 
     @Override
+    final boolean hasSpeed(int c, double value) {
+        return value == speed(c) || value == pace(c);
+    }
+
+    @Override
+    final boolean goesOn(boolean isVelocity) {
+        if (!isVelocity && state().isOpenWithin()) {
+            return true; // where it is to be is known for the end of the step only
+        }
+        boolean goes = true;
+        for (int k = 0; k < State.BLOCK; k++) {
+            goes &= isVelocity ? target[k] == pace(k) : catchUp(k, state().x()[State.BLOCK * index() + k]) == 0;
+        }
+        return goes;
+    }
+
+    /** The velocity that it is to have now: what has struck it changes it until the next step begins. */
+    private double pace(int c) {
+        boolean isSteady = hasCourse && (asked[c] == pace[c] || !state().isOpenWithin());
+        return isSteady ? pace[c] : speed(c);
+    }
+
+    @Override
     final void written(boolean isVelocity) {
         if (isVelocity) {
             System.arraycopy(state().v(), State.BLOCK * index(), target, 0, State.BLOCK);

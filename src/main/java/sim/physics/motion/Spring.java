@@ -170,7 +170,7 @@ public final class Spring implements ForceGenerator, Link {
     private void writeIf(boolean isNew) {
         for (Body body : isNew ? getBodies() : List.<Body>of()) {
             if (!body.isFixed()) {
-                body.state().write(body.index(), true);
+                body.state().write(body.index(), false);
             }
         }
     }

@@ -16,6 +16,9 @@ public final class Touched implements Serializable {
     /** Bits: a force was applied at least; anything was written; where it is or how it moves may be another; TURNED is below. */
     private static final byte PUSHED = 1;
 
+    /** Values kept of a block that was set. */
+    private static final int KEPT = 2 * State.BLOCK;
+
     private static final byte WRITTEN = 2;
     static final byte MOVED = 4;
 
@@ -24,10 +27,25 @@ public final class Touched implements Serializable {
 
     static final byte RESHAPED = 16;
 
+    /** It was put elsewhere, or made to move otherwise, and it is known from where. */
+    private static final byte SET = 32;
+
     private int[] list = {};
     private byte[] how;
     private int count;
     private int quiet;
+
+    /** Blocks that were set, and their places and velocities before. */
+    private int[] set = {};
+
+    private double[] before = {};
+    private int setCount;
+
+    /** By block: which of these it is, if it is one. */
+    private int[] placing = {};
+
+    /** Whether anything has been told to stick: what it does is decided anew where it is set, also to what it is. */
+    private boolean sticks;
 
     /** Those that were kept. */
     private transient Touched kept;
@@ -61,6 +79,15 @@ public final class Touched implements Serializable {
      * @param index the block
      */
     public boolean isMoved(int index) {
+        return (how[index] & (MOVED | SET)) != 0;
+    }
+
+    /**
+     * {@return whether what ties a body may be another, too, so that it matters not where it was}
+     *
+     * @param index the block
+     */
+    public boolean isRetied(int index) {
         return (how[index] & MOVED) != 0;
     }
 
@@ -70,7 +97,7 @@ public final class Touched implements Serializable {
      * @param index the block
      */
     public boolean isTurned(int index) {
-        return how[index] >= TURNED;
+        return (how[index] & (TURNED | RESHAPED)) != 0;
     }
 
     /**
@@ -94,6 +121,52 @@ public final class Touched implements Serializable {
     /** Notes more of a block that has been noted. */
     void note(int index, int change) {
         how[index] |= (byte) change;
+    }
+
+    /** Notes that a block that has been noted is set, before that is done. */
+    void set(int index, double[] x, double[] v) {
+        if ((how[index] & SET) == 0) {
+            if (setCount == set.length) {
+                set = Arrays.copyOf(set, Growth.length(setCount, 4));
+                before = Arrays.copyOf(before, KEPT * set.length);
+            }
+            System.arraycopy(x, State.BLOCK * index, before, KEPT * setCount, State.BLOCK);
+            System.arraycopy(v, State.BLOCK * index, before, KEPT * setCount + State.BLOCK, State.BLOCK);
+            placing = placing.length < how.length ? Arrays.copyOf(placing, how.length) : placing;
+            placing[index] = setCount;
+            set[setCount++] = index;
+            note(index, SET);
+        }
+    }
+
+    /** Takes note that something is told to stick, in the middle of a step. */
+    public void stick() {
+        sticks = true;
+    }
+
+    boolean sticks() {
+        return sticks;
+    }
+
+    /** Forgets where blocks were that have been set: all that ties them is to be closed. */
+    public void forgetBefore() {
+        for (int k = 0; k < setCount; k++) {
+            move(set[k]);
+        }
+    }
+
+    /**
+     * {@return a place, or a velocity, that a block had before it was set; that of now if it was not}
+     *
+     * @param index the block
+     * @param c the coordinate
+     * @param now places or velocities
+     * @param isVelocity which of the two
+     */
+    public double before(int index, int c, double[] now, boolean isVelocity) {
+        int k = index < placing.length ? placing[index] : setCount;
+        boolean is = k < setCount && set[k] == index;
+        return is ? before[KEPT * k + (isVelocity ? State.BLOCK + c : c)] : now[State.BLOCK * index + c];
     }
 
     int count() {
@@ -166,6 +239,12 @@ public final class Touched implements Serializable {
         how = how.length == other.how.length ? how : new byte[other.how.length];
         System.arraycopy(other.how, 0, how, 0, how.length);
         quiet = other.quiet;
+        setCount = other.setCount;
+        set = set.length < setCount ? Arrays.copyOf(other.set, setCount) : set;
+        before = before.length < KEPT * setCount ? new double[KEPT * set.length] : before;
+        System.arraycopy(other.set, 0, set, 0, setCount);
+        placing = other.placing.clone();
+        System.arraycopy(other.before, 0, before, 0, KEPT * setCount);
         writes++;
     }
 
@@ -179,5 +258,11 @@ public final class Touched implements Serializable {
             how[list[k]] = 0;
         }
         count = 0;
+        setCount = 0;
+        if (set.length > State.LARGE) {
+            set = new int[0];
+            before = new double[0];
+            placing = new int[0];
+        }
     }
 }

@@ -437,16 +437,17 @@ public final class Trajectories implements Serializable {
      * @param body index
      * @param tau offset in the present step
      * @param state the vectors
-     * @return true if the positions are the same to the bit
+     * @param near by how much of its size, or in rad, it may be elsewhere
+     * @return true if it is
      */
-    public boolean isAt(int body, double tau, State state) {
+    public boolean isAt(int body, double tau, State state, double near) {
         int o = body * STRIDE;
         double d = duration(body, tau);
         boolean same = true;
         for (int c = 0; c < State.BLOCK; c++) {
             double bend = bends[(o & bendMask) + AX + c] + d * bends[(o & bendMask) + JX + c];
             double x = data[o + c] + d * (data[o + VX + c] + d * bend);
-            same &= x == state.x()[State.BLOCK * body + c];
+            same &= Math.abs(x - state.x()[State.BLOCK * body + c]) <= (c < State.THETA ? near * radii[body] : near);
         }
         return same;
     }

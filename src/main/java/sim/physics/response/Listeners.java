@@ -103,14 +103,17 @@ final class Listeners implements Serializable {
         publishUnwritten(b);
         Contact contact = contact(a, b, impact, -impact.normalVelocity(), 0);
         CollisionListener.Decision decision = askNow(contact);
-        impact.sticky |= decision == CollisionListener.Decision.STICK;
+        if (decision == CollisionListener.Decision.STICK) {
+            impact.sticky = true;
+            state.touched().stick();
+        }
         boolean isOver = isPut(a) || isPut(b) || !filter.allows(contact.a(), contact.b());
         return isOver && decision != CollisionListener.Decision.IGNORE ? null : decision;
     }
 
     /** Whether a body that was written at this instant is elsewhere than it was. */
     private boolean isPut(int body) {
-        return state.isTouched(body) && !trajectories.isAt(body, trajectories.offset(body), state);
+        return state.isTouched(body) && !trajectories.isAt(body, trajectories.offset(body), state, 0);
     }
 
     /** Lets a body that was written at this instant go on with the velocity that it has been given; false if it was not. */

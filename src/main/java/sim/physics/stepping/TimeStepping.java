@@ -11,6 +11,7 @@ import sim.physics.constraint.ConstraintException;
 import sim.physics.constraint.Constraints;
 import sim.physics.constraint.Reaction;
 import sim.physics.constraint.Onset;
+import sim.physics.constraint.SetBodies;
 import sim.physics.constraint.TieRows;
 import sim.physics.internal.IntList;
 import sim.physics.internal.Softness;
@@ -58,6 +59,7 @@ public final class TimeStepping implements Serializable {
     private final Spinners spinners;
     private final ContactSolver contacts;
     private final TieRows ties;
+    private final SetBodies setBodies = new SetBodies();
     private final Onset onset;
     private final Speeds speeds;
     private final Decisions decisions;
@@ -71,11 +73,10 @@ public final class TimeStepping implements Serializable {
     private Constraints constraints;
 
     private int substeps;
+    private double h;
 
     /** Whether others sleep than before. */
     private boolean areOthersAsleep;
-
-    private double h;
 
     /** The substep that impulses are kept of, 0 if none are; and what they are to be multiplied by for the present one. */
     private double keptOf;
@@ -203,14 +204,14 @@ public final class TimeStepping implements Serializable {
     }
 
     /**
-     * Closes the joints of bodies that were written. Those that say the same twice may be too far open for that: substeps regain it, as they
-     * do where hundreds of joints meet in one body.
+     * Closes the joints of bodies that were written, if that has opened them. Those that say the same twice may be too far open for that: substeps
+     * regain it, as they do where hundreds of joints meet in one body.
      *
      * @param island the bodies
      */
     public void assemble(IntList island) {
         try {
-            if (!constraints.haveHub(island)) {
+            if (!constraints.haveHub(island) && !setBodies.follow(constraints, island, state)) {
                 constraints.assemble(island, Reach.DOWNHILL);
             }
         } catch (ConstraintException e) {
