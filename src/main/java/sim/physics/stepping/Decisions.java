@@ -118,13 +118,14 @@ public final class Decisions implements Serializable {
         boolean isOpen = !near.is(pair, NearPairs.DECIDED);
         boolean touches = rows.touches(row, h);
         if (touches) {
-            thirds.strike(row, approach(row));
+            thirds.strike(row, h, isOpen);
         }
         if (isOpen && (touches || isReached)) {
             asked.add(pair);
             questions.add(contact(row));
-        } else if (!touches) {
-            thirds.wait(row, h, isOpen);
+        }
+        if (!isReached) {
+            thirds.wait(row, h, isOpen && !touches);
         }
         return isOpen;
     }

@@ -9,7 +9,8 @@ import sim.physics.motion.State;
 
 /**
  * Pairs of which listeners have not been asked, and which touch within the step only if a third body strikes one of the two: what lies on a plank
- * that falls goes on when the plank is stopped. Listeners are asked about those that may be reached so, or nobody would solve them.
+ * that falls goes on when the plank is stopped, and what is put on one that is borne from now on falls by itself. Listeners are asked
+ * about those that may be reached so, or nobody would solve them.
  */
 final class ThirdParties implements Serializable {
     private static final long serialVersionUID = 1L;
@@ -52,10 +53,20 @@ final class ThirdParties implements Serializable {
         isAny = false;
     }
 
-    /** The two bodies of a row strike one another with a speed. */
-    void strike(int row, double approach) {
-        gain(rows.first(row), GAIN * approach);
-        gain(rows.second(row), GAIN * approach);
+    /**
+     * The two bodies of a row strike one another.
+     *
+     * @param isOpen whether listeners are still to be asked about them: what forces give the two in the step then counts, too, as when a stack is put
+     *     down at rest. What lies already has given it to others before
+     */
+    void strike(int row, double h, boolean isOpen) {
+        double speed = 0;
+        for (int m = 0; m < rows.pointCount(row); m++) {
+            double forced = isOpen ? h * rows.of(row, m, ContactRows.FORCED) : 0;
+            speed = Math.max(speed, rows.approach(row, m) + Math.max(0, -forced));
+        }
+        gain(rows.first(row), GAIN * speed);
+        gain(rows.second(row), GAIN * speed);
     }
 
     private boolean gain(int body, double speed) {
@@ -72,9 +83,9 @@ final class ThirdParties implements Serializable {
     }
 
     /**
-     * The two bodies of a row do not touch in a step by themselves.
+     * The two bodies of a row may pass on what others give them, and may be brought together by it.
      *
-     * @param isOpen whether listeners are still to be asked about them; else the two only pass on what they get
+     * @param isOpen whether they do not touch in a step by themselves, and listeners are still to be asked about them; else the two only pass it on
      */
     void wait(int row, double h, boolean isOpen) {
         double lack = Double.POSITIVE_INFINITY;

@@ -80,6 +80,40 @@ class StruckByAThirdTest {
         assertThat(ear.told).isGreaterThanOrEqualTo(4);
     }
 
+    /**
+     * Boxes put on one another at rest, with gaps of rounding or such as no step sees: nothing strikes them but what gravity gives in a step. With a listener
+     * those above the first gap fell for a step, by g h² into one another.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.1, 0", "0.3, 0", "0.7, 0", "1, 0", "0.1, 1e-6", "1, 1e-6", "0.3, 1e-4", "1, 1e-4"})
+    void whatIsPutOnOneAnotherIsBorneAtOnce(double size, double gap) {
+        List<List<Body>> both = new ArrayList<>();
+        Ear ear = new Ear();
+        for (int run = 0; run < 2; run++) {
+            PhysicsEngine engine = Stepped.engine(STEP, 4);
+            engine.add(new Gravity(0, -9.81));
+            engine.add(Body.fixed(new Rectangle(10, 2)).at(0, -1)).setFriction(0.5);
+            List<Body> bodies = new ArrayList<>();
+            for (int k = 0; k < 6; k++) {
+                bodies.add(put(engine, size, size, 0, size / 2 + k * (size + gap), 0));
+            }
+            if (run == 1) {
+                engine.addListener(ear);
+            }
+            for (int k = 0; k < 40; k++) {
+                engine.step();
+                for (Body body : bodies) {
+                    assertThat(body.getVelocityY()).as("step %d, run %d", k, run).isBetween(-0.3 * 9.81 * STEP, 0.3 * 9.81 * STEP);
+                }
+            }
+            both.add(bodies);
+        }
+        for (int k = 0; k < 6; k++) {
+            assertThat(both.get(1).get(k).getY()).as("with a listener as without").isEqualTo(both.get(0).get(k).getY());
+        }
+        assertThat(ear.told).isEqualTo(6);
+    }
+
     /** A row of boxes that nearly touch, struck at its end: the last one must go on, and none through another. */
     @ParameterizedTest
     @CsvSource({"0, 1e-4", "0.5, 1e-4", "0.5, 2e-2"})
