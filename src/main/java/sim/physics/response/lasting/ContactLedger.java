@@ -83,10 +83,7 @@ public final class ContactLedger implements Serializable {
         step++; // a step that was broken off is another one than that which goes on from there
         now = 0;
         for (int k = 0; k < ended.size; k++) {
-            int o = ended.values[k];
-            if (places[(int) data[o + PAIR]] != o + 1) {
-                free.add(o);
-            }
+            release(ended.values[k]);
         }
         ended.clear();
     }
@@ -331,11 +328,24 @@ public final class ContactLedger implements Serializable {
      * @param body index
      */
     public void drop(int body) {
+        int count = 0;
         for (int k = 0; k < ended.size; k++) {
             int o = ended.values[k];
             if (data[o + A] == body || data[o + B] == body) {
                 Arrays.fill(data, o + POINTS, o + STRIDE, 0);
+                data[o + ENDED] = 0;
+                release(o);
+            } else {
+                ended.values[count++] = o;
             }
+        }
+        ended.size = count; // else who removes thousands looks through all of theirs each time
+    }
+
+    /** A page is free if its pair has begun again on another one. */
+    private void release(int o) {
+        if (places[(int) data[o + PAIR]] != o + 1) {
+            free.add(o);
         }
     }
 
