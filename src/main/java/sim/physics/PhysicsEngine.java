@@ -357,8 +357,8 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Removes a body, and the constraints and springs that it is part of. Within a step, this happens when the collision that is
-     * being handled is over.
+     * Removes a body, and the constraints and springs that it is part of. Within a step, it leaves when the collision that is being
+     * handled is over; until then it may be removed again, without effect, as by another listener that is told of it.
      *
      * @param body a body of this engine
      * @throws IllegalStateException if the body is not in this engine
@@ -381,10 +381,10 @@ public final class PhysicsEngine implements Steppable {
      * Returns whether a body is in this engine.
      *
      * @param body any body
-     * @return true from the time it is added until it is removed
+     * @return true from the time it is added until it is removed, also within a step
      */
     public boolean contains(Body body) {
-        return body != null && body.state() == state;
+        return body != null && body.state() == state && !isGone(body);
     }
 
     private void requireMine(Body body) {
@@ -436,7 +436,7 @@ public final class PhysicsEngine implements Steppable {
     public List<Body> bodies() {
         List<Body> all = new ArrayList<>(state.bodyCount());
         for (int i = 0; i < state.size(); i++) {
-            if (state.body(i) != null) {
+            if (state.body(i) != null && !isGone(state.body(i))) {
                 all.add(state.body(i));
             }
         }

@@ -75,13 +75,34 @@ class RemovedWithinTest {
         return engine;
     }
 
-    /** By events, bodies are there until the collision is over, and may be removed while they are. */
+    /** What is removed is gone at once, however bodies are moved; it is back at once, too. */
+    @ParameterizedTest
+    @CsvSource({"false, false", "true, false", "false, true", "true, true"})
+    void whatIsRemovedIsGoneAtOnce(boolean isStepped, boolean comesBack) {
+        Body[] gone = new Body[1];
+        PhysicsEngine engine = run(isStepped, (e, struck) -> {
+            gone[0] = struck;
+            assertThat(e.contains(struck)).isTrue();
+            e.remove(struck);
+            assertThat(e.contains(struck)).isFalse();
+            assertThat(e.bodies()).hasSize(2).doesNotContain(struck);
+            if (comesBack) {
+                e.add(struck);
+                assertThat(e.contains(struck)).isTrue();
+                assertThat(e.bodies()).hasSize(3).containsOnlyOnce(struck);
+            }
+        });
+        assertThat(engine.contains(gone[0])).isEqualTo(comesBack);
+        assertThat(engine.bodies()).hasSize(comesBack ? 3 : 2);
+    }
+
+    /** By events, bodies are part of the collision until it is over, and may be removed while they are: another listener may be told of them. */
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void whatIsNotThereCannotBeRemoved(boolean isStepped) {
         PhysicsEngine engine = run(isStepped, (e, struck) -> {
             e.remove(struck);
-            if (e.contains(struck)) {
+            if (!isStepped) {
                 e.remove(struck);
             } else {
                 assertThatIllegalStateException().isThrownBy(() -> e.remove(struck)).withMessageContaining("body is " + struck);
