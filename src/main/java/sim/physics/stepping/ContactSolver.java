@@ -196,6 +196,11 @@ final class ContactSolver implements Serializable {
         }
     }
 
+    /** {@return what solves points for both of their impulses at once} */
+    StruckPoints struck() {
+        return struck;
+    }
+
     /** {@return what is solved with a pin} */
     PinnedPairs pinned() {
         return pinned;

@@ -82,15 +82,15 @@ final class Impacts implements Serializable {
     /** By body: the number of pairs in which it presses. */
     private int[] touched = {};
 
-    Impacts(State state, ContactRows rows, Groups groups, MetGroups facts, FreeImpacts free, Flights flights, PinnedPairs pinned) {
+    Impacts(State state, ContactRows rows, Groups groups, MetGroups facts, FreeImpacts free, Flights flights, ContactSolver contacts) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
         this.facts = facts;
-        struck = new StruckPoints(state, rows, pinned);
+        struck = contacts.struck();
+        pinned = contacts.pinned();
         compression = new Compression(state, rows, groups, struck, pinned);
         this.free = free;
-        this.pinned = pinned;
         this.flights = flights;
     }
 

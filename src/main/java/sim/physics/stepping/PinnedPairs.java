@@ -22,6 +22,7 @@ import static sim.physics.stepping.ContactRows.TANGENT_MASS;
 import java.io.Serializable;
 import java.util.Arrays;
 import sim.physics.constraint.PinLevers;
+import sim.physics.internal.CoulombImpulse;
 import sim.physics.internal.Growth;
 import sim.physics.internal.Softness;
 import sim.physics.motion.State;
@@ -42,6 +43,9 @@ final class PinnedPairs implements Serializable {
     /** The part that is left at least: less is rounding. */
     private static final double LEAST = 1e-9;
 
+    /** How many times larger than without friction an impulse may be that rubs: beyond that it locks what it presses on. */
+    private static final double LOCKED = 4;
+
     private final State state;
     private final ContactRows rows;
     private final PinLevers levers;
@@ -56,7 +60,7 @@ final class PinnedPairs implements Serializable {
 
     private final double[] held = new double[4];
 
-    /** Its mobilities with its pin; see {@link sim.physics.internal.CoulombImpulse}. */
+    /** Its mobilities with its pin; see {@link CoulombImpulse}. */
     double kn;
 
     double kt;
@@ -163,6 +167,18 @@ final class PinnedPairs implements Serializable {
     /** Lets the pin answer to impulses at the point that was weighed last. */
     void answer(int k, double normal, double tangent) {
         levers.give(pins[k], -held[0] * normal - held[2] * tangent, -held[1] * normal - held[3] * tangent);
+    }
+
+    /**
+     * Bounds the impulse of a point that was weighed last. Friction may lock a body that can only turn against what presses on it: the impulse that stops
+     * the two is as large as you like then. In place of it comes the one without friction, and what that rubs.
+     */
+    void unlock(CoulombImpulse law, double wanted, double slide, double friction) {
+        if (law.normal * kn > LOCKED * wanted) {
+            double most = friction * (wanted / kn);
+            law.normal = wanted / kn;
+            law.tangent = Math.max(-most, Math.min(most, -(slide + knt * law.normal) / kt));
+        }
     }
 
     /** Solves the points of a pair once, as {@link ContactSolver} does those that no pin is beside. */

@@ -63,7 +63,7 @@ final class Reflections implements Serializable {
         this.free = free;
         this.facts = facts;
         this.contacts = contacts;
-        wave = new Wave(state, rows, groups);
+        wave = new Wave(state, rows, groups, contacts.struck());
     }
 
     /**

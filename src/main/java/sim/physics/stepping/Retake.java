@@ -71,7 +71,7 @@ final class Retake implements Serializable {
         Flights flights = new Flights(rows, groups);
         free = new FreeImpacts(state, rows, groups, grounds, contacts, flights);
         MetGroups facts = new MetGroups(rows, groups);
-        impacts = new Impacts(state, rows, groups, facts, free, flights, contacts.pinned());
+        impacts = new Impacts(state, rows, groups, facts, free, flights, contacts);
         reflections = new Reflections(state, rows, groups, free, facts, contacts);
         belts = new Belts(state, poses);
         crush = new Crush(state, poses);

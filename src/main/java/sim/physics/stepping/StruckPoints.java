@@ -137,6 +137,9 @@ final class StruckPoints implements Serializable {
         if (free + closing < 0) {
             double slide = -ny * apartX + nx * apartY + rows.normals[PAIR * k + BELT] - (isPinned ? pinned.lostTangent : 0) - knt * normal - kt * tangent;
             law.solve(kn, kt, knt, opening - free, slide, rows.normals[PAIR * k + FRICTION]);
+            if (isPinned) {
+                pinned.unlock(law, opening - free, slide, rows.normals[PAIR * k + FRICTION]);
+            }
             if (isLimited) {
                 law.limit(kn, kt, knt, free, slide, 0);
             }

@@ -70,11 +70,11 @@ final class Wave implements Serializable {
 
     private double[] scales = {};
 
-    Wave(State state, ContactRows rows, Groups groups) {
+    Wave(State state, ContactRows rows, Groups groups, StruckPoints struck) {
         this.state = state;
         this.rows = rows;
         this.groups = groups;
-        struck = new StruckPoints(state, rows, new PinnedPairs(state, rows, null));
+        this.struck = struck;
     }
 
     /**

@@ -45,6 +45,13 @@ class StruckByAThirdTest {
         return engine.add(body);
     }
 
+    private static PhysicsEngine overGround() {
+        PhysicsEngine engine = Stepped.engine(STEP, 4);
+        engine.add(new Gravity(0, -9.81));
+        engine.add(Body.fixed(new Rectangle(10, 2)).at(0, -1)).setFriction(0.5);
+        return engine;
+    }
+
     private static double deepest(PhysicsEngine engine) {
         return engine.overlaps().stream().mapToDouble(Overlap::depth).max().orElse(0);
     }
@@ -56,9 +63,7 @@ class StruckByAThirdTest {
         List<List<Body>> both = new ArrayList<>();
         Ear ear = new Ear();
         for (int run = 0; run < 2; run++) {
-            PhysicsEngine engine = Stepped.engine(STEP, 4);
-            engine.add(new Gravity(0, -9.81));
-            engine.add(Body.fixed(new Rectangle(10, 2)).at(0, -1)).setFriction(0.5);
+            PhysicsEngine engine = overGround();
             List<Body> bodies = new ArrayList<>();
             for (int k = 0; k < 4; k++) {
                 bodies.add(put(engine, 1, 0.4, 0, 5 + k * (0.4 + gap), restitution));
@@ -90,9 +95,7 @@ class StruckByAThirdTest {
         List<List<Body>> both = new ArrayList<>();
         Ear ear = new Ear();
         for (int run = 0; run < 2; run++) {
-            PhysicsEngine engine = Stepped.engine(STEP, 4);
-            engine.add(new Gravity(0, -9.81));
-            engine.add(Body.fixed(new Rectangle(10, 2)).at(0, -1)).setFriction(0.5);
+            PhysicsEngine engine = overGround();
             List<Body> bodies = new ArrayList<>();
             for (int k = 0; k < 6; k++) {
                 bodies.add(put(engine, size, size, 0, size / 2 + k * (size + gap), 0));
