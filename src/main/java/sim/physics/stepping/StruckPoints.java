@@ -152,14 +152,7 @@ final class StruckPoints implements Serializable {
         byTangent = now > 0 ? byTangent : -tangent;
         d[p + NORMAL] = now;
         d[p + TANGENT] = tangent + byTangent;
-        double[] w = state.w().values();
-        double jx = nx * byNormal - ny * byTangent, jy = ny * byNormal + nx * byTangent;
-        v[a] = vx - w[a] * jx;
-        v[a + 1] = vy - w[a] * jy;
-        v[a + 2] = spin - w[a + 2] * (d[p + AX] * jy - d[p + AY] * jx);
-        v[b] = ux + w[b] * jx;
-        v[b + 1] = uy + w[b] * jy;
-        v[b + 2] = turn + w[b + 2] * (d[p + BX] * jy - d[p + BY] * jx);
+        rows.give(k, p, v, byNormal, byTangent);
         if (isPinned) {
             pinned.answer(k, byNormal, byTangent);
         }
