@@ -205,7 +205,8 @@ final class PinnedPairs implements Serializable {
             double round = spin * spin * (nx * d[p + AY] - ny * d[p + AX]) - turn * turn * (nx * d[p + BY] - ny * d[p + BX]);
             weigh(k, p);
             d[p + TANGENT] = Math.max(-most, Math.min(most, old - (rows.slip(k, p, state.v()) - lostTangent + ahead * round) / kt));
-            give(k, p, 0, d[p + TANGENT] - old);
+            rows.give(k, p, state.v(), 0, d[p + TANGENT] - old);
+            answer(k, 0, d[p + TANGENT] - old);
         }
     }
 
@@ -224,7 +225,8 @@ final class PinnedPairs implements Serializable {
         if (now != 0 || old != 0) {
             d[p + NORMAL] = now;
             d[p + RESTORED] = now == 0 && !regains && rows.mayBounce(k) ? Flights.TAKEN_BACK : d[p + RESTORED];
-            give(k, p, now - old, 0);
+            rows.give(k, p, state.v(), now - old, 0);
+            answer(k, now - old, 0);
         }
     }
 
