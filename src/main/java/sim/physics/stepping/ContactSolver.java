@@ -355,6 +355,9 @@ final class ContactSolver implements Serializable {
                 points[STRIDE * m + NORMAL] *= share;
                 points[STRIDE * m + TANGENT] *= share;
             }
+            if (share < 1) {
+                rows.turns.forget(k, 1 - share);
+            }
         }
     }
 
