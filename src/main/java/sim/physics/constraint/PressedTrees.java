@@ -80,6 +80,9 @@ public final class PressedTrees implements Serializable {
      */
     public boolean begin() {
         trees.press();
+        if (areClosed()) {
+            Arrays.fill(closed, 0); // of a step that was broken off
+        }
         boolean any = false;
         for (int t = 0; t < trees.count(); t++) {
             if (trees.isPressed(t)) {
