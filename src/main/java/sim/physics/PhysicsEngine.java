@@ -357,8 +357,8 @@ public final class PhysicsEngine implements Steppable {
     }
 
     /**
-     * Removes a body, and the constraints and springs that it is part of. Within a step, it leaves when the collision that is being
-     * handled is over; until then it may be removed again, without effect, as by another listener that is told of it.
+     * Removes a body, and the constraints and springs that it is part of. Within a step by events, it leaves when the collision that is
+     * being handled is over; until then it may be removed again, without effect, as by another listener that is told of it.
      *
      * @param body a body of this engine
      * @throws IllegalStateException if the body is not in this engine

@@ -240,7 +240,7 @@ public final class Touched implements Serializable {
         System.arraycopy(other.how, 0, how, 0, how.length);
         quiet = other.quiet;
         setCount = other.setCount;
-        set = set.length < setCount ? Arrays.copyOf(other.set, setCount) : set;
+        set = set.length < setCount ? new int[setCount] : set;
         before = before.length < KEPT * setCount ? new double[KEPT * set.length] : before;
         System.arraycopy(other.set, 0, set, 0, setCount);
         placing = other.placing.clone();

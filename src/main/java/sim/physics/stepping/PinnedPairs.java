@@ -239,7 +239,7 @@ final class PinnedPairs implements Serializable {
         }
     }
 
-    /** The impulse along the tangent that a point slides with, whether a pin answers or not. */
+    /** The impulse against the tangent that stops the sliding of a point, whether a pin answers or not. */
     double stopping(int k, int p) {
         double slip = rows.slip(k, p, state.v());
         if (has(k)) {
