@@ -223,23 +223,38 @@ final class RoughImpact implements Serializable {
         }
     }
 
-    /** Changes impulses until they are right: all, or those along tangents alone. */
+    /**
+     * Changes impulses until they are right: all, or those along tangents alone. Of all, first those along normals, so that friction which
+     * nothing calls for is none: two points of an edge that falls flat would else pull against each other.
+     */
     private void relax(double[] impulse, boolean isAll) {
-        double largest = 0;
+        double largest = isAll ? relax(impulse, 0, 2, 0) : 0;
+        relax(impulse, isAll ? 0 : 1, isAll ? 1 : 2, largest);
+    }
+
+    /**
+     * Changes those of some rows.
+     *
+     * @param largest change of velocity of a sweep before
+     * @return the same of these sweeps, too
+     */
+    private double relax(double[] impulse, int from, int step, double largest) {
         int sweeps = Math.max(LEAST_SWEEPS, Math.min(SWEEPS, WORK / points));
+        double all = largest;
         for (int sweep = 0; sweep < sweeps; sweep++) {
             double most = 0;
-            for (int row = isAll ? 0 : 1; row < 2 * points; row += isAll ? 1 : 2) {
+            for (int row = from; row < 2 * points; row += step) {
                 load(row / 2);
                 double change = change(impulse, row);
                 push(row, change);
                 most = Math.max(most, Math.abs(change) * mobility[row]);
             }
-            largest = Math.max(largest, most);
-            if (most <= RIGHT * largest) {
-                return;
+            all = Math.max(all, most);
+            if (most <= RIGHT * all) {
+                break;
             }
         }
+        return all;
     }
 
     private void load(int k) {

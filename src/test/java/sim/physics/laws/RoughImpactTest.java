@@ -5,12 +5,16 @@ package sim.physics.laws;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
+import sim.physics.response.CollisionListener;
+import sim.physics.response.Contact;
 import sim.physics.shape.Circle;
 import sim.physics.shape.Rectangle;
 
@@ -51,6 +55,30 @@ class RoughImpactTest {
                 assertThat(box.getAngularVelocity()).as(what).isCloseTo(side * (spin - 0.5 * rubs / inertia), within(substeps == 0 ? 1e-9 : 6e-3));
             }
         }
+    }
+
+    /** A body that falls straight and flat onto two posts rubs on neither of them: they do not pull against each other. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.5, 1})
+    void twoPostsThatABoxFallsFlatOnShareItsImpulse(double restitution) {
+        PhysicsEngine engine = new PhysicsEngine();
+        engine.setTimeStep(0.5);
+        List<Double> told = new ArrayList<>();
+        engine.add(Body.fixed(new Circle(0.25)).at(-0.5, -0.25));
+        engine.add(Body.fixed(new Circle(0.25)).at(0.5, -0.25));
+        engine.add(new Body(new Rectangle(2, 1)).at(0, 1).moving(0, -2)).setMass(3);
+        engine.addListener(new CollisionListener() {
+            @Override
+            public void collided(Contact contact) {
+                told.add(contact.impulse());
+            }
+        });
+        for (Body each : engine.bodies()) {
+            each.setFriction(0.5);
+            each.setRestitution(restitution);
+        }
+        engine.step();
+        assertThat(told).hasSize(2).allSatisfy(impulse -> assertThat(impulse).isCloseTo(3 * (1 + restitution), within(1e-12)));
     }
 
     /** Boxes and discs that meet at several points at once, some of them flat, keep their momentum and gain no energy. */
