@@ -277,15 +277,21 @@ final class Bounces implements Serializable {
         if (!canRest && count > Tolerances.ELASTIC_AFTER) {
             c.restitution = 1; // bodies that collapse on one another (Luding and McNamara 1998)
         }
-        if (c.restitution == 1 && count <= Tolerances.ELASTIC_AFTER || !(closing > 0) || !(approachSpeed > 0)) {
+        if (!(closing > 0) || !(approachSpeed > 0)) {
+            return false;
+        }
+        boolean isBlurred = 2 * c.restitution * approachSpeed > (1 + c.restitution) * lastSpeed[pair];
+        if (canRest && (isForced && count > Tolerances.ELASTIC_AFTER || isBlurred) && approachSpeed * approachSpeed < 2 * pressing * noise(a, b)) {
+            c.restitution = 0;
+            return true;
+        }
+        if (c.restitution == 1 && count <= Tolerances.ELASTIC_AFTER) {
             return false;
         }
         double bounce = 2 * c.restitution * approachSpeed / closing;
         double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
-        boolean isBlurred = !isForced && 2 * c.restitution * approachSpeed > (1 + c.restitution) * lastSpeed[pair];
-        boolean isLong = count > Tolerances.REST_AFTER || count > BLURRED && isBlurred;
-        boolean isNoise = isForced && approachSpeed * approachSpeed < 2 * pressing * noise(a, b);
-        if (canRest && (isNoise || bounce < (isLong ? shortest : Tolerances.REST * h))) {
+        boolean isLong = count > Tolerances.REST_AFTER || count > BLURRED && isBlurred && !isForced;
+        if (canRest && bounce < (isLong ? shortest : Tolerances.REST * h)) {
             c.restitution = 0;
             return true;
         }
