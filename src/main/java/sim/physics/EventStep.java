@@ -422,7 +422,7 @@ final class EventStep implements Serializable {
             }
         }
         look(timeStep);
-        if (trajectories.areStraight()) {
+        if (motion.driven().size == 0) {
             state.lag(trajectories);
         } else if (motion.driven().size < state.bodyCount()) {
             trajectories.publish(timeStep, state);

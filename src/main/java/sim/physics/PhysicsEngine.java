@@ -33,6 +33,7 @@ import sim.physics.internal.Tolerances;
 import sim.physics.internal.Work;
 import sim.physics.motion.Body;
 import sim.physics.motion.ForceGenerator;
+import sim.physics.motion.Gravity;
 import sim.physics.motion.Integrator;
 import sim.physics.motion.Motion;
 import sim.physics.motion.State;
@@ -327,6 +328,7 @@ public final class PhysicsEngine implements Steppable {
         if (stepping || goesOn) {
             throw new IllegalStateException("the engine was saved within a step: save it between steps");
         }
+        state.settle(true); // whether somebody has read it makes no other checkpoint
         events.makeLatePaths();
         out.defaultWriteObject();
     }
@@ -457,7 +459,9 @@ public final class PhysicsEngine implements Steppable {
         state.requireOpen();
         requireNoneNull("generator.getBodies()", generator.getBodies());
         requireNoneNull("generator.getCoupledBodies()", generator.getCoupledBodies());
-        events.askAuthors();
+        if (!(generator instanceof Gravity)) { // a uniform field asks nobody
+            events.askAuthors();
+        }
         if (!motion.add(generator)) {
             throw new IllegalStateException("force generator is " + generator + ": it was added already");
         }

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import sim.physics.Checkpoint;
 import sim.physics.PhysicsEngine;
 import sim.physics.motion.Body;
+import sim.physics.motion.Gravity;
 import sim.physics.response.CollisionListener;
 import sim.physics.response.Contact;
 import sim.physics.shape.Circle;
@@ -27,8 +28,16 @@ class UnreadStateTest {
         private final boolean isRead;
 
         private Gas(boolean isRead) {
+            this(isRead, false);
+        }
+
+        /** The same, or one that falls, loses its energy, and lies down. */
+        private Gas(boolean isRead, boolean falls) {
             this.isRead = isRead;
-            engine.setTimeStep(0.25);
+            engine.setTimeStep(falls ? 1.0 / 32 : 0.25);
+            if (falls) {
+                engine.add(new Gravity(0, -5));
+            }
             for (int side = -1; side <= 1; side += 2) {
                 engine.add(Body.fixed(new Rectangle(14, 1)).at(0, 6 * side));
                 engine.add(Body.fixed(new Rectangle(1, 14)).at(6 * side, 0));
@@ -39,6 +48,9 @@ class UnreadStateTest {
                 body.at(2 * (k % 5) - 4, 2 * (k / 5) - 4, random.nextDouble(-1, 1));
                 body.moving(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
                 bodies.add(engine.add(body));
+            }
+            if (falls) {
+                engine.bodies().forEach(body -> body.setRestitution(0.5));
             }
         }
 
@@ -79,6 +91,30 @@ class UnreadStateTest {
             unread.run(60);
             assertSame(read, unread);
         }
+    }
+
+    @Test
+    void theStateIsThatOfAHeapThatIsReadAfterEachStep() {
+        Gas read = new Gas(true, true);
+        Gas unread = new Gas(false, true);
+        for (int k = 0; k < 8; k++) {
+            read.run(60);
+            unread.run(60);
+            assertThat(unread.values()).isEqualTo(read.values());
+            for (Gas gas : List.of(read, unread)) {
+                gas.run(13);
+                gas.engine.remove(gas.bodies.remove(k));
+                gas.run(5);
+                gas.bodies.add(gas.engine.add(new Body(new Circle(0.25)).at(3 - 0.7 * k, 4)));
+                gas.run(1);
+                gas.bodies.get(5).setVelocity(1, 1);
+                gas.run(7);
+                gas.engine.setTimeStepping(k % 2 == 0 ? 2 : 0);
+                gas.run(3);
+                gas.engine.setTimeStepping(0);
+            }
+        }
+        assertSame(read, unread);
     }
 
     @Test
