@@ -57,7 +57,7 @@ final class EventStep implements Serializable {
     /** Where tied bodies were when the step began. */
     private final StepStart start = new StepStart();
 
-    /** Whether there have been listeners, force generators or rules of authors, which may ask or write within a step. */
+    /** Whether there have been listeners, force generators but uniform fields, or rules of authors, which may ask or write within a step. */
     private boolean asksAuthors;
 
     private boolean broadPhaseIsChosen;
@@ -158,8 +158,9 @@ final class EventStep implements Serializable {
         time = now;
         state.setPresence(null, true);
         work.begin(limit, detection.narrowPhase().evaluations());
-        state.settle(asksAuthors || audit != null || constraints != null || state.touchedCount() > 0);
-        if (constraints != null || steering.isAny()) {
+        boolean isKept = constraints != null || steering.isAny();
+        state.settle(asksAuthors || audit != null || isKept || state.touchedCount() > 0);
+        if (isKept) {
             start.keep(state);
         }
         events = 0;

@@ -281,17 +281,15 @@ final class Bounces implements Serializable {
             return false;
         }
         boolean isBlurred = 2 * c.restitution * approachSpeed > (1 + c.restitution) * lastSpeed[pair];
-        if (canRest && (isForced && count > Tolerances.ELASTIC_AFTER || isBlurred) && approachSpeed * approachSpeed < 2 * pressing * noise(a, b)) {
-            c.restitution = 0;
-            return true;
-        }
-        if (c.restitution == 1 && count <= Tolerances.ELASTIC_AFTER) {
+        boolean mayBeNoise = canRest && (isBlurred || isForced && count > Tolerances.ELASTIC_AFTER);
+        boolean isNoise = mayBeNoise && approachSpeed * approachSpeed < 2 * pressing * noise(a, b);
+        if (c.restitution == 1 && count <= Tolerances.ELASTIC_AFTER && !isNoise) {
             return false;
         }
         double bounce = 2 * c.restitution * approachSpeed / closing;
         double shortest = Math.min(1, count * Tolerances.SHORTEST_BOUNCE) * h;
         boolean isLong = count > Tolerances.REST_AFTER || count > BLURRED && isBlurred && !isForced;
-        if (canRest && bounce < (isLong ? shortest : Tolerances.REST * h)) {
+        if (canRest && (isNoise || bounce < (isLong ? shortest : Tolerances.REST * h))) {
             c.restitution = 0;
             return true;
         }

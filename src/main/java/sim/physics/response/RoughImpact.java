@@ -228,19 +228,22 @@ final class RoughImpact implements Serializable {
      * nothing calls for is none: two points of an edge that falls flat would else pull against each other.
      */
     private void relax(double[] impulse, boolean isAll) {
-        double largest = isAll ? relax(impulse, 0, 2, 0) : 0;
-        relax(impulse, isAll ? 0 : 1, isAll ? 1 : 2, largest);
+        if (isAll) {
+            relax(impulse, 0, 1, relax(impulse, 0, 2, 0));
+        } else {
+            relax(impulse, 1, 2, 0);
+        }
     }
 
     /**
-     * Changes those of some rows.
+     * Changes those of some rows: from one on, each, or each second one.
      *
-     * @param largest change of velocity of a sweep before
-     * @return the same of these sweeps, too
+     * @param before the largest change of velocity in sweeps before these
+     * @return the largest one in any
      */
-    private double relax(double[] impulse, int from, int step, double largest) {
+    private double relax(double[] impulse, int from, int step, double before) {
         int sweeps = Math.max(LEAST_SWEEPS, Math.min(SWEEPS, WORK / points));
-        double all = largest;
+        double largest = before;
         for (int sweep = 0; sweep < sweeps; sweep++) {
             double most = 0;
             for (int row = from; row < 2 * points; row += step) {
@@ -249,12 +252,12 @@ final class RoughImpact implements Serializable {
                 push(row, change);
                 most = Math.max(most, Math.abs(change) * mobility[row]);
             }
-            all = Math.max(all, most);
-            if (most <= RIGHT * all) {
+            largest = Math.max(largest, most);
+            if (most <= RIGHT * largest) {
                 break;
             }
         }
-        return all;
+        return largest;
     }
 
     private void load(int k) {
