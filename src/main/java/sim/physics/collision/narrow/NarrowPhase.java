@@ -394,7 +394,9 @@ public final class NarrowPhase implements Serializable {
     }
 
     /** The point where a vertex touches an edge, or the stretch along which the vertex's edge lies on it. */
-    private void alongEdge(Pose.Placed owner, int edge, Pose.Placed other, int vertex, Manifold contact) {
+    private void alongEdge(Pose.Placed owner, int edge, Pose.Placed other, int deepest, Manifold contact) {
+        boolean isDeep = flushLimit == Tolerances.FLUSH * pose.size && contact.gap < -roundingOfGap();
+        int vertex = isDeep ? DeepCorner.of(pose, owner, edge, other, deepest, -side(other)) : deepest;
         double ex = owner.normalX(edge);
         double ey = owner.normalY(edge);
         int flush = flushNeighbour(owner, edge, other, vertex);

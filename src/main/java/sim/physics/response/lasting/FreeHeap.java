@@ -117,6 +117,9 @@ final class FreeHeap implements Serializable {
 
     /** Stops a heap that stands still from now on, and finds what holds it against a pull; nothing else depends on that. */
     void bear(IntList heap, Motion motion, double scale, double time, double pull, boolean isHalf) {
+        if (pull == 0) {
+            return; // what has stopped it is noted, and nothing has to hold it
+        }
         double none = STILL * pull * time;
         double[] fall = new double[State.BLOCK];
         for (int k = 0; k < heap.size; k++) {

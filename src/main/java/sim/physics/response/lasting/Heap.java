@@ -399,7 +399,7 @@ final class Heap implements Serializable {
         if (isDriven && !members.isDriven()) {
             driving.settle(heap, courses.before(), until - tau);
         }
-        notes.press(given(until - tau), isEven());
+        notes.press(pulls.isFalling() && !isEven() ? 0 : given(until - tau), isEven());
         if (isDriven) {
             driving.note(detection);
         }
@@ -489,7 +489,7 @@ final class Heap implements Serializable {
     /** Gives a body that nothing drives its velocity; false if it goes on as it did. */
     private boolean send(int k, int body, double tau, boolean isStill) {
         by.isHalf[body] = false;
-        if (isResumed && !members.areTurned() && courses.isKept(k, body, tau, system.v, SAME * scale)) {
+        if (isResumed && !members.areTurned() && courses.keeps(k, body, tau, until, system.v, SAME * scale)) {
             return false;
         }
         by.paidUntil[body] = isStill || pulls.isFalling() ? 0 : until;

@@ -72,13 +72,21 @@ final class HeapCourses implements Serializable {
         return without;
     }
 
-    /** Whether a body that has got what forces give it goes on as it did, but for some rounding. */
-    boolean isKept(int k, int body, double tau, double[] v, double none) {
-        return !haveStruck
+    /**
+     * Lets a body that has got what forces give it go on as it did, if that is right but for some rounding; it may be so until another time
+     * than that for which it was given.
+     */
+    boolean keeps(int k, int body, double tau, double until, double[] v, double none) {
+        boolean keeps = !haveStruck
                 && by.paidUntil[body] > tau
                 && Math.abs(v[3 * k] - before[3 * k]) <= none
                 && Math.abs(v[3 * k + 1] - before[3 * k + 1]) <= none
                 && Math.abs(v[3 * k + 2] - before[3 * k + 2]) * trajectories.radius(body) <= none;
+        if (keeps && by.paidUntil[body] != until) {
+            by.pay(body, tau, without, before, 3 * k);
+            by.paidUntil[body] = until;
+        }
+        return keeps;
     }
 
     /** Gives a body the velocity that has been found. */

@@ -91,15 +91,18 @@ final class HeapNotes implements Serializable {
     }
 
     /**
-     * Notes the forces that the points bear for a time.
+     * Notes the forces that the points bear evenly over a time, or impulses at once if that is 0.
      *
      * @param isEven whether their bodies turn meanwhile: they are pushed along other normals than those at the start
      */
     void press(double time, boolean isEven) {
         for (int p = 0; p < system.contacts(); p++) {
             int pair = origin.values[p] / 2;
-            double fn = system.normalImpulse(p) / time;
-            ledger.press(pair, origin.values[p] % 2, fn, system.tangentImpulse(p) / time);
+            double fn = time > 0 ? system.normalImpulse(p) / time : 0;
+            ledger.press(pair, origin.values[p] % 2, fn, time > 0 ? system.tangentImpulse(p) / time : 0);
+        }
+        if (time == 0) {
+            strike(1);
         }
         if (isEven) {
             turn();
