@@ -395,25 +395,34 @@ public final class NarrowPhase implements Serializable {
 
     /** The point where a vertex touches an edge, or the stretch along which the vertex's edge lies on it. */
     private void alongEdge(Pose.Placed owner, int edge, Pose.Placed other, int deepest, Manifold contact) {
-        boolean isDeep = flushLimit == Tolerances.FLUSH * pose.size && contact.gap < -roundingOfGap();
-        int vertex = isDeep ? DeepCorner.of(pose, owner, edge, other, deepest, -side(other)) : deepest;
+        int flush = flushNeighbour(owner, edge, other, deepest);
+        boolean isStruck = flush < 0 && flushLimit == Tolerances.FLUSH * pose.size && contact.gap <= Tolerances.GAP * pose.extent;
+        int vertex = isStruck ? StruckCorner.of(pose, owner, edge, other, deepest, -side(other)) : deepest;
+        if (flush < 0 && (vertex == deepest || StruckCorner.isOver(owner, edge, other, vertex))) {
+            addCorner(owner, edge, other, vertex, contact);
+        } else {
+            addStretch(owner, edge, other, deepest, flush < 0 ? vertex : flush, contact);
+        }
+    }
+
+    private void addCorner(Pose.Placed owner, int edge, Pose.Placed other, int vertex, Manifold contact) {
+        double at = StruckCorner.along(owner, edge, other, vertex);
+        contact.room = Math.min(at, owner.length(edge) - at);
+        addSurfacePoint(other.vx[vertex], other.vy[vertex], side(other) * other.rounding(), contact);
+        if (other.n > 1 && flushLimit > Tolerances.FLUSH * pose.size) {
+            addNear(owner, edge, other, (vertex + 1) % other.n, contact);
+            addNear(owner, edge, other, (vertex + other.n - 1) % other.n, contact);
+        }
+    }
+
+    private void addStretch(Pose.Placed owner, int edge, Pose.Placed other, int vertex, int flush, Manifold contact) {
         double ex = owner.normalX(edge);
         double ey = owner.normalY(edge);
-        int flush = flushNeighbour(owner, edge, other, vertex);
-        double at = along(owner, edge, other, vertex);
-        if (flush < 0) {
-            contact.room = Math.min(at, owner.length(edge) - at);
-            addSurfacePoint(other.vx[vertex], other.vy[vertex], side(other) * other.rounding(), contact);
-            if (other.n > 1 && flushLimit > Tolerances.FLUSH * pose.size) {
-                addNear(owner, edge, other, (vertex + 1) % other.n, contact);
-                addNear(owner, edge, other, (vertex + other.n - 1) % other.n, contact);
-            }
-            return;
-        }
-        double to = along(owner, edge, other, flush);
+        double at = StruckCorner.along(owner, edge, other, vertex);
+        double to = StruckCorner.along(owner, edge, other, flush);
         double from = Math.max(0, Math.min(at, to));
         double end = Math.min(owner.length(edge), Math.max(at, to));
-        double slope = (height(owner, edge, other, flush) - height(owner, edge, other, vertex)) / (to - at);
+        double slope = (StruckCorner.height(owner, edge, other, flush) - StruckCorner.height(owner, edge, other, vertex)) / (to - at);
         contact.gaps[0] = contact.gap + slope * (from - at);
         contact.gaps[1] = contact.gap + slope * (end - at);
         contact.stretch(Math.min(at, to), Math.max(at, to), owner.length(edge), ENDS * pose.size);
@@ -426,7 +435,7 @@ public final class NarrowPhase implements Serializable {
     }
 
     private void addNear(Pose.Placed owner, int edge, Pose.Placed other, int vertex, Manifold contact) {
-        double height = height(owner, edge, other, vertex);
+        double height = StruckCorner.height(owner, edge, other, vertex);
         contact.addNear(other.vx[vertex], other.vy[vertex], pose.px, pose.py, height);
     }
 
@@ -437,23 +446,13 @@ public final class NarrowPhase implements Serializable {
         }
         int next = (vertex + 1) % other.n;
         int previous = (vertex + other.n - 1) % other.n;
-        double own = height(owner, edge, other, vertex);
-        double atNext = Math.abs(height(owner, edge, other, next) - own);
-        double atPrevious = Math.abs(height(owner, edge, other, previous) - own);
+        double own = StruckCorner.height(owner, edge, other, vertex);
+        double atNext = Math.abs(StruckCorner.height(owner, edge, other, next) - own);
+        double atPrevious = Math.abs(StruckCorner.height(owner, edge, other, previous) - own);
         if (Math.min(atNext, atPrevious) > flushLimit) {
             return -1;
         }
         return atNext <= atPrevious ? next : previous;
-    }
-
-    private static double height(Pose.Placed owner, int edge, Pose.Placed other, int vertex) {
-        return (other.vx[vertex] - owner.vx[edge]) * owner.normalX(edge)
-                + (other.vy[vertex] - owner.vy[edge]) * owner.normalY(edge);
-    }
-
-    private static double along(Pose.Placed owner, int edge, Pose.Placed other, int vertex) {
-        return (other.vy[vertex] - owner.vy[edge]) * owner.normalX(edge)
-                - (other.vx[vertex] - owner.vx[edge]) * owner.normalY(edge);
     }
 
     /** +1 for body A, whose surface lies along the normal, −1 for body B. */

@@ -50,6 +50,9 @@ final class FreeHeap implements Serializable {
     /** The same while a pair is deeper than it is to be: what is regained of it in a step is a fifth, and the rest would stay. */
     private static final double STILL_REGAINS = 1e-8;
 
+    /** The same of a heap that nothing holds. */
+    private static final double SLIPS = 1e-3;
+
     /** Times that a heap may not be solved in a step, before little work is spent on it. */
     private static final int FAILURES = 3;
 
@@ -115,11 +118,16 @@ final class FreeHeap implements Serializable {
         return fastest <= (tolerance.isRough() ? STANDS : tolerance.isDeep() ? STILL_REGAINS : STILL) * given;
     }
 
-    /** Stops a heap that stands still from now on, and finds what holds it against a pull; nothing else depends on that. */
-    void bear(IntList heap, Motion motion, double scale, double time, double pull, boolean isHalf) {
+    /**
+     * Stops a heap that stands still from now on, and finds what holds it against a pull; nothing else depends on that.
+     *
+     * @return false if nothing holds it, as it has come to the end of its way up a slope: nothing is changed
+     */
+    boolean bear(IntList heap, Motion motion, double scale, double time, double pull, boolean isHalf) {
         if (pull == 0) {
-            return; // what has stopped it is noted, and nothing has to hold it
+            return true; // what has stopped it is noted, and nothing has to hold it
         }
+        double[] last = Arrays.copyOf(system.v, 3 * heap.size);
         double none = STILL * pull * time;
         double[] fall = new double[State.BLOCK];
         for (int k = 0; k < heap.size; k++) {
@@ -128,14 +136,17 @@ final class FreeHeap implements Serializable {
                 system.v[3 * k + c] = fall[c] * time;
             }
         }
-        notes.strike(1);
         for (int p = 0; p < system.size(); p++) {
             system.bound(p, system.bound(p) < -none ? system.bound(p) : 0);
         }
         system.solve(scale, true);
-        notes.press(time, false);
-        notes.strike(isHalf ? -0.5 : -1); // what has stopped it was more than what holds it
+        if (scales.fastest(heap, system.v) > SLIPS * pull * time) {
+            System.arraycopy(last, 0, system.v, 0, last.length);
+            return false;
+        }
+        notes.hold(time, isHalf ? 0.5 * time : time);
         Arrays.fill(system.v, 0, 3 * heap.size, 0);
+        return true;
     }
 
     /** Solves a heap whose points have been taken in, for half of a time or all of it; false if the impulses are not nearly right. */

@@ -451,9 +451,8 @@ final class Heap implements Serializable {
         double pull = pulls.most(heap);
         boolean isDissolved = system.contacts() == 0 && isFresh;
         boolean still = system.contacts() > 0 && !halts && isFresh && !isEven() && free.isStill(scales.fastest(heap, system.v), pull * (until - tau));
-        if (still) {
-            free.bear(heap, motion, scale, until - tau, pull, isHalf);
-        } else if (until < trajectories.h()) {
+        still = still && free.bear(heap, motion, scale, until - tau, pull, isHalf);
+        if (!still && until < trajectories.h()) {
             members.plan(until);
         }
         if (isDriven && !isDissolved) {

@@ -109,6 +109,21 @@ final class HeapNotes implements Serializable {
         }
     }
 
+    /**
+     * Notes what the points bear for a time on bodies that have been stopped at its beginning.
+     *
+     * @param given the time for which the forces were noted that have stopped them, which was more than what holds them
+     */
+    void hold(double time, double given) {
+        for (int p = 0; p < system.contacts(); p++) {
+            int pair = origin.values[p] / 2;
+            int point = origin.values[p] % 2;
+            ledger.strike(pair, point, given * ledger.force(pair, point, false), given * ledger.force(pair, point, true));
+        }
+        press(time, false);
+        strike(-given / time);
+    }
+
     /** Notes along which normals, and where, the forces act that the points bear for a time. */
     private void turn() {
         PointRows rows = system.pressing();
