@@ -228,6 +228,14 @@ final class DrivenHeap implements Serializable {
         }
     }
 
+    /** Lets a body fall that lies on nothing any more. */
+    void dissolve(int body, Ties those) {
+        by.lies[body] = false;
+        motion.support(body, 0, 0, 0);
+        motion.ground().resume(body);
+        thaw(body, those);
+    }
+
     /** Whether something has happened to a body that stands still, or its motors or stops have been set. */
     boolean stirs(int body, Ties those) {
         return motion.isTied(body) && (!probes.rests(body) || areSet(those.island(body), body, those));

@@ -39,6 +39,9 @@ final class FreeHeap implements Serializable {
     /** Part of a time that a shorter one is, for which a heap is solved that cannot be lifted for all of it. */
     static final double SHORTER = 0.25;
 
+    /** How many shortest times rounding may take for longer. */
+    static final double SHORTEST = 1.5;
+
     /** Part of the speed at which points approach with which they hop: no rounding may make that more. */
     static final double HOP = 0.99;
 
@@ -52,6 +55,15 @@ final class FreeHeap implements Serializable {
 
     /** The same of a heap that nothing holds. */
     private static final double SLIPS = 1e-3;
+
+    /** Speed of a point that slides, relative to that which forces give in a time, from which it is looked at when it stops within that. */
+    static final double SLIDES = 1 / 16.0;
+
+    /** Part of a time that is the half of it, but for rounding: what stops then may have stopped before. */
+    static final double STUCK = 0.501;
+
+    /** Part of that time for which it surely slides. */
+    static final double SOON = 0.25;
 
     /** Times that a heap may not be solved in a step, before little work is spent on it. */
     private static final int FAILURES = 3;
@@ -110,6 +122,33 @@ final class FreeHeap implements Serializable {
         double curvature = GapBend.curvature(manifold, k, point);
         boolean mayStrike = -point.opening * time > 2 * (depth + bend) + HeapGaps.fairDepth(size);
         return mayStrike || Double.isNaN(curvature) ? bend : Math.min(bend, GapBend.reserve(curvature, manifold.gaps[k] - depth, time));
+    }
+
+    /** For how much of a time bodies are given what forces and contacts give them when it begins. */
+    static double given(double time, boolean isHalf) {
+        return isHalf ? 0.5 * time : time;
+    }
+
+    /**
+     * When the first point stops sliding if it goes on as has been found for half of a time. From then on friction may hold, or act the other way.
+     *
+     * @param before the velocities at the beginning
+     * @param least speed that matters
+     * @param shortest the shortest time
+     * @return duration, infinite if there is none
+     */
+    double firstStop(double[] before, double time, double least, double shortest) {
+        double first = Double.POSITIVE_INFINITY;
+        for (int p = 0; p < system.contacts(); p++) {
+            double now = system.tangent(p);
+            double slip = now - system.tangent(p, system.v) + system.tangent(p, before);
+            double left = slip > 0 ? now : -now;
+            double size = Math.abs(slip);
+            if (size > least && system.normalImpulse(p) > 0 && left < size) {
+                first = Math.min(first, Math.max(shortest, 0.5 * time * size / (size - left)));
+            }
+        }
+        return first;
     }
 
     /** Whether a heap whose bodies have a speed at most stands still, against what forces give in the time. */

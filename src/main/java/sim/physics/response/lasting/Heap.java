@@ -27,11 +27,10 @@ final class Heap implements Serializable {
     /** Speed that is none, relative to what forces give, at the start and at the end of a step of bodies that the integrator drives. */
     private static final double RESTING = 1e-9;
 
-    /** Turn of a body, rad, for which a solution holds; how many there are in a step at most; how many shortest times rounding may take for longer. */
+    /** Turn of a body, rad, for which a solution holds; how many there are in a step at most. */
     private static final double TURN = 0.1;
 
     private static final int SOLUTIONS = 1000;
-    private static final double SHORTEST = 1.5;
 
     /** Part of a step in which forces are but the rounding of impulses: none are to start from those. */
     static final double SLIVER = 5e-5;
@@ -106,13 +105,8 @@ final class Heap implements Serializable {
     private double scale;
 
     Heap(
-            State state,
-            Trajectories trajectories,
-            Motion motion,
-            CollisionDetection detection,
-            ContactPoints points,
-            HeapBodies by,
-            ContactLedger ledger) {
+            State state, Trajectories trajectories, Motion motion, CollisionDetection detection,
+            ContactPoints points, HeapBodies by, ContactLedger ledger) {
         this.state = state;
         this.trajectories = trajectories;
         this.motion = motion;
@@ -172,11 +166,7 @@ final class Heap implements Serializable {
             return;
         }
         find(seed, tau);
-        ending.complete(tau);
-        for (int k = 0; k < heap.size; k++) {
-            by.place[heap.values[k]] = 0;
-            changed.add(heap.values[k]);
-        }
+        ending.complete(tau, changed);
     }
 
     /**
@@ -245,11 +235,6 @@ final class Heap implements Serializable {
         until = h - until < 0.5 * h / SOLUTIONS ? h : until;
     }
 
-    /** For how much of a time bodies are given what forces and contacts give them when it begins. */
-    private double given(double time) {
-        return isHalf ? 0.5 * time : time;
-    }
-
     /** Takes in the bodies of the heap and their points; the time ends where the first of these strikes. */
     private void gather(double tau) {
         take(tau);
@@ -311,7 +296,7 @@ final class Heap implements Serializable {
         scale = Math.max(scale, pull * (until - tau));
         courses.enter(k, body, tau, system.v, isPaid);
         for (int c = 0; c < State.BLOCK && !isEven(); c++) {
-            system.v[3 * k + c] += fall[c] * given(until - tau);
+            system.v[3 * k + c] += fall[c] * FreeHeap.given(until - tau, isHalf);
         }
     }
 
@@ -363,13 +348,16 @@ final class Heap implements Serializable {
             }
             system.drift(p, isHalf ? 0.5 * left * point.drifting() : 0);
             if (!isEven()) {
-                free.take(p, size, left, given(left), isFresh || scale > 0);
+                free.take(p, size, left, FreeHeap.given(left, isHalf), isFresh || scale > 0);
             }
         }
     }
 
     private void solve(double tau) {
         boolean done = findImpulses(tau);
+        if (isHalf && tau == 0 && heap.size <= FreeHeap.FEW) {
+            done = findUntilStop(tau, until - tau, done);
+        }
         if (!isEven() && !isRough && !large.judge(heap, system, done, scales.fastest(heap, system.v))) {
             isRough = true;
             take(tau);
@@ -379,11 +367,9 @@ final class Heap implements Serializable {
         boolean isPressed = pulls.isOnAny(heap); // else it would hop deeper and deeper, and is halted
         boolean isDear = isDear(tau, isPressed);
         boolean mayShorten = isDear && !halts && !isDriven && !isRough && (isRubbed ? isPressed : free.isShort(heap, pulls));
-        while (isDear && mayShorten && until - tau > SHORTEST * trajectories.h() / SOLUTIONS) {
+        while (isDear && mayShorten && until - tau > FreeHeap.SHORTEST * trajectories.h() / SOLUTIONS) {
             double shorter = Math.max(effort.shorter(), trajectories.h() / SOLUTIONS);
-            until = tau + (isRubbed ? rubbing.hold(heap, shorter) : FreeHeap.SHORTER * (until - tau)); // what lifting takes falls with it
-            gather(tau);
-            done = findImpulses(tau);
+            done = findImpulses(tau, isRubbed ? rubbing.hold(heap, shorter) : FreeHeap.SHORTER * (until - tau)); // what lifting takes falls with it
             isDear = isDear(tau, isPressed);
         }
         if (isDear) {
@@ -399,12 +385,12 @@ final class Heap implements Serializable {
         if (isDriven && !members.isDriven()) {
             driving.settle(heap, courses.before(), until - tau);
         }
-        notes.press(pulls.isFalling() && !isEven() ? 0 : given(until - tau), isEven());
+        notes.press(pulls.isFalling() && !isEven() ? 0 : FreeHeap.given(until - tau, isHalf), isEven());
         if (isDriven) {
             driving.note(detection);
         }
         if (isFresh && until - tau >= SLIVER * trajectories.h()) {
-            notes.note(given(until - tau), done || !system.isTied());
+            notes.note(FreeHeap.given(until - tau, isHalf), done || !system.isTied());
         }
         if (isRubbed) {
             rubbing.end(heap, until - tau);
@@ -429,6 +415,24 @@ final class Heap implements Serializable {
                 : isRubbed ? rubbing.solve(heap, tau, until - tau, scale) : free.solve(heap, scale, regain.time(), isHalf);
         return isDriven || !HeapEnergy.locks(system, isRubbed ? HeapEnergy.HELD : HeapEnergy.LOCKED) ? done
                 : isRubbed ? rubbing.giveWay(heap, scale, detection) : free.giveWay(scale, regain.time(), done);
+    }
+
+    /** The same for another time. */
+    private boolean findImpulses(double tau, double time) {
+        until = tau + time;
+        gather(tau);
+        return findImpulses(tau);
+    }
+
+    /** The same until a point first stops sliding, if one does within the time: from then on friction holds, or acts the other way. */
+    private boolean findUntilStop(double tau, double time, boolean isDone) {
+        double least = FreeHeap.SLIDES * pulls.most(heap) * time;
+        double stop = free.firstStop(courses.before(), time, least, trajectories.h() / SOLUTIONS);
+        if (stop <= FreeHeap.STUCK * time) {
+            findImpulses(tau, FreeHeap.SOON * stop);
+            stop = Math.min(time, free.firstStop(courses.before(), until - tau, least, trajectories.h() / SOLUTIONS));
+        }
+        return until - tau == time && stop >= time ? isDone : findImpulses(tau, stop);
     }
 
     /** The velocities from which on energy is counted. */
@@ -467,10 +471,7 @@ final class Heap implements Serializable {
             large.solved(body, isRough && !still);
             boolean isChanged = true;
             if (isDissolved) {
-                by.lies[body] = false;
-                motion.support(body, 0, 0, 0);
-                motion.ground().resume(body);
-                driving.thaw(body, members.ties());
+                driving.dissolve(body, members.ties());
             } else if (isRubbed) {
                 rubbing.publish(k, body, until - tau, halts, fall);
             } else if (isDriven) {

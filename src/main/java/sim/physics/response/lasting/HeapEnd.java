@@ -69,7 +69,7 @@ final class HeapEnd implements Serializable {
     }
 
     /** Gives the second half to the heap that was found last, whose bodies are where their ways have ended. */
-    void complete(double tau) {
+    void complete(double tau, IntList changed) {
         IntList heap = members.bodies();
         manifold = manifold == null ? new Manifold() : manifold;
         system.clear();
@@ -105,6 +105,8 @@ final class HeapEnd implements Serializable {
                 by.paidUntil[body] = 0;
             }
             System.arraycopy(system.v, 3 * k, trajectories.data(), body * Trajectories.STRIDE + Trajectories.VX, State.BLOCK);
+            by.place[body] = 0;
+            changed.add(body);
         }
     }
 
