@@ -182,7 +182,7 @@ class ToldImpulsesTest {
     @ParameterizedTest
     @CsvSource({"false, false", "false, true", "true, false", "true, true"})
     void thatIsAllThatBodiesGet(boolean isRough, boolean isTray) {
-        for (int seed = 0; seed < 16; seed++) {
+        for (int seed = 0; seed < 48; seed++) {
             Random random = new Random(seed);
             ToldImpulsesTest one = poured(random, isRough, isTray);
             one.stepAndSum(isRough, seed);
