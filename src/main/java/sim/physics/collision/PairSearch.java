@@ -90,6 +90,7 @@ final class PairSearch implements Serializable {
     private double look(int pair, double tau, double start, double end) {
         found = NEVER;
         if (start == Double.POSITIVE_INFINITY) {
+            marks.clearances().forget(pair); // on this course the two may come nearer than on the one before
             return 0;
         }
         double depth = marks.depth(pair);
