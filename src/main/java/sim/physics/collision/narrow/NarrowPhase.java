@@ -398,7 +398,7 @@ public final class NarrowPhase implements Serializable {
         int flush = flushNeighbour(owner, edge, other, deepest);
         boolean isStruck = flush < 0 && flushLimit == Tolerances.FLUSH * pose.size && contact.gap <= Tolerances.GAP * pose.extent;
         int vertex = isStruck ? StruckCorner.of(pose, owner, edge, other, deepest, -side(other)) : deepest;
-        if (flush < 0 && (vertex == deepest || StruckCorner.isOver(owner, edge, other, vertex))) {
+        if (flush < 0 && (vertex == deepest || owner.isOver(edge, other, vertex))) {
             addCorner(owner, edge, other, vertex, contact);
         } else {
             addStretch(owner, edge, other, deepest, flush < 0 ? vertex : flush, contact);
@@ -406,7 +406,7 @@ public final class NarrowPhase implements Serializable {
     }
 
     private void addCorner(Pose.Placed owner, int edge, Pose.Placed other, int vertex, Manifold contact) {
-        double at = StruckCorner.along(owner, edge, other, vertex);
+        double at = owner.along(edge, other, vertex);
         contact.room = Math.min(at, owner.length(edge) - at);
         addSurfacePoint(other.vx[vertex], other.vy[vertex], side(other) * other.rounding(), contact);
         if (other.n > 1 && flushLimit > Tolerances.FLUSH * pose.size) {
@@ -418,11 +418,11 @@ public final class NarrowPhase implements Serializable {
     private void addStretch(Pose.Placed owner, int edge, Pose.Placed other, int vertex, int flush, Manifold contact) {
         double ex = owner.normalX(edge);
         double ey = owner.normalY(edge);
-        double at = StruckCorner.along(owner, edge, other, vertex);
-        double to = StruckCorner.along(owner, edge, other, flush);
+        double at = owner.along(edge, other, vertex);
+        double to = owner.along(edge, other, flush);
         double from = Math.max(0, Math.min(at, to));
         double end = Math.min(owner.length(edge), Math.max(at, to));
-        double slope = (StruckCorner.height(owner, edge, other, flush) - StruckCorner.height(owner, edge, other, vertex)) / (to - at);
+        double slope = (owner.height(edge, other, flush) - owner.height(edge, other, vertex)) / (to - at);
         contact.gaps[0] = contact.gap + slope * (from - at);
         contact.gaps[1] = contact.gap + slope * (end - at);
         contact.stretch(Math.min(at, to), Math.max(at, to), owner.length(edge), ENDS * pose.size);
@@ -435,7 +435,7 @@ public final class NarrowPhase implements Serializable {
     }
 
     private void addNear(Pose.Placed owner, int edge, Pose.Placed other, int vertex, Manifold contact) {
-        double height = StruckCorner.height(owner, edge, other, vertex);
+        double height = owner.height(edge, other, vertex);
         contact.addNear(other.vx[vertex], other.vy[vertex], pose.px, pose.py, height);
     }
 
@@ -446,9 +446,9 @@ public final class NarrowPhase implements Serializable {
         }
         int next = (vertex + 1) % other.n;
         int previous = (vertex + other.n - 1) % other.n;
-        double own = StruckCorner.height(owner, edge, other, vertex);
-        double atNext = Math.abs(StruckCorner.height(owner, edge, other, next) - own);
-        double atPrevious = Math.abs(StruckCorner.height(owner, edge, other, previous) - own);
+        double own = owner.height(edge, other, vertex);
+        double atNext = Math.abs(owner.height(edge, other, next) - own);
+        double atPrevious = Math.abs(owner.height(edge, other, previous) - own);
         if (Math.min(atNext, atPrevious) > flushLimit) {
             return -1;
         }

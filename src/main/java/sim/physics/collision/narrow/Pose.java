@@ -97,6 +97,22 @@ final class Pose {
             return shape[base + ShapeTable.FIRST + ShapeTable.VERTEX * edge + ShapeTable.LENGTH];
         }
 
+        /** How far a vertex of a body is over the line of an edge. */
+        double height(int edge, Placed other, int vertex) {
+            return (other.vx[vertex] - vx[edge]) * normalX(edge) + (other.vy[vertex] - vy[edge]) * normalY(edge);
+        }
+
+        /** Where a vertex of a body is along an edge, from its beginning. */
+        double along(int edge, Placed other, int vertex) {
+            return (other.vy[vertex] - vy[edge]) * normalX(edge) - (other.vx[vertex] - vx[edge]) * normalY(edge);
+        }
+
+        /** Whether a vertex of a body is over an edge, and not beyond its ends. */
+        boolean isOver(int edge, Placed other, int vertex) {
+            double along = along(edge, other, vertex);
+            return along >= 0 && along <= length(edge);
+        }
+
         /** The vertex that is farthest in a direction. */
         int support(double dx, double dy) {
             int best = 0;

@@ -28,13 +28,13 @@ final class StruckCorner {
         }
         int corner = deepest;
         double least = 0;
-        double at = along(owner, edge, other, deepest);
+        double at = owner.along(edge, other, deepest);
         for (int k = 0; k < other.n; k++) {
-            double along = along(owner, edge, other, k);
+            double along = owner.along(edge, other, k);
             double end = Math.max(0, Math.min(owner.length(edge), along));
             double rate = k == deepest ? 0 : leaving + (end - at) / (along - at) * (rate(pose, owner, edge, other, k, side) - leaving);
             boolean isThere = end == along || areNeighbours(other, deepest, k);
-            if (isThere && rate < least && height(owner, edge, other, k) - pose.rounding <= Tolerances.GAP * pose.extent) {
+            if (isThere && rate < least && owner.height(edge, other, k) - pose.rounding <= Tolerances.GAP * pose.extent) {
                 corner = k;
                 least = rate;
             }
@@ -42,24 +42,8 @@ final class StruckCorner {
         return corner;
     }
 
-    /** Whether a corner is over an edge, and not beyond its ends. */
-    static boolean isOver(Pose.Placed owner, int edge, Pose.Placed other, int corner) {
-        double along = along(owner, edge, other, corner);
-        return along >= 0 && along <= owner.length(edge);
-    }
-
     private static boolean areNeighbours(Pose.Placed body, int first, int second) {
         return second == (first + 1) % body.n || first == (second + 1) % body.n;
-    }
-
-    /** How far a corner is over the line of an edge. */
-    static double height(Pose.Placed owner, int edge, Pose.Placed other, int corner) {
-        return (other.vx[corner] - owner.vx[edge]) * owner.normalX(edge) + (other.vy[corner] - owner.vy[edge]) * owner.normalY(edge);
-    }
-
-    /** Where a corner is along an edge, from its beginning. */
-    static double along(Pose.Placed owner, int edge, Pose.Placed other, int corner) {
-        return (other.vy[corner] - owner.vy[edge]) * owner.normalX(edge) - (other.vx[corner] - owner.vx[edge]) * owner.normalY(edge);
     }
 
     /** How fast a corner rises over an edge that turns with its body. */

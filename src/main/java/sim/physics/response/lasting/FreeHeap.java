@@ -53,7 +53,7 @@ final class FreeHeap implements Serializable {
     /** The same while a pair is deeper than it is to be: what is regained of it in a step is a fifth, and the rest would stay. */
     private static final double STILL_REGAINS = 1e-8;
 
-    /** The same of a heap that nothing holds. */
+    /** Speed that forces give a heap that has stopped, relative to what they would without contacts, from which nothing holds it. */
     private static final double SLIPS = 1e-3;
 
     /** Speed of a point that slides, relative to that which forces give in a time, from which it is looked at when it stops within that. */
