@@ -183,7 +183,7 @@ final class FreeHeap implements Serializable {
             System.arraycopy(last, 0, system.v, 0, last.length);
             return false;
         }
-        notes.hold(time, isHalf ? 0.5 * time : time);
+        notes.hold(time, given(time, isHalf));
         Arrays.fill(system.v, 0, 3 * heap.size, 0);
         return true;
     }

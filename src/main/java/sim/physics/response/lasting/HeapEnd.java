@@ -68,7 +68,7 @@ final class HeapEnd implements Serializable {
         return by.isHalf[body] && by.paidUntil[body] <= tau;
     }
 
-    /** Gives the second half to the heap that was found last, whose bodies are where their ways have ended. */
+    /** Gives the second half to the heap that was found last, whose bodies are where their ways have ended; notes them, and that they have no place in it any more. */
     void complete(double tau, IntList changed) {
         IntList heap = members.bodies();
         manifold = manifold == null ? new Manifold() : manifold;
